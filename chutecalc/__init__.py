@@ -1,0 +1,50 @@
+"""Lumped-mass continuum model of transfer chutes: how fast and how deep the stream runs, and where it fails.
+
+>>> import chutecalc
+>>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).status
+array(['ok'], dtype='<U12')
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from chutecalc.chute import Chute, load, parse, solve
+    from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
+    from chutecalc.solution import Solution
+    from chutecalc.spec.starter import STARTER
+
+__all__ = [
+    "STARTER",
+    "Chute",
+    "ChutecalcError",
+    "Fault",
+    "Solution",
+    "SpecError",
+    "UsageError",
+    "__version__",
+    "load",
+    "parse",
+    "solve",
+]
+__version__ = "0.1.0"
+
+_ROOMS = {
+    "STARTER": "chutecalc.spec.starter",
+    "Chute": "chutecalc.chute",
+    "ChutecalcError": "chutecalc.errors",
+    "Fault": "chutecalc.errors",
+    "Solution": "chutecalc.solution",
+    "SpecError": "chutecalc.errors",
+    "UsageError": "chutecalc.errors",
+    "load": "chutecalc.chute",
+    "parse": "chutecalc.chute",
+    "solve": "chutecalc.chute",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Public names are imported when first asked for, so that ``chutecalc --help`` loads nothing."""
+    if name not in _ROOMS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_ROOMS[name]), name)

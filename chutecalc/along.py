@@ -1,0 +1,147 @@
+"""Quantities along the way of a solved chute, by column name, at any share of each of its parts.
+
+Arrays are of shape (places, designs) here, and of shape (designs,) where a place is meant that each design has one of.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.design import Contact, Design, Status
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.flight import path_length
+from chutecalc.physics.pressure import pressure_ratio
+from chutecalc.solver.chain import ContactLeg, Leg
+from chutecalc.solver.profile import Profile, flight_profile, slide_profile
+
+Numbers = dict[str, Array]
+SAMPLES = np.linspace(0.0, 1.0, 65)
+ROUNDS, GRID = 3, np.linspace(0.0, 1.0, 9)  # each round leaves a quarter of the bracket around an extreme
+
+
+class Part(NamedTuple):
+    """A stretch of the way that is shown as one: a segment, or a flight that leads to one."""
+
+    name: str
+    kind: str
+    leg: Leg
+    contact: ContactLeg | None
+    """None for a flight."""
+    start_time: Array
+    """s since the inlet, shape (designs,)."""
+    design: Design
+
+    def way(self) -> Array:
+        """How far each design travels on the part: m in flight, a share of the segment in contact."""
+        if self.contact is None:
+            return path_length(self.leg.path, self.leg.flight_time)
+        place = np.full(len(self.leg.status), np.nan)
+        place[self.contact.rows] = self.contact.stretch.place
+        return place - self.contact.arrival.place
+
+    def length(self) -> Array:
+        """The same in m."""
+        return self.way() if self.contact is None else self.way() * self.contact.surface.length
+
+    def status(self) -> Index:
+        """How the part ends for each design; a flight to a segment ends well where it lands."""
+        if self.kind == "flight":
+            return np.where(np.isfinite(self.leg.flight_time), Status.OK, Status.NOT_REACHED)
+        return self.leg.status
+
+    def at(self, shares: Array) -> Numbers:
+        """All columns at shares of the way, of shape (places,) for all designs or (places, designs) for each."""
+        with np.errstate(all="ignore"):
+            return self._columns(self._profile(shares))
+
+    def _profile(self, shares: Array) -> Profile:
+        alike = shares if shares.ndim == 1 else None
+        places = self.way() * (shares[:, None] if shares.ndim == 1 else shares)
+        if self.contact is None:
+            return flight_profile(self.leg, self.design.volume_rate, places)
+        return slide_profile(self.leg, self.contact, self.contact.arrival.place + places, alike)
+
+    def _columns(self, at: Profile) -> Numbers:
+        """The catalogue's columns, the thickness (depth over the free surface's width) and the missing load."""
+        pressure = self._pressure(at)
+        friction = 0.0 if self.contact is None else self.contact.slide.friction
+        return {
+            "s_m": at.distance,
+            "x_m": at.x,
+            "z_m": at.z,
+            "slope_deg": np.degrees(at.slope),
+            "velocity_m_s": at.velocity,
+            "depth_m": at.depth,
+            "chamfer_wetted_m": np.where(self._has_chamfer(), at.chamfer, np.nan),
+            "area_m2": at.area,
+            "equivalent_friction": at.friction,
+            "normal_acceleration_m_s2": at.normal,
+            "pressure_kpa": pressure / 1000.0,
+            "wear_w_m2": friction * pressure * at.velocity,
+            "froude": np.where(at.normal > 0.0, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan),
+            "time_s": self.start_time + at.time,
+            "thickness": at.depth / at.width,
+            "missing_load": at.missing,
+        }
+
+    def _has_chamfer(self) -> bool:
+        return isinstance(self.leg.segment, Contact) and bool(self.leg.segment.section.lengths)
+
+    def _pressure(self, at: Profile) -> Array:
+        """ρ n (H + m A/B) on the centre section, which carries the missing load; in a vee K ρ n H at the foot."""
+        if self.contact is None or not isinstance(self.leg.segment, Contact):
+            return at.depth
+        section = self.leg.segment.section
+        base = section.base
+        load = at.depth + at.missing * at.area / np.where(base > 0.0, base, np.inf)
+        foot = pressure_ratio(section.inclinations[0], self.design.vertical_ratio) if section.lengths else 1.0
+        return self.design.density * at.normal * np.where(base > 0.0, load, foot * at.depth)
+
+
+class Extreme(NamedTuple):
+    """Where a quantity is least or largest along a part, shape (designs,)."""
+
+    value: Array
+    share: Array
+    """Of the part's way."""
+
+
+def extremes(part: Part, sampled: Numbers, wanted: Sequence[tuple[str, float]]) -> list[Extreme]:
+    """Extremes of quantities along a part, found between its samples too.
+
+    Args:
+        part: of the way.
+        sampled: its columns at ``SAMPLES``.
+        wanted: column name and sign, -1 for the least and 1 for the largest.
+
+    Returns:
+        One for each wanted. Inside, they are those of the parabola through the last three places, 2.4e-4 of the way
+        apart: for what varies smoothly, right to about 1e-11 of its variation.
+    """
+    found = [
+        _best(sign * sampled[name], np.broadcast_to(SAMPLES[:, None], sampled[name].shape)) for name, sign in wanted
+    ]
+    inner = [k for k, (_, low, high) in enumerate(found) if ((low > 0.0) & (high < 1.0)).any()]
+    for _ in range(ROUNDS if inner else 0):
+        low, high = (np.stack([found[k][side] for k in inner]) for side in (1, 2))
+        grid = low + (high - low) * GRID[:, None, None]
+        columns = part.at(grid.reshape(-1, grid.shape[2]))
+        for j, k in enumerate(inner):
+            name, sign = wanted[k]
+            found[k] = _best(sign * columns[name].reshape(grid.shape)[:, j], grid[:, j])
+    return [Extreme(sign * best.value, best.share) for (best, _, _), (_, sign) in zip(found, wanted, strict=True)]
+
+
+def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
+    """The largest of some values, by the parabola through it and its neighbours, and the bracket between those."""
+    filled = np.where(np.isnan(values), -np.inf, values)
+    top = filled.argmax(axis=0)
+    columns = np.arange(values.shape[1])
+    left, right = np.maximum(top - 1, 0), np.minimum(top + 1, len(values) - 1)
+    x = [shares[row, columns] for row in (left, top, right)]
+    f = [values[row, columns] for row in (left, top, right)]
+    bend = (f[2] - 2.0 * f[1] + f[0]) * ((left < top) & (top < right))  # equally spaced
+    shift = np.where(bend < 0.0, 0.5 * (f[0] - f[2]) / np.where(bend < 0.0, bend, 1.0), 0.0)
+    value = f[1] - 0.25 * (f[0] - f[2]) * shift
+    return Extreme(value, x[1] + shift * (x[2] - x[1])), x[0], x[2]

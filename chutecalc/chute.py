@@ -1,0 +1,167 @@
+"""A chute from its spec, and its solution."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from chutecalc.design import Design
+from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.physics.arrays import Array
+from chutecalc.solution import Solution
+from chutecalc.solver.chain import run_chain
+from chutecalc.spec.build import build
+from chutecalc.spec.faults import Place, faults_of, value_text
+from chutecalc.spec.file import key_lines, parse_text, read_text
+from chutecalc.spec.model import ChuteSpec
+from chutecalc.spec.paths import with_values
+
+TOLERANCES = (1e-13, 1e-3)
+
+
+class Chute:
+    """A chute, or n variants of it: the spec as written, checked, and as numbers."""
+
+    def __init__(
+        self,
+        data: dict[str, Any],
+        source: str = "spec",
+        lines: Mapping[Place, int] | None = None,
+        drawn_slopes: Mapping[int, Array] | None = None,
+    ) -> None:
+        """Checks a spec and turns it into numbers.
+
+        Args:
+            data: nested tables as TOML gives them; where designs are varied, with arrays of length 1 or n.
+            source: what messages call it.
+            lines: the line of each key, for messages.
+            drawn_slopes: see :func:`chutecalc.spec.build.build`.
+
+        Raises:
+            SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
+        """
+        self.data, self.source = data, source
+        self._lines = dict(lines or {})
+        try:
+            self.spec = ChuteSpec.model_validate(data)
+        except ValidationError as error:
+            raise SpecError(faults_of(error, data, self._lines), source) from None
+        self.design: Design = build(self.spec, source, self._lines, drawn_slopes)
+
+    def vary(self, changes: Mapping[str, Any]) -> "Chute":
+        """Variants of this chute: parallel arrays put at spec paths, design k taking entry k of each.
+
+        Args:
+            changes: path to a number or a 1-dimensional array, all of length 1 or n, in the units of the path. A key in
+                another unit replaces the one given.
+
+        Returns:
+            The chute of n designs. A curve tangent to a falling stream keeps the slope that it has in this chute.
+
+        Raises:
+            SpecError: a path that leads nowhere, arrays that do not fit together, a value out of bounds.
+
+        >>> import chutecalc
+        >>> spoon = chutecalc.parse(chutecalc.STARTER)
+        >>> variants = spoon.vary({"segments.spoon.radius_m": [2.0, 3.0], "material.internal_friction_deg": 40})
+        >>> chutecalc.solve(variants).exit_velocity.shape
+        (2,)
+        """
+        arrays = {path: _as_array(path, value, self.source) for path, value in changes.items()}
+        lengths = {len(value) for value in arrays.values() if isinstance(value, np.ndarray) and len(value) != 1}
+        if len(lengths) > 1:
+            given = ", ".join(f"{path} {len(value)}" for path, value in arrays.items() if isinstance(value, np.ndarray))
+            raise SpecError(
+                [Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], self.source
+            )
+        return Chute(with_values(self.data, arrays, self.source), self.source, drawn_slopes=self._drawn_slopes)
+
+    def put(self, changes: Mapping[str, Any]) -> "Chute":
+        """This chute with single values, or text, put at spec paths: a changed spec rather than a variant.
+
+        Raises:
+            SpecError: as :meth:`vary`.
+        """
+        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._lines)
+
+    @cached_property
+    def _drawn_slopes(self) -> dict[int, Array]:
+        """Entry slopes that this chute's own stream fixes, by number of the segment."""
+        segments = self.design.segments
+        if not any(getattr(segment, "entry_slope", segment) is None for segment in segments):
+            return {}
+        legs = run_chain(self.design, 1e-10, complete=False)
+        return {
+            number: leg.contact.surface.slope
+            for number, leg in enumerate(legs)
+            if leg.contact and np.isfinite(leg.contact.surface.slope).all()
+        }
+
+
+def load(path: str | Path) -> Chute:
+    """A chute from a TOML file.
+
+    Raises:
+        SpecError: the file cannot be read, or all that is wrong with what it says.
+    """
+    file = Path(path)
+    return parse(read_text(file), str(file))
+
+
+def parse(spec: str | Mapping[str, Any], source: str = "spec") -> Chute:
+    """A chute from the text of a spec, or from its nested tables.
+
+    Args:
+        spec: TOML, or what ``tomllib`` would make of it.
+        source: what messages call it.
+
+    Raises:
+        SpecError: all that is wrong with it.
+    """
+    if isinstance(spec, str):
+        return Chute(parse_text(spec, source), source, key_lines(spec))
+    return Chute(dict(spec), source)
+
+
+def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
+    """The stream through a chute, or through each of n.
+
+    Args:
+        chute: from :func:`load`, :func:`parse` or :meth:`Chute.vary`.
+        rtol: error allowed to the velocity at every place, relative, or as a shift of the place by that share of its
+            segment's length, whichever is larger; from 1e-13 to 1e-3.
+
+    Returns:
+        The solution; a design that fails says so in its status, and never keeps others from being solved.
+
+    Raises:
+        UsageError: ``rtol`` out of its range.
+        SpecError: a hood tangent to a falling stream that is steeper than the hood's end.
+
+    >>> import chutecalc
+    >>> solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
+    >>> solution.status, solution.exit_velocity.round(3)
+    (array(['ok'], dtype='<U12'), array([3.878]))
+    """
+    low, high = TOLERANCES
+    if not low <= rtol <= high:
+        raise UsageError(f"rtol has to be from {low:g} to {high:g}, not {rtol!r}")
+    try:
+        legs = run_chain(chute.design, rtol)
+    except SpecError as error:
+        raise SpecError(error.faults, chute.source) from None
+    return Solution(chute.design, tuple(legs), rtol)
+
+
+def _as_array(path: str, value: Any, source: str) -> Any:
+    """A varied value as a 1-dimensional array of floats."""
+    try:
+        array = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        array = np.empty((0, 0))
+    if array.ndim > 1 or array.size == 0 or isinstance(value, str | bool):
+        raise SpecError([Fault(path, "takes numbers", "give a number or a list of numbers", value_text(value))], source)
+    return np.atleast_1d(array)

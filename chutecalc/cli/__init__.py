@@ -1,0 +1,85 @@
+"""The command line: one thin file a command. ``main`` alone prints errors and sets the exit status."""
+
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+
+import typer
+
+from chutecalc import __version__
+from chutecalc.cli import columns, new, run, schema
+from chutecalc.errors import ChutecalcError, ExitStatus
+
+ISSUES = "the issue tracker of chutecalc"
+
+app = typer.Typer(
+    name="chutecalc",
+    help="How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model.",
+    rich_markup_mode=None,
+    no_args_is_help=True,
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command("run")(run.run)
+app.command("new")(new.new)
+app.command("schema")(schema.schema)
+app.command("columns")(columns.columns)
+
+
+def _show_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"chutecalc {__version__}")
+        raise typer.Exit()
+
+
+@app.callback()
+def _common(
+    version: bool = typer.Option(
+        False, "--version", callback=_show_version, is_eager=True, help="Show the version and exit."
+    ),
+) -> None:
+    """How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs a command line.
+
+    Args:
+        arguments: without the program's name; those of the process where none are given.
+
+    Returns:
+        The exit status, see :class:`chutecalc.errors.ExitStatus`.
+    """
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        status = app(args=given, prog_name="chutecalc", standalone_mode=False)
+        sys.stdout.flush()
+        return int(status or ExitStatus.OK)
+    except BrokenPipeError:
+        # whoever read our output has had enough; Python would complain once more when it closes the stream
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return ExitStatus.OK
+    except typer.TyperException as error:
+        return _complain(error.format_message(), ExitStatus.USAGE)
+    except ChutecalcError as error:
+        return _complain(str(error), error.exit_status)
+    except KeyboardInterrupt:
+        return _complain("interrupted", ExitStatus.INTERRUPTED)
+    except OSError as error:
+        return _complain(f"the output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
+    except Exception as error:
+        if "--debug" in given:
+            traceback.print_exc()
+        text = f"a fault of the program, version {__version__}: {error!r}\nPlease report it at {ISSUES}, with the command and the spec"
+        return _complain(
+            text + ("." if "--debug" in given else "; --debug shows where it happened."), ExitStatus.INTERNAL
+        )
+
+
+def _complain(text: str, status: ExitStatus) -> int:
+    """Says on standard error what is wrong; faults of specs name their file themselves."""
+    print(
+        text if text.startswith("Usage:") or ": " in text.split(" ")[0] + " " else f"chutecalc: {text}", file=sys.stderr
+    )
+    return status

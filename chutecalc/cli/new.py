@@ -1,0 +1,23 @@
+"""``chutecalc new``: a spec to start from."""
+
+import typer
+
+from chutecalc.errors import OutputError
+
+
+def new(file: str = typer.Argument("chute.toml", metavar="[FILE]", help="To write; - for standard output.")) -> int:
+    """Write a commented spec to start from. An existing file is never overwritten."""
+    from chutecalc.spec.starter import STARTER
+
+    if file == "-":
+        typer.echo(STARTER, nl=False)
+        return 0
+    try:
+        with open(file, "x", encoding="utf-8") as stream:
+            stream.write(STARTER)
+    except FileExistsError:
+        raise OutputError(f"{file} exists, and is left as it is: choose another name") from None
+    except OSError as error:
+        raise OutputError(f"{file} cannot be written: {error.strerror}") from None
+    typer.echo(f"wrote {file}; now: chutecalc run {file}")
+    return 0

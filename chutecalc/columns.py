@@ -1,0 +1,102 @@
+"""The one catalogue of columns: what tables, CSV, JSON and plots call a quantity, and how people read it."""
+
+from typing import NamedTuple
+
+from chutecalc.units import TEXT, convert
+
+
+class Column(NamedTuple):
+    """A quantity along the stream."""
+
+    name: str
+    """In CSV and JSON and from Python, with its unit."""
+    heading: str
+    symbol: str
+    meaning: str
+    dimension: str = ""
+    """Empty for text; ``number`` for what has no unit."""
+    unit: str = ""
+    digits: int = 3
+    """Decimals that people are shown."""
+    us_unit: str = ""
+    us_digits: int = 1
+
+    def shown(self, value: float, units: str) -> str:
+        """A number as people are shown it; nothing where it does not exist.
+
+        >>> COLUMNS["depth_m"].shown(0.0254, "us"), COLUMNS["depth_m"].shown(float("nan"), "metric")
+        ('1.00', '')
+        """
+        if value != value:
+            return ""
+        if units == "us" and self.us_unit:
+            return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
+        return f"{value:.{self.digits}f}"
+
+    def unit_text(self, units: str) -> str:
+        """The unit that goes with :meth:`shown`."""
+        unit = self.us_unit if units == "us" and self.us_unit else self.unit
+        return TEXT.get(unit, unit)
+
+
+COLUMNS = {
+    column.name: column
+    for column in (
+        Column("spec", "spec", "", "the spec's file"),
+        Column("segment", "segment", "", "name of the segment; NAME:flight for a flight that leads to it"),
+        Column("kind", "kind", "", "kind of the segment; flight"),
+        Column("s_m", "s", "s", "distance from the inlet along the stream", "length", "m", 3, "ft", 2),
+        Column("x_m", "x", "x", "horizontal position along the chute, from the inlet", "length", "m", 3, "ft", 2),
+        Column("z_m", "z", "z", "height above the inlet", "length", "m", 3, "ft", 2),
+        Column("slope_deg", "slope", "a", "slope of the stream below horizontal", "angle", "deg", 2, "", 2),
+        Column("velocity_m_s", "velocity", "v", "mean velocity of the stream", "velocity", "m_s", 3, "fpm", 1),
+        Column("depth_m", "depth", "H", "flow depth normal to the centre section", "length", "m", 4, "in", 2),
+        Column("chamfer_wetted_m", "chamfer", "C", "wetted length of one chamfer", "length", "m", 4, "in", 2),
+        Column("area_m2", "area", "A", "flow area", "area", "m2", 5, "ft2", 4),
+        Column("equivalent_friction", "μ_e", "μ_e", "equivalent friction", "number", "", 4),
+        Column(
+            "normal_acceleration_m_s2",
+            "n",
+            "n",
+            "acceleration that presses the stream on its surface",
+            "acceleration",
+            "m_s2",
+            2,
+            "ft_s2",
+            1,
+        ),
+        Column(
+            "pressure_kpa",
+            "pressure",
+            "p",
+            "on the centre section; in a vee, on the flanks at their foot",
+            "pressure",
+            "kpa",
+            3,
+            "psf",
+            1,
+        ),
+        Column("wear_w_m2", "wear", "", "friction power per area there, at slip_ratio 1", "power", "w_m2", 1),
+        Column("froude", "Fr", "Fr", "Froude number v/√(n A/b_s), b_s the free surface's width", "number", "", 2),
+        Column("time_s", "time", "t", "since the inlet", "time", "s", 3),
+    )
+}
+"""Station columns in the order of the CSV."""
+
+_PEOPLE = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
+"""Units that messages change for people in the United States."""
+
+
+def quantity_text(name: str, value: float, units: str) -> str:
+    """A number of a message with its unit, told from the end of its name.
+
+    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us")
+    ('1.5 m/s', '1 ft')
+    """
+    known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
+    unit = known[-1] if known else ""
+    if units == "us" and unit in _PEOPLE:
+        dimension, other = _PEOPLE[unit]
+        value, unit = convert(value, dimension, unit, other), other
+    shown = TEXT.get(unit, unit)
+    return f"{value:.4g}" + ("°" if unit == "deg" else f" {shown}" if shown else "")

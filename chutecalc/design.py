@@ -1,0 +1,142 @@
+"""The numeric description of a chute: what the solver reads and what it hands from segment to segment.
+
+Everything is SI and radians. Numbers are arrays of length 1 or n, never 0-dimensional, so one description stands for
+one design or for many; a length of 1 is shared by all of them and stays short until a varied number meets it.
+"""
+
+from enum import IntEnum
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.physics.section import Facets, Polygon
+
+
+class Status(IntEnum):
+    """How a design, or one of its segments, ends. The lower-case name is what users read."""
+
+    OK = 0
+    STALL = 1
+    CHOKE = 2
+    CONTACT_LOST = 3
+    MISSED = 4
+    NOT_REACHED = 5
+
+    @property
+    def label(self) -> str:
+        """As tables, JSON and CSV spell it."""
+        return self.name.lower()
+
+
+class Contact(NamedTuple):
+    """A segment that guides the stream: straight, curve or hood."""
+
+    name: str
+    kind: str
+    side: float
+    """σ: 1 for a floor, -1 for a roof."""
+    entry_slope: Array | None
+    """Drawn slope where it starts; None where it is tangent to the stream that falls into it."""
+    exit_slope: Array
+    radius: Array | None
+    """Of a curve or hood; None for a straight."""
+    length: Array | None
+    """Of a straight; a curve's follows from its slopes."""
+    section: Polygon
+    facets: Facets
+    choke_area: Array
+    """Flow area at the wall height; infinite where none is given."""
+    wall_friction: Array
+    """μ, the tangent of the wall friction angle."""
+
+
+class Fall(NamedTuple):
+    """Free flight down to a level below its drawn start."""
+
+    name: str
+    kind: str
+    drop: Array
+
+
+Segment = Contact | Fall
+
+
+class Design(NamedTuple):
+    """A chute, or n of them in parallel arrays."""
+
+    mass_rate: Array
+    density: Array
+    gravity: Array
+    internal_friction: Array | None
+    """δ, rad; None where the spec gives a pressure ratio alone."""
+    vertical_ratio: Array
+    """K_v."""
+    inlet_velocity: Array
+    inlet_slope: Array
+    segments: tuple[Segment, ...]
+
+    @property
+    def volume_rate(self) -> Array:
+        """Q = ṁ/ρ, m³/s."""
+        return self.mass_rate / self.density
+
+
+class Stream(NamedTuple):
+    """The stream at one place, an entry a design: what one segment hands to the next."""
+
+    distance: Array
+    """From the inlet along the stream, m."""
+    x: Array
+    z: Array
+    slope: Array
+    """Below horizontal, rad."""
+    velocity: Array
+    error: Array
+    """Estimated relative error of the velocity."""
+    status: Index
+    """A :class:`Status` each; once it is not OK the numbers are NaN."""
+    airborne: Mask
+    """In free flight: not on the drawn end of the segment it came from."""
+
+
+Record = TypeVar("Record", bound=tuple[Any, ...])
+"""A named tuple whose fields are arrays, such tuples, or values that all designs share."""
+
+
+def take(array: Array, rows: Index) -> Array:
+    """The entries of some designs; an array of length 1 serves them all and is returned as it is."""
+    return array if len(array) == 1 else np.ascontiguousarray(array[rows])
+
+
+def select(record: Record, rows: Index) -> Record:
+    """A record of some of the designs."""
+
+    def chosen(field: Any) -> Any:
+        if isinstance(field, np.ndarray):
+            return take(field, rows)
+        return select(field, rows) if isinstance(field, tuple) else field
+
+    return type(record)(*(chosen(field) for field in record))
+
+
+def spread(record: Record, rows: Index, count: int) -> Record:
+    """The reverse of :func:`select`: NaN, or ``NOT_REACHED``, in the designs that were not chosen."""
+    if len(rows) == count:
+        return record
+
+    def filled(field: Any) -> Any:
+        if isinstance(field, tuple):
+            return spread(field, rows, count)
+        if not isinstance(field, np.ndarray) or len(field) != len(rows):
+            return field
+        whole = np.full(count, np.nan if field.dtype == np.float64 else Status.NOT_REACHED)
+        whole[rows] = field
+        return whole
+
+    return type(record)(*(filled(field) for field in record))
+
+
+def length(record: tuple[Any, ...]) -> int:
+    """How many designs the arrays of a record, of length 1 or n, describe."""
+    return max((len(field) for field in record if isinstance(field, np.ndarray)), default=1)

@@ -1,0 +1,80 @@
+"""What a user may meet, with the exit status of each. The library raises; only ``cli.main`` prints."""
+
+from collections.abc import Sequence
+from enum import IntEnum
+from typing import NamedTuple
+
+
+class ExitStatus(IntEnum):
+    """Exit statuses of the commands."""
+
+    OK = 0
+    FAILS = 1
+    """The design fails, or a check found a difference."""
+    USAGE = 2
+    """A wrong command or spec, or an output that cannot be opened."""
+    EXTRA_MISSING = 3
+    INTERNAL = 70
+    WRITE_FAILED = 74
+    INTERRUPTED = 130
+
+
+class ChutecalcError(Exception):
+    """Anything that a user can mend."""
+
+    exit_status = ExitStatus.USAGE
+
+
+class Fault(NamedTuple):
+    """One thing wrong with a spec: the fact, the place, the next step."""
+
+    path: str
+    """Key path as the user wrote it, ``segments.2.radius_mm``; empty for the whole file."""
+    problem: str
+    """What is wrong, with what is allowed."""
+    remedy: str
+    """What to do."""
+    given: str = ""
+    """The value given, as text."""
+    line: int | None = None
+
+    def text(self, source: str) -> str:
+        """As shown to people: ``spoon.toml:12: segments.2.radius_m = -3 has to be greater than 0 m. Change it.``."""
+        place = source if self.line is None else f"{source}:{self.line}"
+        what = " = ".join(part for part in (self.path, self.given) if part)
+        remedy = self.remedy[:1].upper() + self.remedy[1:]
+        return (
+            f"{place}: "
+            + " ".join(part for part in (what, self.problem) if part)
+            + f". {remedy.rstrip('?.')}"
+            + ("?" if remedy.endswith("?") else ".")
+        )
+
+
+class SpecError(ChutecalcError):
+    """A spec that cannot be used; ``faults`` lists all that is wrong with it."""
+
+    def __init__(self, faults: Sequence[Fault], source: str = "spec") -> None:
+        self.faults = tuple(faults)
+        self.source = source
+        super().__init__("\n".join(fault.text(source) for fault in self.faults))
+
+
+class UsageError(ChutecalcError):
+    """Arguments that do not fit together."""
+
+
+class OutputError(ChutecalcError):
+    """An output that cannot be opened, found before anything is solved."""
+
+
+class WriteError(ChutecalcError):
+    """A write that failed after its output was opened."""
+
+    exit_status = ExitStatus.WRITE_FAILED
+
+
+class ExtraMissingError(ChutecalcError):
+    """An optional dependency is not installed."""
+
+    exit_status = ExitStatus.EXTRA_MISSING

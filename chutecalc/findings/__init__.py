@@ -1,0 +1,51 @@
+"""What a designer is told of a solution: each criterion with its place, its numbers, its limit and its source."""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from chutecalc.along import Numbers, Part, extremes
+from chutecalc.design import Contact
+from chutecalc.findings import failures, warnings
+from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
+
+__all__ = ["Finding", "findings"]
+
+CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
+    failures.stall,
+    failures.choke,
+    failures.contact_lost,
+    failures.missed,
+    warnings.inadmissible_friction,
+    warnings.decelerating,
+    warnings.below_cut_off,
+    warnings.thick_stream,
+    warnings.slow_stream,
+    warnings.missing_load,
+    warnings.above_chamfer,
+    warnings.geometry_follows_flow,
+)
+
+
+def findings(parts: list[Part], samples: list[Numbers], count: int) -> list[Finding]:
+    """All findings of a solution: failures, then warnings, then notes, each along the way.
+
+    Args:
+        parts: of the way.
+        samples: their columns at :data:`chutecalc.along.SAMPLES`.
+        count: of designs.
+    """
+    found: list[Finding] = []
+    guided = [part for part in parts if part.contact is not None]
+    with np.errstate(all="ignore"):
+        for number, (part, sampled) in enumerate(zip(parts, samples, strict=True)):
+            if part.contact is None:
+                continue
+            worst = dict(zip(WORST, extremes(part, sampled, list(WORST.items())), strict=True))
+            after = parts[number + 1].leg.start.airborne if number + 1 < len(parts) else np.zeros(1, dtype=bool)
+            segment = part.leg.segment
+            assert isinstance(segment, Contact)
+            scene = Scene(part, part.contact, segment, sampled, worst, after, part is guided[-1], count)
+            found += [finding for criterion in CRITERIA for finding in criterion(scene)]
+    order = {FAILURE: 0, WARNING: 1, NOTE: 2}
+    return sorted(found, key=lambda finding: order[finding.severity])

@@ -1,0 +1,84 @@
+"""A finding, and the scene that its criterion judges."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.along import Extreme, Numbers, Part
+from chutecalc.columns import quantity_text
+from chutecalc.design import Contact
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.solver.chain import ContactLeg
+
+FAILURE, WARNING, NOTE = "failure", "warning", "note"
+
+
+class Finding(NamedTuple):
+    """One finding about some of the designs; arrays are of shape (designs,)."""
+
+    code: str
+    severity: str
+    """``failure``, ``warning`` or ``note``."""
+    segment: str
+    mask: Mask
+    """The designs that it is about."""
+    s_m: Array
+    """Where, m from the inlet along the stream."""
+    template: str
+    """The message, with names of ``numbers`` to fill in."""
+    numbers: Numbers
+    """What led to it; names end in their units."""
+
+    def message(self, design: int = 0, units: str = "metric") -> str:
+        """The finding in words for one design."""
+        return self.template.format(
+            **{name: quantity_text(name, float(values[design]), units) for name, values in self.numbers.items()}
+        )
+
+
+WORST = {
+    "thickness": 1.0,
+    "depth_m": 1.0,
+    "froude": -1.0,
+    "missing_load": 1.0,
+    "velocity_m_s": -1.0,
+    "equivalent_friction": 1.0,
+}
+"""Quantities whose worst value along a part decides a criterion, and the sign of worse."""
+
+
+class Scene(NamedTuple):
+    """One part of the way, with what its criteria ask for."""
+
+    part: Part
+    contact: ContactLeg
+    segment: Contact
+    sampled: Numbers
+    worst: dict[str, Extreme]
+    caught: Mask
+    """Designs whose flight is taken up by the segment after this one."""
+    last: bool
+    """The last contact segment."""
+    designs: int
+
+    def place(self, share: Array) -> Array:
+        """S at a share of the part's way."""
+        s = self.sampled["s_m"]
+        place: Array = s[0] + share * (s[-1] - s[0])
+        return place
+
+    def spread(self, values: Array) -> Array:
+        """Values of the designs that moved on the segment as values of all."""
+        whole = np.full(len(self.part.leg.status), np.nan)
+        whole[self.contact.rows] = values
+        return whole
+
+
+def finding(
+    scene: Scene, code: str, severity: str, mask: Mask, s: Array, template: str, **numbers: Array
+) -> Iterator[Finding]:
+    """The finding, where it is about any design."""
+    if mask.any():
+        mask, s, *values = (np.broadcast_to(item, scene.designs) for item in (mask, s, *numbers.values()))
+        yield Finding(code, severity, scene.segment.name, mask, s, template, dict(zip(numbers, values, strict=True)))

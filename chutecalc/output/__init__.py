@@ -1,0 +1,1 @@
+"""Showing what came out. Nothing here computes."""

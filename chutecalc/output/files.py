@@ -1,0 +1,87 @@
+"""Outputs that are written whole or not at all, and opened before anything is solved."""
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import IO
+
+from chutecalc.errors import OutputError, UsageError, WriteError
+
+STANDARD_STREAM = "-"
+
+
+def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
+    """That no two outputs, and no output and input, are the same.
+
+    Raises:
+        UsageError: which are.
+    """
+    given = [output for output in outputs if output]
+    if given.count(STANDARD_STREAM) > 1:
+        raise UsageError("only one output can go to standard output (-)")
+    if list(inputs).count(STANDARD_STREAM) > 1:
+        raise UsageError("only one spec can come from standard input (-)")
+    files = [os.path.realpath(output) for output in given if output != STANDARD_STREAM]
+    if len(set(files)) < len(files):
+        raise UsageError(f"two outputs go to the same file: {', '.join(given)}")
+    for file in files:
+        if file in {os.path.realpath(name) for name in inputs if name != STANDARD_STREAM}:
+            raise UsageError(f"{file} is a spec: writing there would overwrite it")
+
+
+@contextmanager
+def open_whole(target: str | None) -> Iterator[IO[str] | None]:
+    """A text stream that becomes the file when the block ends, and leaves no trace when it fails.
+
+    Args:
+        target: a path, ``-`` for standard output, None for no output at all.
+
+    Raises:
+        OutputError: it cannot be opened.
+        WriteError: it was opened, and then could not be written.
+    """
+    if target is None:
+        yield None
+    elif target == STANDARD_STREAM:
+        yield sys.stdout
+    elif os.path.exists(target) and not os.path.isfile(target) and not os.path.isdir(target):
+        with _opened(target, target) as stream:  # a device or a pipe: nothing to rename
+            yield stream
+    else:
+        yield from _replacing(target)
+
+
+def _replacing(target: str) -> Iterator[IO[str]]:
+    """A new file beside the target that takes its place."""
+    path = Path(os.path.realpath(target))
+    if path.is_dir():
+        raise OutputError(f"{target} is a folder: name a file in it")
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with _opened(str(part), target) as stream:
+            yield stream
+            try:
+                stream.flush()
+                os.fsync(stream.fileno())
+            except OSError as error:
+                raise WriteError(f"{target} could not be written: {error.strerror}") from None
+        os.replace(part, path)
+    finally:
+        with suppress(FileNotFoundError):
+            part.unlink()
+
+
+@contextmanager
+def _opened(file: str, target: str) -> Iterator[IO[str]]:
+    """An opened file whose errors name the target."""
+    try:
+        stream = open(file, "w", encoding="utf-8", newline="")  # noqa: SIM115 - closed below; failing to open is another error
+    except OSError as error:
+        raise OutputError(f"{target} cannot be written: {error.strerror}") from None
+    try:
+        with stream:
+            yield stream
+    except OSError as error:
+        raise WriteError(f"{target} could not be written: {error.strerror}") from None

@@ -1,0 +1,92 @@
+"""A run as JSON: full double precision, null where a quantity does not exist."""
+
+import json
+import math
+from collections.abc import Mapping
+from typing import IO, Any
+
+from chutecalc import __version__
+from chutecalc.chute import Chute
+from chutecalc.columns import COLUMNS
+from chutecalc.solution import Solution
+
+FORMAT = 1
+
+
+def write_run(stream: IO[str], documents: list[dict[str, Any]]) -> None:
+    """Writes one run as an object, several as a list."""
+    json.dump(documents[0] if len(documents) == 1 else documents, stream, indent=2, allow_nan=False, ensure_ascii=False)
+    stream.write("\n")
+
+
+def run_document(chute: Chute, solution: Solution, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+    """One solved chute as JSON's own types.
+
+    Args:
+        chute: of one design.
+        solution: its solution.
+        stations: what :meth:`chutecalc.Solution.stations` gave, where they are asked for.
+    """
+    segments = []
+    flight: dict[str, Any] | None = None
+    for part in solution.ways:
+        entry: dict[str, Any] = {
+            "name": part.name,
+            "kind": part.kind,
+            "status": str(part.status[0]),
+            "entry": _first(part.entry),
+            "exit": _first(part.exit),
+            "minimum": _first(part.minimum),
+            "maximum": _first(part.maximum),
+            "duration_s": _number(part.duration[0]),
+        }
+        if stations is not None:
+            entry["stations"] = _rows(stations, part.name)
+        if part.kind == "flight":
+            flight = entry
+            continue
+        if flight is not None:
+            entry["flight"], flight = flight, None
+        segments.append(entry)
+    return {
+        "chutecalc": __version__,
+        "format": FORMAT,
+        "source": chute.source,
+        "spec": chute.data,
+        "tolerance": solution.rtol,
+        "error_estimate": _number(solution.error_estimate[0]),
+        "status": str(solution.status[0]),
+        "exit": _first(solution.exit),
+        "segments": segments,
+        "findings": [
+            {
+                "code": finding.code,
+                "severity": finding.severity,
+                "segment": finding.segment,
+                "s_m": _number(finding.s_m[0]),
+                "message": finding.message(),
+                "numbers": _first(finding.numbers),
+            }
+            for finding in solution.findings()
+        ],
+    }
+
+
+def _first(numbers: Mapping[str, Any]) -> dict[str, float | None]:
+    """The first design's numbers."""
+    return {name: _number(values[0]) for name, values in numbers.items()}
+
+
+def _rows(stations: Mapping[str, Any], part: str) -> list[dict[str, float | None]]:
+    """The stations of one part that the stream reached, an object each."""
+    names = [name for name in COLUMNS if name in stations and name not in {"segment", "kind"}]
+    chosen = (stations["segment"][0] == part) & (stations["s_m"][0] == stations["s_m"][0])
+    columns = [stations[name][0][chosen].tolist() for name in names]
+    return [
+        {name: _number(value) for name, value in zip(names, row, strict=True)} for row in zip(*columns, strict=True)
+    ]
+
+
+def _number(value: float) -> float | None:
+    """A number, or null."""
+    return float(value) if math.isfinite(value) else None

@@ -1,0 +1,149 @@
+"""Tables that a chute designer reads, with the same digits on a terminal and in a pipe."""
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from rich.console import Console
+from rich.measure import Measurement
+from rich.table import Table
+from rich.text import Text
+
+from chutecalc.chute import Chute
+from chutecalc.columns import COLUMNS
+from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
+from chutecalc.solution import SegmentResult, Solution
+
+SHOWN = (
+    "s_m", "slope_deg", "velocity_m_s", "depth_m", "equivalent_friction", "pressure_kpa", "wear_w_m2", "froude", "time_s",
+)  # fmt: skip
+"""Columns of the tables for people."""
+COLOURS = {FAILURE: "bold red", WARNING: "yellow", NOTE: "cyan"}
+NO_WRAP = 100_000
+
+
+class Printer:
+    """Prints reports to a stream, for people."""
+
+    def __init__(self, units: str = "metric", stream: Any = None) -> None:
+        self.units = units
+        self.stream = stream or sys.stdout
+        terminal = self.stream.isatty()
+        colour = terminal and not os.environ.get("NO_COLOR")
+        self.console = Console(
+            file=self.stream,
+            color_system="auto" if colour else None,
+            force_terminal=terminal,
+            width=None if terminal else NO_WRAP,
+            highlight=False,
+            markup=False,
+            emoji=False,
+        )
+
+    def text(self, text: str | Text = "") -> None:
+        """A line, wrapped to the terminal only."""
+        self.console.print(text)
+
+    def table(self, table: Table) -> None:
+        """A table at its own width: numbers are never cut or folded."""
+        needed = Measurement.get(self.console, self.console.options.update(width=NO_WRAP), table).maximum
+        width, self.console.width = self.console.width, max(self.console.width, needed)
+        self.console.print(table, crop=False)
+        self.console.width = width
+
+    def report(self, chute: Chute, solution: Solution) -> None:
+        """A chute: what it is, its segments, its findings."""
+        self.text(Text(chute.spec.title or chute.source, style="bold"))
+        self.text(_flow_line(chute))
+        self.text()
+        self.table(self._segments(solution.ways))
+        self.text()
+        self.text(self._outcome(solution))
+        self.findings(solution.findings())
+
+    def findings(self, findings: Sequence[Finding]) -> None:
+        """What a designer has to know."""
+        for finding in findings:
+            line = Text(f"{finding.severity} {finding.code}", style=COLOURS[finding.severity])
+            place = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
+            unit = COLUMNS["s_m"].unit_text(self.units)
+            line.append(f"  {finding.segment}, s = {place} {unit}: {finding.message(0, self.units)}", style="none")
+            self.text(line)
+
+    def stations(self, stations: dict[str, Any]) -> None:
+        """The stream along the chute."""
+        table = self._new_table(["segment"])
+        for k, segment in enumerate(stations["segment"][0].tolist()):
+            if stations["s_m"][0, k] == stations["s_m"][0, k]:
+                table.add_row(segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in SHOWN))
+        self.table(table)
+
+    def comparison(self, runs: Sequence[tuple[Chute, Solution]]) -> None:
+        """Several chutes beside each other, at their ends."""
+        table = self._new_table(["spec", "status"], "comparison")
+        for chute, solution in runs:
+            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in SHOWN)
+            table.add_row(chute.source, str(solution.status[0]), *cells)
+        self.table(table)
+
+    def catalogue(self) -> None:
+        """All columns."""
+        table = Table(box=None, header_style="bold", pad_edge=False)
+        for heading in ("name", "unit", "symbol", "meaning"):
+            table.add_column(heading, no_wrap=True)
+        for column in COLUMNS.values():
+            table.add_row(column.name, column.unit_text("metric"), column.symbol, column.meaning)
+        self.table(table)
+
+    def _segments(self, ways: Sequence[SegmentResult]) -> Table:
+        """The ends and extremes of each segment."""
+        table = self._new_table(["segment", "kind", ""])
+        for way in ways:
+            if way.entry["s_m"][0] != way.entry["s_m"][0]:
+                table.add_row(way.name, way.kind, str(way.status[0]).replace("_", " "), end_section=True)
+                continue
+            rows = [("in", way.entry), ("out", way.exit)]
+            if any(way.minimum[name][0] < min(way.entry[name][0], way.exit[name][0]) for name in way.minimum):
+                rows.append(("min", way.minimum))
+            if any(way.maximum[name][0] > max(way.entry[name][0], way.exit[name][0]) for name in way.maximum):
+                rows.append(("max", way.maximum))
+            for row, (label, numbers) in enumerate(rows):
+                names = (way.name, way.kind) if row == 0 else ("", "")
+                cells = (
+                    COLUMNS[name].shown(float(numbers[name][0]), self.units) if name in numbers else ""
+                    for name in SHOWN
+                )
+                table.add_row(*names, label, *cells, end_section=row == len(rows) - 1)
+        return table
+
+    def _new_table(self, labels: Sequence[str], title: str | None = None) -> Table:
+        """A table of labels and the shown columns, headed with their units."""
+        table = Table(box=None, header_style="bold", pad_edge=False, title=title, title_justify="left")
+        for label in labels:
+            table.add_column(label, no_wrap=True)
+        for name in SHOWN:
+            column = COLUMNS[name]
+            table.add_column(f"{column.heading}\n{column.unit_text(self.units)}", justify="right", no_wrap=True)
+        return table
+
+    def _outcome(self, solution: Solution) -> Text:
+        """Status and exit in a line."""
+        status = str(solution.status[0])
+        if status != "ok":
+            return Text(f"status {status}", style=COLOURS[FAILURE])
+        parts = []
+        for name in ("velocity_m_s", "depth_m", "slope_deg"):
+            column, value = COLUMNS[name], float(solution.exit[name][0])
+            if value == value:
+                parts.append(f"{column.heading} {column.shown(value, self.units)} {column.unit_text(self.units)}")
+        return Text(f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})")
+
+
+def _flow_line(chute: Chute) -> str:
+    """What flows, in the words of the spec."""
+    material, flow = chute.spec.material, chute.spec.flow
+    strength = f"δ {material.internal_friction_deg:g}°" if material.internal_friction_deg is not None else ""
+    ratio = f"K_v {material.pressure_ratio:g}" if material.pressure_ratio is not None else ""
+    what = ", ".join(part for part in (f"{material.density_kg_m3:g} kg/m³", strength, ratio) if part)
+    return f"{chute.source}: {flow.rate_t_h:g} t/h of {material.name or 'material'} ({what})"

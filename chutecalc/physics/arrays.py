@@ -1,0 +1,18 @@
+"""The array types that physics and solver speak of."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+"""Floats in SI or radians, broadcastable; one design is a batch of one, an absent limit is infinite."""
+
+Values = Array | float
+"""What a formula takes: an array or one number."""
+
+Mask = NDArray[np.bool_]
+Index = NDArray[np.intp]
+
+
+def real(values: Values) -> Array:
+    """Numbers as an array of floats."""
+    return np.asarray(values, dtype=np.float64)

@@ -1,0 +1,175 @@
+"""What came out: the stream at every place of every design, by the names of the column catalogue."""
+
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from chutecalc.along import SAMPLES, Numbers, Part, extremes
+from chutecalc.columns import COLUMNS
+from chutecalc.design import Design, Status
+from chutecalc.errors import UsageError
+from chutecalc.findings import Finding, findings
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.solver.chain import Leg
+
+MOST_STATIONS = 1_000_000
+EXTREMES = ("velocity_m_s", "depth_m", "equivalent_friction", "pressure_kpa", "wear_w_m2", "froude")
+"""The columns of which a segment's least and largest values are told."""
+
+
+class SegmentResult(NamedTuple):
+    """A segment of the spec, or a flight that leads to one.
+
+    Numbers are by column name, each of shape (designs,), NaN where a design did not get there.
+    """
+
+    name: str
+    kind: str
+    status: Any
+    """``ok``, what ended the stream here, or ``not_reached``, for each design."""
+    entry: Numbers
+    exit: Numbers
+    minimum: Numbers
+    maximum: Numbers
+    duration: Array
+    """s."""
+
+
+class Solution:
+    """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure."""
+
+    def __init__(self, design: Design, legs: tuple[Leg, ...], rtol: float) -> None:
+        self.design, self.legs, self.rtol = design, legs, rtol
+        self.count = max(len(leg.exit.status) for leg in legs)
+
+    @cached_property
+    def codes(self) -> Index:
+        """The :class:`~chutecalc.design.Status` of each design, shape (designs,)."""
+        return np.broadcast_to(self.legs[-1].exit.status, self.count)
+
+    @cached_property
+    def status(self) -> Any:
+        """``ok``, ``stall``, ``choke``, ``contact_lost`` or ``missed`` for each design, shape (designs,)."""
+        return _labels(self.codes)
+
+    @property
+    def exit_velocity(self) -> Array:
+        """Velocity at the end of the chute, m/s, shape (designs,)."""
+        return self.exit["velocity_m_s"]
+
+    @property
+    def exit_depth(self) -> Array:
+        """Flow depth there, m, shape (designs,); NaN in free flight."""
+        return self.exit["depth_m"]
+
+    @cached_property
+    def exit(self) -> Numbers:
+        """The stream at the end of the chute, by column name, each of shape (designs,)."""
+        last = self.parts[-1].at(np.ones(1))
+        return {name: np.where(self.codes == Status.OK, last[name][0], np.nan) for name in COLUMNS if name in last}
+
+    @cached_property
+    def error_estimate(self) -> Array:
+        """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
+        return np.broadcast_to(self.legs[-1].exit.error, self.count)
+
+    @cached_property
+    def parts(self) -> list[Part]:
+        """The way in order: the spec's segments, each behind the flight that leads to it if any design flies there."""
+        parts: list[Part] = []
+        elapsed = np.zeros(1)
+        for leg in self.legs:
+            name, kind = leg.segment.name, leg.segment.kind
+            if leg.contact is not None and (leg.flight_time > 0.0).any():
+                parts.append(Part(f"{name}:flight", "flight", leg, None, elapsed, self.design))
+            parts.append(Part(name, kind, leg, leg.contact, elapsed, self.design))
+            elapsed = parts[-1].at(np.ones(1))["time_s"][0]
+        return parts
+
+    @cached_property
+    def samples(self) -> list[Numbers]:
+        """The columns of each part at ``SAMPLES``; what extremes and findings are read from."""
+        return [part.at(SAMPLES) for part in self.parts]
+
+    @cached_property
+    def ways(self) -> list[SegmentResult]:
+        """The parts of the way in order: the segments, each behind the flight that leads to it, if there is one."""
+        return [self._result(part, sampled) for part, sampled in zip(self.parts, self.samples, strict=True)]
+
+    @property
+    def segments(self) -> list[SegmentResult]:
+        """The segments of the spec, in order."""
+        return [way for way in self.ways if way.kind != "flight"]
+
+    def findings(self) -> list[Finding]:
+        """Failures, warnings and notes, each with a mask of the designs that it is about."""
+        return findings(self.parts, self.samples, self.count)
+
+    def stations(self, points: int | None = None, spacing: float | None = None) -> dict[str, Any]:
+        """The stream along the chute.
+
+        Args:
+            points: so many stations a segment, both ends included, on the part travelled; 101 where nothing is given.
+            spacing: instead, stations at multiples of so many metres from where the stream enters each segment, and
+            its end.
+
+        Returns:
+            Arrays by the names of the CSV's columns, each of shape (designs, stations); NaN where a design has no such
+            station or the stream no such quantity there.
+
+        Raises:
+            UsageError: both are given, or they would make no stations or more than a million.
+
+        >>> import chutecalc
+        >>> table = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).stations(points=3)
+        >>> table["segment"][0].tolist()
+        ['fall', 'fall', 'fall', 'spoon', 'spoon', 'spoon']
+        """
+        if points is not None and spacing is not None:
+            raise UsageError("stations go by points or by spacing, not by both")
+        if points is not None and not 2 <= points <= MOST_STATIONS:
+            raise UsageError(f"points has to be from 2 to {MOST_STATIONS}, not {points}")
+        if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
+            raise UsageError(f"the spacing of stations has to be greater than 0 m, not {spacing:g}")
+        blocks = [self._stations(part, points or 101, spacing) for part in self.parts]
+        return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in blocks[0]}
+
+    def _stations(self, part: Part, points: int, spacing: float | None) -> dict[str, Any]:
+        """The stations of one part, each of shape (designs, stations)."""
+        columns = part.at(np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part.length(), spacing))
+        shape = (self.count, len(columns["s_m"]))
+        table: dict[str, Any] = {"segment": np.full(shape, part.name), "kind": np.full(shape, part.kind)}
+        return table | {name: np.broadcast_to(columns[name].T, shape) for name in COLUMNS if name in columns}
+
+    def _result(self, part: Part, sampled: Numbers) -> SegmentResult:
+        """A part's ends and extremes."""
+        found = extremes(part, sampled, [(name, sign) for sign in (-1.0, 1.0) for name in EXTREMES])
+        values = [np.broadcast_to(extreme.value, self.count) for extreme in found]
+        public = [name for name in COLUMNS if name in sampled]
+        return SegmentResult(
+            part.name,
+            part.kind,
+            np.broadcast_to(_labels(part.status()), self.count),
+            {name: np.broadcast_to(sampled[name][0], self.count) for name in public},
+            {name: np.broadcast_to(sampled[name][-1], self.count) for name in public},
+            dict(zip(EXTREMES, values[: len(EXTREMES)], strict=True)),
+            dict(zip(EXTREMES, values[len(EXTREMES) :], strict=True)),
+            np.broadcast_to(sampled["time_s"][-1] - sampled["time_s"][0], self.count),
+        )
+
+
+def _labels(codes: Index) -> Any:
+    """Statuses as users read them."""
+    return np.array([status.label for status in Status])[codes]
+
+
+def _spaced(way: Array, spacing: float) -> Array:
+    """Shares of the way at multiples of a spacing, and its end, shape (places, designs); NaN past a design's end."""
+    longest = float(np.nan_to_num(way).max())
+    if longest / spacing >= MOST_STATIONS:
+        raise UsageError(f"a spacing of {spacing:g} m makes more than {MOST_STATIONS} stations on {longest:.6g} m")
+    multiples = spacing * np.arange(int(longest / spacing) + 1)[:, None]
+    inside = np.where(multiples < way * (1.0 - 1e-12), multiples / way, np.nan)
+    inside[0] = np.where(np.isnan(way), np.nan, 0.0)
+    return np.concatenate([inside, np.where(np.isnan(way), np.nan, 1.0)[None]])

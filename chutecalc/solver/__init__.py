@@ -1,0 +1,1 @@
+"""From a numeric description to the stream along it."""

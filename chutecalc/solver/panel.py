@@ -1,0 +1,120 @@
+"""One panel solved on two rules, the coarser for the start and for the error.
+
+The error left has two parts. Newton leaves the square of its last update u. Collocation leaves u ρ^-(2M - N) at the
+end and u ρ^-(M - N) inside, for rules of N and M nodes, with ρ the size of the largest ellipse around the panel (foci
+at its ends, sum of the half axes over half the panel's length) in which the solution is smooth: u shows how far N
+nodes are off inside, ρ^-N; M nodes are off by ρ^-M inside and by ρ^-2M at the end. What bounds the ellipse is the
+nearest rest, v = 0, seen from each pair of knots along the chord: a stream that starts slowly has a thin layer that
+may hide between the nodes of both rules. On 72,000 random chutes the sum was never exceeded by more than a seventh
+above 1e-12.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.section import Facets
+from chutecalc.solver.collocation import Rule, newton, rule, transfer
+from chutecalc.solver.slide import Slide, field, frozen_friction, place_rates, rates
+
+SAFETY = 3.0
+ROUNDING = 1e-15  # of a panel, relative
+PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
+
+
+class Panel(NamedTuple):
+    """A solved panel of m designs."""
+
+    knots: Array
+    """The unknown at the rule's start, nodes and end, shape (N + 2, m)."""
+    growth: Array
+    """∂(end)/∂(start)."""
+    error: Array
+    """Estimated, of the end: relative in y, in r relative to the way; infinite where the panel is no solution."""
+    inner_error: Array
+    """The same of the polynomial through the knots."""
+
+
+def panel_by_place(
+    slide: Slide, facet: Facets, start: Array, width: Array, y0: Array, pair: tuple[int, int], iterations: int
+) -> Panel:
+    """Y = v² over a panel in c."""
+    coarse, fine = rule(pair[0]), rule(pair[1])
+    at = field(slide, start + width * coarse.nodes[:, None], width)
+    y = frozen_friction(slide, facet, at, y0, coarse.nodes, coarse.integral)
+    for _ in range(iterations):
+        ends, _ = newton(coarse, *rates(slide, facet, at, y), y, y0)
+        y = ends[:-1]
+    guess = transfer(*pair) @ np.concatenate([y0[None], ends])
+    at = field(slide, start + width * fine.nodes[:, None], width)
+    ends, growth = newton(fine, *rates(slide, facet, at, guess), guess, y0)
+    knots = np.concatenate([y0[None], ends])
+    update = np.maximum.reduce(np.abs(ends[:-1] - guess) / ends[:-1])
+    sound = np.minimum.reduce(ends) > 0.0
+    return _panel(knots, growth[-1], sound, update, _smoothness(fine, knots, 0.5), pair)
+
+
+def panel_by_root(
+    slide: Slide, facet: Facets, start: Array, width: Array, place: Array, pair: tuple[int, int], iterations: int
+) -> Panel:
+    """C over a panel in r = √v, from a place. Only where v rises or falls throughout."""
+    coarse, fine = rule(pair[0]), rule(pair[1])
+    root = start + width * coarse.nodes[:, None]
+    first, _ = place_rates(slide, facet, start, width, place)
+    c = place + first / (4.0 * width * start**3) * (root**4 - start**4)
+    for _ in range(iterations):
+        ends, _ = newton(coarse, *place_rates(slide, facet, root, width, c), c, place)
+        c = ends[:-1]
+    guess = transfer(*pair) @ np.concatenate([place[None], ends])
+    root = start + width * fine.nodes[:, None]
+    change, change_growth = place_rates(slide, facet, root, width, guess)
+    ends, growth = newton(fine, change, change_growth, guess, place)
+    # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
+    within = (np.minimum.reduce(ends) >= place) & (np.maximum.reduce(ends) < 2.0)
+    sound = (np.minimum.reduce(change) > 0.0) & within
+    noise = np.maximum.reduce(np.abs(ends[:-1] - guess)) - PLACE_ROUNDING
+    update = np.maximum(noise, 0.0) / np.abs(ends[-1] - place)
+    pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
+    smoothness = np.minimum(_smoothness(fine, pull, 0.2), _flank_smoothness(slide, facet, start, width))
+    return _panel(np.concatenate([place[None], ends]), growth[-1], sound, update, smoothness, pair)
+
+
+def _smoothness(own: Rule, values: Array, share: float) -> Array:
+    """ρ of the largest ellipse around the panel that is free of the zeros of what has these values at its knots.
+
+    A chord from one knot to the next points to a zero. Beyond the panel's ends, at x on (-1, 1) stretched to the
+    panel, it leaves |x| + √(x² - 1). Within the panel there is none on the real axis; one as far off it, b, leaves 1 +
+    η with η √(c (1 - c)) + η²/4 = b at the place c. As values bend, a chord may point too far: only a share of the way
+    counts.
+    """
+    knots = own.knots[: len(values), None]
+    reach = values[:-1] * np.diff(knots, axis=0) / np.diff(values, axis=0)
+    beyond = share * np.maximum(np.abs(2.0 * (knots[:-1] - reach) - 1.0) - 1.0, 0.0)
+    bulge = np.sqrt(knots * (1.0 - knots))
+    least = np.minimum(bulge[1:], bulge[:-1])
+    off = 2.0 * (np.sqrt(least**2 + share * np.abs(reach)) - least)
+    smallest: Array = np.minimum.reduce(np.maximum(beyond + np.sqrt(beyond * (beyond + 2.0)), off))
+    return 1.0 + smallest
+
+
+def _flank_smoothness(slide: Slide, facet: Facets, start: Array, width: Array) -> Array:
+    """ρ that the section leaves to a panel in r: sloping walls bring χ a branch point at r = i √(Q/A_apex).
+
+    A_apex is what the facet's flanks, drawn down to where they meet, would add to the area. Branch points so near rest
+    that less than rounding of the way lies between are left out.
+    """
+    apex = facet.width**2 * facet.sine / (4.0 * facet.cosine) - facet.area
+    branch = np.sqrt(slide.flow / apex)
+    distance: Array = np.hypot(np.minimum(start, start + width), branch) / np.abs(width)
+    return np.where(branch > 1e-4 * np.abs(width), 1.0 + np.sqrt(2.0 * distance), np.inf)
+
+
+def _panel(knots: Array, growth: Array, sound: Mask, update: Array, smoothness: Array, pair: tuple[int, int]) -> Panel:
+    """The panel with both its errors."""
+    coarse, fine = pair
+    newton_part = update**2
+    inside = update * smoothness ** (coarse - fine)
+    end = inside * smoothness**-fine
+    errors = (np.where(sound, SAFETY * (newton_part + part) + ROUNDING, np.inf) for part in (end, inside))
+    return Panel(knots, growth, *errors)

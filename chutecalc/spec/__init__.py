@@ -1,0 +1,1 @@
+"""What the user writes: read, checked, and turned once into numbers."""

@@ -1,0 +1,91 @@
+"""Reading a spec's text: from a file, with the line of every key."""
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from chutecalc.errors import Fault, SpecError
+from chutecalc.spec.faults import Place
+
+_HEADER = re.compile(r"^\s*(\[\[?)\s*([^\]]+?)\s*\]")
+_KEY = re.compile(
+    r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
+)
+
+
+def read_text(path: Path) -> str:
+    """The text of a spec file.
+
+    Raises:
+        SpecError: there is no such file, it cannot be read, or it is not UTF-8.
+    """
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except FileNotFoundError:
+        raise SpecError(
+            [Fault("", "there is no such file", "chutecalc new writes one to start from")], str(path)
+        ) from None
+    except IsADirectoryError:
+        raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
+    except UnicodeDecodeError as error:
+        problem = f"is not UTF-8 (byte {error.start})"
+        raise SpecError([Fault("", problem, "save it as UTF-8")], str(path)) from None
+    except OSError as error:
+        raise SpecError([Fault("", f"cannot be read: {error.strerror}", "check the path")], str(path)) from None
+
+
+def parse_text(text: str, source: str) -> dict[str, Any]:
+    """A spec's text as nested tables.
+
+    Raises:
+        SpecError: it is no TOML; with the line.
+    """
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        message = str(error)
+        found = re.search(r"\(at line (\d+), column (\d+)\)", message)
+        problem = "is not TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
+        if found:
+            fault = Fault("", f"{problem}, column {found[2]}", "see https://toml.io", line=int(found[1]))
+        else:
+            fault = Fault("", problem, "see https://toml.io")
+        raise SpecError([fault], source) from None
+
+
+def key_lines(text: str) -> dict[Place, int]:
+    """The line of each table and key, as well as a pass over the text can tell; inside a value it is its key's."""
+    lines: dict[Place, int] = {}
+    counts: dict[Place, int] = {}
+    table: Place = ()
+    quote = ""
+    for number, line in enumerate(text.splitlines(), 1):
+        if quote:
+            quote = "" if quote in line else quote
+            continue
+        if header := _HEADER.match(line):
+            table = _numbered(_keys(header[2]), counts, is_list=header[1] == "[[")
+            lines.setdefault(table, number)
+        elif key := _KEY.match(line):
+            lines.setdefault(table + _keys(key[1]), number)
+            quote = next((mark for mark in ('"""', "'''") if key[2].count(mark) == 1), "")
+    return lines
+
+
+def _keys(dotted: str) -> Place:
+    """The parts of a dotted key."""
+    parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
+    return tuple(part.strip("\"'") for part in parts)
+
+
+def _numbered(keys: Place, counts: dict[Place, int], is_list: bool) -> Place:
+    """A table's place with the number of each list item on its way, counted from 0."""
+    place: Place = ()
+    for depth, key in enumerate(keys, 1):
+        place = (*place, key)
+        if is_list and depth == len(keys):
+            counts[place] = counts.get(place, -1) + 1
+        if place in counts:
+            place = (*place, counts[place])
+    return place

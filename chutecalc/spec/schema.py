@@ -1,0 +1,50 @@
+"""The spec as JSON Schema: pydantic's, with every key in each of its units."""
+
+from typing import Any
+
+from chutecalc.spec.model import ChuteSpec
+from chutecalc.spec.quantity import Quantity, Table
+from chutecalc.units import twins
+
+
+def json_schema() -> dict[str, Any]:
+    """The JSON Schema of a chute spec; where a key has unit twins, exactly one of them is asked for."""
+    schema = ChuteSpec.model_json_schema()
+    tables = {table.__name__: table for table in _all(Table)}
+    for name, definition in schema["$defs"].items():
+        if name in tables:
+            _add_twins(definition, tables[name].quantities())
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+
+
+def _all(table: type[Table]) -> list[type[Table]]:
+    """A table and all below it."""
+    return [table] + [item for child in table.__subclasses__() for item in _all(child)]
+
+
+def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> None:
+    """Puts the unit twins of every key beside it, with bounds in their units."""
+    required = set(definition.get("required", []))
+    choices: list[dict[str, Any]] = []
+    for key, quantity in quantities.items():
+        own = definition["properties"].pop(key)
+        own.pop("default", None)
+        names = twins(key, quantity.dimension)
+        for name, unit in names.items():
+            bounds = quantity.json_bounds(unit)
+            kept = {
+                item: value
+                for item, value in own.items()
+                if item not in {"minimum", "maximum"} and "exclusive" not in item
+            }
+            definition["properties"][name] = kept | bounds
+        one = [{"required": [name]} for name in names]
+        if key in required:
+            required.discard(key)
+            choices.append({"oneOf": one} if len(one) > 1 else one[0])
+        elif len(one) > 1:
+            none = {"not": {"anyOf": one}}
+            choices.append({"oneOf": [none, *one]})
+    definition["required"] = sorted(required)
+    if choices:
+        definition["allOf"] = choices

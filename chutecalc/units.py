@@ -1,0 +1,80 @@
+"""The one table of units: what a key may end in, and how it converts.
+
+Each dimension lists its units; the first is the one that the spec format documents and that models hold. A factor is a
+pair of numbers, so that 3000 mm are exactly 3 m.
+"""
+
+import math
+from typing import Any
+
+UNITS: dict[str, dict[str, tuple[float, float]]] = {
+    "length": {"m": (1, 1), "mm": (1, 1000), "in": (127, 5000), "ft": (381, 1250)},
+    "angle": {"deg": (1, 1), "rad": (180, math.pi)},
+    "mass rate": {"t_h": (1, 1), "kg_s": (18, 5), "stph": (45359237, 50000000)},
+    "density": {"kg_m3": (1, 1), "t_m3": (1000, 1), "lb_ft3": (0.45359237, 0.028316846592)},
+    "velocity": {"m_s": (1, 1), "fpm": (127, 25000), "ft_s": (381, 1250)},
+    "acceleration": {"m_s2": (1, 1), "ft_s2": (381, 1250)},
+    "pressure": {"kpa": (1, 1), "pa": (1, 1000), "psf": (0.45359237 * 9.80665, 0.09290304 * 1000)},
+    "area": {"m2": (1, 1), "ft2": (0.09290304, 1)},
+    "number": {"": (1, 1)},
+}
+"""Dimension to unit suffix to (numerator, denominator) of one such unit in the first unit."""
+
+TEXT = {
+    "deg": "°",
+    "t_h": "t/h",
+    "kg_s": "kg/s",
+    "kg_m3": "kg/m³",
+    "t_m3": "t/m³",
+    "lb_ft3": "lb/ft³",
+    "m_s": "m/s",
+    "ft_s": "ft/s",
+    "m_s2": "m/s²",
+    "ft_s2": "ft/s²",
+    "kpa": "kPa",
+    "pa": "Pa",
+    "m2": "m²",
+    "ft2": "ft²",
+    "w_m2": "W/m²",
+}
+"""How people write a suffix; the others are written as they stand."""
+
+_SI = {"mass rate": (5, 18), "pressure": (1000, 1), "angle": (math.pi, 180)}
+"""One of a dimension's first unit in SI, where that is another."""
+
+
+def convert(value: Any, dimension: str, source: str, target: str) -> Any:
+    """A number or array from one unit of a dimension to another.
+
+    >>> convert(3000.0, "length", "mm", "m"), convert(1.0, "velocity", "fpm", "m_s")
+    (3.0, 0.00508)
+    """
+    if source == target:
+        return value
+    (up, down), (target_up, target_down) = UNITS[dimension][source], UNITS[dimension][target]
+    return value * (up * target_down) / (down * target_up)
+
+
+def to_si(value: Any, dimension: str) -> Any:
+    """A number or array from a dimension's first unit to SI (angles: rad).
+
+    >>> to_si(3.6, "mass rate"), to_si(180.0, "angle") == math.pi
+    (1.0, True)
+    """
+    up, down = _SI.get(dimension, (1, 1))
+    return value * up / down
+
+
+def first_unit(dimension: str) -> str:
+    """The unit that models hold a dimension in."""
+    return next(iter(UNITS[dimension]))
+
+
+def twins(key: str, dimension: str) -> dict[str, str]:
+    """The keys that name the same field in each unit of its dimension, the documented one first.
+
+    >>> twins("radius_m", "length")
+    {'radius_m': 'm', 'radius_mm': 'mm', 'radius_in': 'in', 'radius_ft': 'ft'}
+    """
+    stem = key.removesuffix(first_unit(dimension))
+    return {stem + unit: unit for unit in UNITS[dimension]}
