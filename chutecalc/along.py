@@ -107,30 +107,33 @@ class Extreme(NamedTuple):
     """Of the part's way."""
 
 
-def extremes(part: Part, sampled: Numbers, wanted: Sequence[tuple[str, float]]) -> list[Extreme]:
+LEAST, LARGEST = -1.0, 1.0
+Wanted = tuple[str, float]
+"""A column's name, and ``LEAST`` or ``LARGEST``."""
+
+
+def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
     """Extremes of quantities along a part, found between its samples too.
 
     Args:
         part: of the way.
         sampled: its columns at ``SAMPLES``.
-        wanted: column name and sign, -1 for the least and 1 for the largest.
+        wanted: which.
 
     Returns:
-        One for each wanted. Inside, they are those of the parabola through the last three places, 2.4e-4 of the way
-        apart: for what varies smoothly, right to about 1e-11 of its variation.
+        One for each. Inside, it is that of the parabola through three places 5e-4 of the way apart: for what varies
+        smoothly, right to about 1e-11 of its variation.
     """
-    found = [
-        _best(sign * sampled[name], np.broadcast_to(SAMPLES[:, None], sampled[name].shape)) for name, sign in wanted
-    ]
-    inner = [k for k, (_, low, high) in enumerate(found) if ((low > 0.0) & (high < 1.0)).any()]
+    shares = np.broadcast_to(SAMPLES[:, None], sampled["s_m"].shape)
+    found = {item: _best(item[1] * sampled[item[0]], shares) for item in wanted}
+    inner = [item for item, (_, low, high) in found.items() if ((low > 0.0) & (high < 1.0)).any()]
     for _ in range(ROUNDS if inner else 0):
-        low, high = (np.stack([found[k][side] for k in inner]) for side in (1, 2))
+        low, high = (np.stack([found[item][side] for item in inner]) for side in (1, 2))
         grid = low + (high - low) * GRID[:, None, None]
         columns = part.at(grid.reshape(-1, grid.shape[2]))
-        for j, k in enumerate(inner):
-            name, sign = wanted[k]
-            found[k] = _best(sign * columns[name].reshape(grid.shape)[:, j], grid[:, j])
-    return [Extreme(sign * best.value, best.share) for (best, _, _), (_, sign) in zip(found, wanted, strict=True)]
+        for k, item in enumerate(inner):
+            found[item] = _best(item[1] * columns[item[0]].reshape(grid.shape)[:, k], grid[:, k])
+    return {item: best._replace(value=item[1] * best.value) for item, (best, _, _) in found.items()}
 
 
 def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:

@@ -13,9 +13,9 @@ from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
 from chutecalc.solver.chain import run_chain
-from chutecalc.spec.build import build
-from chutecalc.spec.faults import Place, faults_of, value_text
-from chutecalc.spec.file import key_lines, parse_text, read_text
+from chutecalc.spec.build import GeometryError, build
+from chutecalc.spec.faults import faults_of, located, value_text
+from chutecalc.spec.file import parse_text, read_text
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.spec.paths import with_values
 
@@ -29,7 +29,7 @@ class Chute:
         self,
         data: dict[str, Any],
         source: str = "spec",
-        lines: Mapping[Place, int] | None = None,
+        text: str = "",
         drawn_slopes: Mapping[int, Array] | None = None,
     ) -> None:
         """Checks a spec and turns it into numbers.
@@ -37,19 +37,20 @@ class Chute:
         Args:
             data: nested tables as TOML gives them; where designs are varied, with arrays of length 1 or n.
             source: what messages call it.
-            lines: the line of each key, for messages.
+            text: that the data come from, for the lines in messages.
             drawn_slopes: see :func:`chutecalc.spec.build.build`.
 
         Raises:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
-        self.data, self.source = data, source
-        self._lines = dict(lines or {})
+        self.data, self.source, self._text = data, source, text
         try:
             self.spec = ChuteSpec.model_validate(data)
+            self.design: Design = build(self.spec, drawn_slopes)
         except ValidationError as error:
-            raise SpecError(faults_of(error, data, self._lines), source) from None
-        self.design: Design = build(self.spec, source, self._lines, drawn_slopes)
+            raise SpecError(faults_of(error, data, text), source) from None
+        except GeometryError as error:
+            raise SpecError(located(error.faults, text), source) from None
 
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
         """Variants of this chute: parallel arrays put at spec paths, design k taking entry k of each.
@@ -77,7 +78,7 @@ class Chute:
             raise SpecError(
                 [Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], self.source
             )
-        return Chute(with_values(self.data, arrays, self.source), self.source, drawn_slopes=self._drawn_slopes)
+        return Chute(with_values(self.data, arrays, self.source), self.source, self._text, self._drawn_slopes)
 
     def put(self, changes: Mapping[str, Any]) -> "Chute":
         """This chute with single values, or text, put at spec paths: a changed spec rather than a variant.
@@ -85,7 +86,7 @@ class Chute:
         Raises:
             SpecError: as :meth:`vary`.
         """
-        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._lines)
+        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
 
     @cached_property
     def _drawn_slopes(self) -> dict[int, Array]:
@@ -122,7 +123,7 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec") -> Chute:
         SpecError: all that is wrong with it.
     """
     if isinstance(spec, str):
-        return Chute(parse_text(spec, source), source, key_lines(spec))
+        return Chute(parse_text(spec, source), source, spec)
     return Chute(dict(spec), source)
 
 

@@ -60,6 +60,14 @@ class SpecError(ChutecalcError):
         super().__init__("\n".join(fault.text(source) for fault in self.faults))
 
 
+class AllSpecsError(SpecError):
+    """Several specs that cannot be used."""
+
+    def __init__(self, errors: Sequence[SpecError]) -> None:
+        super().__init__([fault for error in errors for fault in error.faults])
+        self.args = ("\n".join(str(error) for error in errors),)
+
+
 class UsageError(ChutecalcError):
     """Arguments that do not fit together."""
 

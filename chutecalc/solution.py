@@ -5,17 +5,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from chutecalc.along import SAMPLES, Numbers, Part, extremes
+from chutecalc.along import LARGEST, LEAST, SAMPLES, Extreme, Numbers, Part, Wanted, extremes
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status
 from chutecalc.errors import UsageError
-from chutecalc.findings import Finding, findings
+from chutecalc.findings import WORST, Finding, findings
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.solver.chain import Leg
 
 MOST_STATIONS = 1_000_000
 EXTREMES = ("velocity_m_s", "depth_m", "equivalent_friction", "pressure_kpa", "wear_w_m2", "froude")
 """The columns of which a segment's least and largest values are told."""
+TOLD = list(dict.fromkeys([(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)] + [*WORST]))
 
 
 class SegmentResult(NamedTuple):
@@ -93,9 +94,14 @@ class Solution:
         return [part.at(SAMPLES) for part in self.parts]
 
     @cached_property
+    def extremes(self) -> list[dict[Wanted, Extreme]]:
+        """The extremes of each part that are told, or that findings ask for."""
+        return [extremes(part, sampled, TOLD) for part, sampled in zip(self.parts, self.samples, strict=True)]
+
+    @cached_property
     def ways(self) -> list[SegmentResult]:
         """The parts of the way in order: the segments, each behind the flight that leads to it, if there is one."""
-        return [self._result(part, sampled) for part, sampled in zip(self.parts, self.samples, strict=True)]
+        return [self._result(*items) for items in zip(self.parts, self.samples, self.extremes, strict=True)]
 
     @property
     def segments(self) -> list[SegmentResult]:
@@ -104,7 +110,7 @@ class Solution:
 
     def findings(self) -> list[Finding]:
         """Failures, warnings and notes, each with a mask of the designs that it is about."""
-        return findings(self.parts, self.samples, self.count)
+        return findings(self.parts, self.samples, self.extremes, self.count)
 
     def stations(self, points: int | None = None, spacing: float | None = None) -> dict[str, Any]:
         """The stream along the chute.
@@ -142,20 +148,21 @@ class Solution:
         table: dict[str, Any] = {"segment": np.full(shape, part.name), "kind": np.full(shape, part.kind)}
         return table | {name: np.broadcast_to(columns[name].T, shape) for name in COLUMNS if name in columns}
 
-    def _result(self, part: Part, sampled: Numbers) -> SegmentResult:
+    def _result(self, part: Part, sampled: Numbers, found: dict[Wanted, Extreme]) -> SegmentResult:
         """A part's ends and extremes."""
-        found = extremes(part, sampled, [(name, sign) for sign in (-1.0, 1.0) for name in EXTREMES])
-        values = [np.broadcast_to(extreme.value, self.count) for extreme in found]
-        public = [name for name in COLUMNS if name in sampled]
+
+        def whole(values: Any) -> Any:
+            return np.broadcast_to(values, self.count)
+
         return SegmentResult(
-            part.name,
-            part.kind,
-            np.broadcast_to(_labels(part.status()), self.count),
-            {name: np.broadcast_to(sampled[name][0], self.count) for name in public},
-            {name: np.broadcast_to(sampled[name][-1], self.count) for name in public},
-            dict(zip(EXTREMES, values[: len(EXTREMES)], strict=True)),
-            dict(zip(EXTREMES, values[len(EXTREMES) :], strict=True)),
-            np.broadcast_to(sampled["time_s"][-1] - sampled["time_s"][0], self.count),
+            name=part.name,
+            kind=part.kind,
+            status=whole(_labels(part.status())),
+            entry={name: whole(sampled[name][0]) for name in COLUMNS if name in sampled},
+            exit={name: whole(sampled[name][-1]) for name in COLUMNS if name in sampled},
+            minimum={name: whole(found[name, LEAST].value) for name in EXTREMES},
+            maximum={name: whole(found[name, LARGEST].value) for name in EXTREMES},
+            duration=whole(sampled["time_s"][-1] - sampled["time_s"][0]),
         )
 
 

@@ -9,7 +9,7 @@ import typer
 
 from chutecalc import __version__
 from chutecalc.cli import columns, new, run, schema
-from chutecalc.errors import ChutecalcError, ExitStatus
+from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 ISSUES = "the issue tracker of chutecalc"
 
@@ -61,25 +61,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitStatus.OK
     except typer.TyperException as error:
-        return _complain(error.format_message(), ExitStatus.USAGE)
-    except ChutecalcError as error:
+        return _complain(error.format_message(), ExitStatus(error.exit_code))
+    except SpecError as error:
         return _complain(str(error), error.exit_status)
+    except ChutecalcError as error:
+        return _complain(f"chutecalc: {error}", error.exit_status)
     except KeyboardInterrupt:
-        return _complain("interrupted", ExitStatus.INTERRUPTED)
+        return _complain("chutecalc: interrupted", ExitStatus.INTERRUPTED)
     except OSError as error:
-        return _complain(f"the output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
+        return _complain(f"chutecalc: the output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
     except Exception as error:
         if "--debug" in given:
             traceback.print_exc()
-        text = f"a fault of the program, version {__version__}: {error!r}\nPlease report it at {ISSUES}, with the command and the spec"
         return _complain(
-            text + ("." if "--debug" in given else "; --debug shows where it happened."), ExitStatus.INTERNAL
+            f"a fault of the program, version {__version__}: {error!r}\n"
+            f"Please report it at {ISSUES}, with the command and the spec; --debug shows where it happened.",
+            ExitStatus.INTERNAL,
         )
 
 
 def _complain(text: str, status: ExitStatus) -> int:
-    """Says on standard error what is wrong; faults of specs name their file themselves."""
-    print(
-        text if text.startswith("Usage:") or ": " in text.split(" ")[0] + " " else f"chutecalc: {text}", file=sys.stderr
-    )
+    """Says on standard error what is wrong. Faults of specs and usage texts say themselves what they are about."""
+    print(text, file=sys.stderr)
     return status
+
+
+def entry() -> None:
+    """The console script."""
+    sys.exit(main())

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.errors import ExitStatus, SpecError, UsageError
+from chutecalc.errors import AllSpecsError, ExitStatus, SpecError, UsageError
 
 if TYPE_CHECKING:
     from chutecalc.chute import Chute
@@ -84,16 +84,8 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
         except SpecError as error:
             errors.append(error)
     if errors:
-        raise errors[0] if len(errors) == 1 else AllFaultsError(errors)
+        raise AllSpecsError(errors)
     return chutes
-
-
-class AllFaultsError(UsageError):
-    """The faults of several specs."""
-
-    def __init__(self, errors: list[SpecError]) -> None:
-        self.errors = errors
-        super().__init__("\n".join(str(error) for error in errors))
 
 
 def _setting(text: str) -> tuple[str, Any]:

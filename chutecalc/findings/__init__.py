@@ -4,12 +4,12 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from chutecalc.along import Numbers, Part, extremes
+from chutecalc.along import Extreme, Numbers, Part, Wanted
 from chutecalc.design import Contact
 from chutecalc.findings import failures, warnings
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
 
-__all__ = ["Finding", "findings"]
+__all__ = ["WORST", "Finding", "findings"]
 
 CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
     failures.stall,
@@ -27,13 +27,16 @@ CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
 )
 
 
-def findings(parts: list[Part], samples: list[Numbers], count: int) -> list[Finding]:
+def findings(
+    parts: list[Part], samples: list[Numbers], extremes: list[dict[Wanted, Extreme]], designs: int
+) -> list[Finding]:
     """All findings of a solution: failures, then warnings, then notes, each along the way.
 
     Args:
         parts: of the way.
         samples: their columns at :data:`chutecalc.along.SAMPLES`.
-        count: of designs.
+        extremes: theirs, ``WORST`` among them.
+        designs: how many there are.
     """
     found: list[Finding] = []
     guided = [part for part in parts if part.contact is not None]
@@ -41,11 +44,11 @@ def findings(parts: list[Part], samples: list[Numbers], count: int) -> list[Find
         for number, (part, sampled) in enumerate(zip(parts, samples, strict=True)):
             if part.contact is None:
                 continue
-            worst = dict(zip(WORST, extremes(part, sampled, list(WORST.items())), strict=True))
+            worst = {name: extremes[number][name, sign] for name, sign in WORST}
             after = parts[number + 1].leg.start.airborne if number + 1 < len(parts) else np.zeros(1, dtype=bool)
             segment = part.leg.segment
             assert isinstance(segment, Contact)
-            scene = Scene(part, part.contact, segment, sampled, worst, after, part is guided[-1], count)
+            scene = Scene(part, part.contact, segment, sampled, worst, after, part is guided[-1], designs)
             found += [finding for criterion in CRITERIA for finding in criterion(scene)]
     order = {FAILURE: 0, WARNING: 1, NOTE: 2}
     return sorted(found, key=lambda finding: order[finding.severity])

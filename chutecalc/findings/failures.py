@@ -20,15 +20,28 @@ def stall(scene: Scene) -> Iterator[Finding]:
         " (cot of the equivalent friction) an impact leaves nothing"
     )
     yield from finding(
-        scene, "stall", FAILURE, at_impact, leg.entry.distance, template,
-        incidence_deg=np.degrees(arrival.incidence), velocity_m_s=arrival.velocity, steepest_deg=_steepest_impact(scene),
-    )  # fmt: skip
+        scene,
+        "stall",
+        FAILURE,
+        at_impact,
+        leg.entry.distance,
+        template,
+        incidence_deg=np.degrees(arrival.incidence),
+        velocity_m_s=arrival.velocity,
+        steepest_deg=_steepest_impact(scene),
+    )
     inside = (leg.status == Status.STALL) & ~at_impact
     template = "the stream stalls: its velocity falls to 0 after {way_m} on the segment, at a slope of {slope_deg}"
     yield from finding(
-        scene, "stall", FAILURE, inside, leg.exit.distance, template,
-        way_m=scene.part.length(), slope_deg=np.degrees(leg.exit.slope),
-    )  # fmt: skip
+        scene,
+        "stall",
+        FAILURE,
+        inside,
+        leg.exit.distance,
+        template,
+        way_m=scene.part.length(),
+        slope_deg=np.degrees(leg.exit.slope),
+    )
 
 
 def choke(scene: Scene) -> Iterator[Finding]:
@@ -58,7 +71,9 @@ def contact_lost(scene: Scene) -> Iterator[Finding]:
         "slope_deg": np.degrees(leg.exit.slope),
         "balance_m_s": np.sqrt(scene.contact.slide.gravity * np.cos(leg.exit.slope) / np.abs(surface.curvature)),
     }
-    begin = "the stream leaves the surface at {velocity_m_s} on a slope of {slope_deg}, where v² = R g cos a at {balance_m_s}"
+    begin = (
+        "the stream leaves the surface at {velocity_m_s} and a slope of {slope_deg} (v² = R g cos a at {balance_m_s})"
+    )
     s = leg.exit.distance
     caught = f"{begin}; the fall after it takes it up"
     yield from finding(scene, "contact_lost", WARNING, lost & scene.caught, s, caught, **numbers)

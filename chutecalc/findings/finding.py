@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.along import Extreme, Numbers, Part
+from chutecalc.along import LARGEST, LEAST, Extreme, Numbers, Part, Wanted
 from chutecalc.columns import quantity_text
 from chutecalc.design import Contact
 from chutecalc.physics.arrays import Array, Mask
@@ -37,15 +37,14 @@ class Finding(NamedTuple):
         )
 
 
-WORST = {
-    "thickness": 1.0,
-    "depth_m": 1.0,
-    "froude": -1.0,
-    "missing_load": 1.0,
-    "velocity_m_s": -1.0,
-    "equivalent_friction": 1.0,
-}
-"""Quantities whose worst value along a part decides a criterion, and the sign of worse."""
+WORST: tuple[Wanted, ...] = (
+    ("thickness", LARGEST),
+    ("depth_m", LARGEST),
+    ("froude", LEAST),
+    ("missing_load", LARGEST),
+    ("velocity_m_s", LEAST),
+)
+"""Extremes along a part that decide a criterion."""
 
 
 class Scene(NamedTuple):

@@ -31,10 +31,16 @@ def inadmissible_friction(scene: Scene) -> Iterator[Finding]:
     )
     rounding = 1e-12
     yield from finding(
-        scene, "inadmissible_friction", WARNING, angle > greatest * (1.0 + rounding), scene.part.leg.entry.distance,
-        template, friction_deg=np.degrees(angle), greatest_deg=np.degrees(greatest),
+        scene,
+        "inadmissible_friction",
+        WARNING,
+        angle > greatest * (1.0 + rounding),
+        scene.part.leg.entry.distance,
+        template,
+        friction_deg=np.degrees(angle),
+        greatest_deg=np.degrees(greatest),
         internal_friction_deg=np.degrees(internal),
-    )  # fmt: skip
+    )
 
 
 def decelerating(scene: Scene) -> Iterator[Finding]:
@@ -47,7 +53,7 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
     s = scene.place(slowest.share)
     flat = np.isinf(critical) & np.isfinite(slowest.value)
     template = (
-        "a slope of {slope_deg} is flatter than the wall friction angle of {friction_deg}: the stream only decelerates"
+        "the slope of {slope_deg} is flatter than the wall friction angle, {friction_deg}: the stream decelerates"
     )
     angle = np.degrees(np.arctan(scene.segment.wall_friction))
     yield from finding(scene, "decelerating", WARNING, flat, s, template, slope_deg=slope, friction_deg=angle)
@@ -57,9 +63,17 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
         " stall on a slope of {slope_deg} (limit 1.25)"
     )
     yield from finding(
-        scene, "decelerating", WARNING, (margin < DECELERATION_MARGIN) & ~flat, s, template, velocity_m_s=slowest.value,
-        margin=margin, critical_velocity_m_s=critical, slope_deg=slope,
-    )  # fmt: skip
+        scene,
+        "decelerating",
+        WARNING,
+        (margin < DECELERATION_MARGIN) & ~flat,
+        s,
+        template,
+        velocity_m_s=slowest.value,
+        margin=margin,
+        critical_velocity_m_s=critical,
+        slope_deg=slope,
+    )
 
 
 def below_cut_off(scene: Scene) -> Iterator[Finding]:
@@ -75,9 +89,15 @@ def below_cut_off(scene: Scene) -> Iterator[Finding]:
     )
     mask = (scene.part.leg.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     yield from finding(
-        scene, "below_cut_off", WARNING, mask, scene.part.leg.exit.distance, template,
-        slope_deg=np.degrees(slope), needed_deg=np.degrees(needed),
-    )  # fmt: skip
+        scene,
+        "below_cut_off",
+        WARNING,
+        mask,
+        scene.part.leg.exit.distance,
+        template,
+        slope_deg=np.degrees(slope),
+        needed_deg=np.degrees(needed),
+    )
 
 
 def thick_stream(scene: Scene) -> Iterator[Finding]:
@@ -95,7 +115,9 @@ def thick_stream(scene: Scene) -> Iterator[Finding]:
 def slow_stream(scene: Scene) -> Iterator[Finding]:
     """The Froude number falls below 2: the neglected pressure gradient changes dv/ds by about K/Fr²."""
     froude = scene.worst["froude"]
-    template = "the Froude number falls to {froude} (limit 2): the pressure along the stream, left out, changes dv/ds by ~1/Fr²"
+    template = (
+        "the Froude number falls to {froude} (limit 2): the pressure left out along the stream changes dv/ds by ~1/Fr²"
+    )
     mask = froude.value < SLOWEST_FROUDE
     yield from finding(scene, "slow_stream", WARNING, mask, scene.place(froude.share), template, froude=froude.value)
 
@@ -111,9 +133,16 @@ def missing_load(scene: Scene) -> Iterator[Finding]:
         " as here, μ_e is {equivalent_friction}; spread over all walls {equilibrium_friction}"
     )
     yield from finding(
-        scene, "missing_load", WARNING, missing.value > MOST_MISSING, scene.place(missing.share), template,
-        missing_load=missing.value, equivalent_friction=friction, equilibrium_friction=even,
-    )  # fmt: skip
+        scene,
+        "missing_load",
+        WARNING,
+        missing.value > MOST_MISSING,
+        scene.place(missing.share),
+        template,
+        missing_load=missing.value,
+        equivalent_friction=friction,
+        equilibrium_friction=even,
+    )
 
 
 def above_chamfer(scene: Scene) -> Iterator[Finding]:
@@ -132,8 +161,6 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Finding]:
     if scene.segment.entry_slope is not None:
         return
     slope = np.degrees(scene.contact.surface.slope)
-    template = (
-        "the curve is drawn tangent to the stream, {slope_deg}, and changes with the flow; from_slope_deg fixes it"
-    )
+    template = "drawn tangent to the stream, from {slope_deg}, the curve changes with the flow; from_slope_deg fixes it"
     s = scene.part.leg.start.distance
     yield from finding(scene, "geometry_follows_flow", NOTE, np.isfinite(slope), s, template, slope_deg=slope)

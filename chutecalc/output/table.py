@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from rich.console import Console
-from rich.measure import Measurement
 from rich.table import Table
 from rich.text import Text
 
@@ -16,8 +15,16 @@ from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
 from chutecalc.solution import SegmentResult, Solution
 
 SHOWN = (
-    "s_m", "slope_deg", "velocity_m_s", "depth_m", "equivalent_friction", "pressure_kpa", "wear_w_m2", "froude", "time_s",
-)  # fmt: skip
+    "s_m",
+    "slope_deg",
+    "velocity_m_s",
+    "depth_m",
+    "equivalent_friction",
+    "pressure_kpa",
+    "wear_w_m2",
+    "froude",
+    "time_s",
+)
 """Columns of the tables for people."""
 COLOURS = {FAILURE: "bold red", WARNING: "yellow", NOTE: "cyan"}
 NO_WRAP = 100_000
@@ -47,10 +54,15 @@ class Printer:
 
     def table(self, table: Table) -> None:
         """A table at its own width: numbers are never cut or folded."""
-        needed = Measurement.get(self.console, self.console.options.update(width=NO_WRAP), table).maximum
-        width, self.console.width = self.console.width, max(self.console.width, needed)
-        self.console.print(table, crop=False)
-        self.console.width = width
+        if self.console.is_terminal:
+            from rich.measure import Measurement
+
+            needed = Measurement.get(self.console, self.console.options.update(width=NO_WRAP), table).maximum
+            self.console.width, width = max(self.console.width, needed), self.console.width
+            self.console.print(table, crop=False)
+            self.console.width = width
+        else:
+            self.console.print(table)
 
     def report(self, chute: Chute, solution: Solution) -> None:
         """A chute: what it is, its segments, its findings."""

@@ -1,7 +1,5 @@
 """Equivalent friction: what the walls of a section do to a stream of a given depth."""
 
-import numpy as np
-
 from chutecalc.physics.arrays import Array, Values, real
 
 

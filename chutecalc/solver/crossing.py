@@ -37,16 +37,20 @@ def first_crossing(margin: Array) -> Array:
 def evaluate(values: Array, at: Array) -> Array:
     """The polynomials through values at the knots, shape (N + 2, m), each at its own places, shape (..., m).
 
-    Summed knot after knot: numpy's own sums and products go by the width of the batch.
+    A sum down the first axis adds row after row whatever the width, as long as there is a width to go along.
     """
     own = rule(len(values) - 2)
-    top, bottom, exact = np.zeros(at.shape), np.zeros(at.shape), np.full(at.shape, np.nan)
-    for knot, weight, value in zip(own.knots, own.weights, values, strict=True):
-        gap = at - knot
-        term = weight / np.where(gap == 0.0, np.inf, gap)
-        top, bottom = top + term * value, bottom + term
-        exact = np.where(gap == 0.0, value, exact)
-    return np.where(np.isnan(exact), top / bottom, exact)
+    places = np.broadcast_to(at, (2, *at.shape))
+    knots, weights = (item.reshape(-1, *[1] * places.ndim) for item in (own.knots, own.weights))
+    gaps = places - knots
+    exact = gaps == 0.0
+    terms = weights / np.where(exact, 1.0, gaps)
+    hit = exact.any(axis=0)
+    terms = np.where(hit, exact, terms)
+    heights = values.reshape(len(values), *[1] * (places.ndim - 1), -1)
+    top: Array = np.add.reduce(terms * heights)
+    bottom: Array = np.add.reduce(terms)
+    return top[0] / bottom[0]
 
 
 def slope_at(values: Array, knot: int) -> Array:

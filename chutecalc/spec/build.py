@@ -6,41 +6,42 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Contact, Design, Fall, Segment
-from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import FLOOR, ROOF
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from chutecalc.physics.section import Facets, Polygon, area_at_depth, facets
 from chutecalc.spec import model
-from chutecalc.spec.faults import Place, fault_at
+from chutecalc.spec.faults import PlacedFault
+from chutecalc.spec.file import Place
 from chutecalc.units import to_si
 
 VERTICAL = np.array([np.pi / 2])
 
 
-def build(
-    spec: model.ChuteSpec,
-    source: str = "spec",
-    lines: Mapping[Place, int] | None = None,
-    drawn_slopes: Mapping[int, Array] | None = None,
-) -> Design:
+def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None) -> Design:
     """The numeric description of a chute.
 
     Args:
         spec: the checked spec; its numbers may be arrays of length 1 or n.
-        source: what messages call it.
-        lines: of its keys, for messages.
         drawn_slopes: entry slopes, by number of the segment from 0, of curves tangent to a falling stream where another
             design has fixed them; else they follow the stream.
 
     Raises:
-        SpecError: all faults of geometry.
+        GeometryError: all faults of geometry.
     """
-    geometry = _Geometry(spec, lines or {}, drawn_slopes or {})
+    geometry = _Geometry(spec, drawn_slopes or {})
     design = geometry.design()
     if geometry.faults:
-        raise SpecError(sorted(geometry.faults, key=lambda fault: fault.line or 0), source)
+        raise GeometryError(geometry.faults)
     return design
+
+
+class GeometryError(Exception):
+    """A spec whose keys and values are right one by one, and do not go together."""
+
+    def __init__(self, faults: list[PlacedFault]) -> None:
+        self.faults = faults
+        super().__init__(f"{len(faults)} faults of geometry")
 
 
 def segment_names(spec: model.ChuteSpec) -> list[str]:
@@ -61,12 +62,12 @@ def _array(value: Any, dimension: str) -> Array:
 class _Geometry:
     """One pass along the spec; collects faults on its way."""
 
-    def __init__(self, spec: model.ChuteSpec, lines: Mapping[Place, int], drawn_slopes: Mapping[int, Array]) -> None:
-        self.spec, self.lines, self.drawn_slopes = spec, lines, drawn_slopes
-        self.faults: list[Fault] = []
+    def __init__(self, spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
+        self.spec, self.drawn_slopes = spec, drawn_slopes
+        self.faults: list[PlacedFault] = []
 
     def fault(self, place: Place, value: Any, problem: str, remedy: str) -> None:
-        self.faults.append(fault_at(place, problem, remedy, value, self.lines))
+        self.faults.append(PlacedFault(place, problem, remedy, value))
 
     def design(self) -> Design:
         """The design; of no use where there are faults."""

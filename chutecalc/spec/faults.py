@@ -1,36 +1,47 @@
 """Pydantic's errors as faults, with the value that stands there and its line."""
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable
+from typing import Any, NamedTuple
 
 from pydantic import ValidationError
 
 from chutecalc.errors import Fault
+from chutecalc.spec.file import Place, key_lines
 
-Place = tuple[str | int, ...]
+
+class PlacedFault(NamedTuple):
+    """A fault at a place of the spec's data."""
+
+    place: Place
+    problem: str
+    remedy: str
+    value: Any
 
 
-def faults_of(error: ValidationError, data: Any, lines: Mapping[Place, int]) -> list[Fault]:
+def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
     """All faults of a spec, in the order of its lines.
 
     Args:
         error: what checking the spec raised; :class:`~chutecalc.spec.quantity.Table` has put it into words.
         data: the spec as the user wrote it.
-        lines: line of each place, as far as known.
+        text: that it comes from, empty where there is none.
     """
     found = []
     for item in error.errors(include_url=False):
         place, value = _as_written(tuple(item["loc"]), data)
-        remedy = (item.get("ctx") or {}).get("remedy", "")
-        found.append(fault_at(place, item["msg"], remedy, value, lines))
+        found.append(PlacedFault(place, item["msg"], (item.get("ctx") or {}).get("remedy", ""), value))
+    return located(found, text)
+
+
+def located(faults: Iterable[PlacedFault], text: str) -> list[Fault]:
+    """Faults with paths as users write them, lists from 1, and lines: the key's, or that of the table around."""
+    lines = key_lines(text)
+    found = []
+    for place, problem, remedy, value in faults:
+        path = ".".join(str(item + 1) if isinstance(item, int) else item for item in place)
+        line = next((lines[place[:k]] for k in range(len(place), 0, -1) if place[:k] in lines), None)
+        found.append(Fault(path, problem, remedy, value_text(value), line))
     return sorted(dict.fromkeys(found), key=lambda fault: fault.line or 0)
-
-
-def fault_at(place: Place, problem: str, remedy: str, value: Any, lines: Mapping[Place, int]) -> Fault:
-    """A fault at a place, ``segments.2.radius_m`` with lists from 1; its line, or that of the table around it."""
-    path = ".".join(str(item + 1) if isinstance(item, int) else item for item in place)
-    line = next((lines[place[:k]] for k in range(len(place), 0, -1) if place[:k] in lines), None)
-    return Fault(path, problem, remedy, value_text(value), line)
 
 
 def value_text(value: Any) -> str:

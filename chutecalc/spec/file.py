@@ -6,12 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
-from chutecalc.spec.faults import Place
 
-_HEADER = re.compile(r"^\s*(\[\[?)\s*([^\]]+?)\s*\]")
-_KEY = re.compile(
-    r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
-)
+Place = tuple[str | int, ...]
+"""Where something stands in a spec's data: keys, and numbers of list items from 0."""
+
+_HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
+_KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
 
 
 def read_text(path: Path) -> str:
@@ -64,10 +64,10 @@ def key_lines(text: str) -> dict[Place, int]:
         if quote:
             quote = "" if quote in line else quote
             continue
-        if header := _HEADER.match(line):
+        if header := re.match(_HEADER, line):
             table = _numbered(_keys(header[2]), counts, is_list=header[1] == "[[")
             lines.setdefault(table, number)
-        elif key := _KEY.match(line):
+        elif key := re.match(_KEY, line):
             lines.setdefault(table + _keys(key[1]), number)
             quote = next((mark for mark in ('"""', "'''") if key[2].count(mark) == 1), "")
     return lines

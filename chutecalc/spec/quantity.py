@@ -83,9 +83,9 @@ class Rule(NamedTuple):
 
 
 class Table(BaseModel):
-    """A table of a spec: no unknown keys, units by suffix, and rules of its own; every fault in the user's own words."""
+    """A table of a spec: no unknown keys, units by suffix, rules of its own, and every fault in the user's words."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, arbitrary_types_allowed=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, arbitrary_types_allowed=True, defer_build=True)
 
     rules: ClassVar[tuple[Callable[[dict[str, Any]], Iterator[Rule]], ...]] = ()
     """Each yields what is broken in a table, given with the documented keys."""
