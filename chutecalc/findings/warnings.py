@@ -59,8 +59,8 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
     yield from finding(scene, "decelerating", WARNING, flat, s, template, slope_deg=slope, friction_deg=angle)
     margin = slowest.value / critical
     template = (
-        "the stream runs at {velocity_m_s}, {margin} times the {critical_velocity_m_s} below which friction slows it to a"
-        " stall on a slope of {slope_deg} (limit 1.25)"
+        "the stream runs at {velocity_m_s}, {margin} times the {critical_velocity_m_s} below which friction slows it"
+        " to a stall on a slope of {slope_deg} (limit 1.25)"
     )
     yield from finding(
         scene,
@@ -129,8 +129,8 @@ def missing_load(scene: Scene) -> Iterator[Finding]:
     friction = scene.part.at(share)["equivalent_friction"][0]
     even = equilibrium_friction(wall, friction / np.where(wall > 0.0, wall, np.inf) - 1.0, missing.value)
     template = (
-        "hydrostatic wall pressures leave {missing_load} of the weight uncarried (limit 0.1): laid on the centre section,"
-        " as here, μ_e is {equivalent_friction}; spread over all walls {equilibrium_friction}"
+        "hydrostatic wall pressures leave {missing_load} of the weight uncarried (limit 0.1): laid on the centre"
+        " section, as here, μ_e is {equivalent_friction}; spread over all walls {equilibrium_friction}"
     )
     yield from finding(
         scene,

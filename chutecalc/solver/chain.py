@@ -130,10 +130,10 @@ def _along(
         np.broadcast_to(start.airborne, n),
     )
     alive = np.flatnonzero(start.status == Status.OK)
-    arrival = spread(arrive(select(start, alive), select(surface, alive), slide.rows(alive)), alive, n)
+    arrival = spread(arrive(_some(start, alive), select(surface, alive), slide.rows(alive)), alive, n)
     entry = _entry(start, surface, arrival)
     rows = np.flatnonzero(arrival.status == Status.OK)
-    here, place = select(entry, rows), take(arrival.place, rows)
+    here, place = _some(entry, rows), arrival.place[rows]
     stretch = solve_stretch(slide.rows(rows), place, here.velocity**2, 2.0 * here.error, work)
     x, z, slope = point(select(surface, rows), stretch.place)
     distance = here.distance + take(surface.length, rows) * (stretch.place - place)
@@ -158,6 +158,11 @@ def _entry(start: Stream, surface: Surface, arrival: Arrival) -> Stream:
     status = np.where(start.status == Status.OK, arrival.status, start.status)
     grounded = np.zeros(status.shape, dtype=bool)
     return Stream(start.distance + arrival.distance, x, z, slope, arrival.after, arrival.error, status, grounded)
+
+
+def _some(stream: Stream, rows: Index) -> Stream:
+    """Some designs of a stream whose fields are all of full length; none of them where there are no rows."""
+    return Stream._make(field[rows] for field in stream)
 
 
 def _overwrite(record: Stream, part: Stream, rows: Index) -> Stream:

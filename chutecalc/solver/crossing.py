@@ -50,7 +50,8 @@ def evaluate(values: Array, at: Array) -> Array:
     heights = values.reshape(len(values), *[1] * (places.ndim - 1), -1)
     top: Array = np.add.reduce(terms * heights)
     bottom: Array = np.add.reduce(terms)
-    return top[0] / bottom[0]
+    result: Array = top[0] / bottom[0]
+    return result
 
 
 def slope_at(values: Array, knot: int) -> Array:

@@ -1,0 +1,56 @@
+"""What several tests need: specs as text and as tables."""
+
+import copy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import chutecalc
+
+ROOT = Path(__file__).parent.parent
+REFERENCE = ROOT / "tests" / "reference"
+
+BASE: dict[str, Any] = {
+    "flow": {"rate_t_h": 1000.0},
+    "material": {"density_kg_m3": 800.0, "internal_friction_deg": 50.0},
+    "liners": {"wall": {"friction_deg": 25.0}},
+    "sections": {"body": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45.0}},
+    "inlet": {"velocity_m_s": 4.0, "slope_deg": 40.0},
+    "segments": [{"kind": "straight", "slope_deg": 40.0, "length_m": 3.0}],
+}
+
+
+def spec(**tables: Any) -> dict[str, Any]:
+    """The base spec with tables replaced or, where they are tables in both, merged key by key."""
+    data = copy.deepcopy(BASE)
+    for name, table in tables.items():
+        merge = isinstance(table, dict) and name in {"flow", "material", "inlet"}
+        data[name] = data[name] | table if merge else table
+    return data
+
+
+def chute(**tables: Any) -> chutecalc.Chute:
+    return chutecalc.parse(spec(**tables))
+
+
+def vee(chamfer_deg: float = 45.0, **more: Any) -> dict[str, Any]:
+    """Sections of one vee, whose friction does not depend on depth."""
+    return {"body": {"shape": "vee", "chamfer_deg": chamfer_deg, **more}}
+
+
+def vee_friction(wall_deg: float, chamfer_deg: float, internal_deg: float) -> float:
+    """Equivalent friction of a vee by the paper's Eq 4 and 11 at B = 0, written out as printed."""
+    from math import cos, radians, sin, tan
+
+    beta, delta = radians(chamfer_deg), radians(internal_deg)
+    ratio = (1 + sin(delta) * cos(2 * beta)) / (1 + sin(delta))
+    return tan(radians(wall_deg)) * (ratio + (1 - ratio) * cos(beta)) / cos(beta)
+
+
+@pytest.fixture
+def starter(tmp_path: Path) -> Path:
+    """The starting spec as a file."""
+    path = tmp_path / "chute.toml"
+    path.write_text(chutecalc.STARTER, encoding="utf-8")
+    return path
