@@ -1,0 +1,93 @@
+"""The method itself: its order, its quadrature, and the cost that a kink does not have."""
+
+from itertools import groupby, pairwise
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.solver.collocation import interpolation, newton, product, rule, transfer
+from tests.conftest import chute
+
+
+@pytest.mark.parametrize("count", [4, 6, 8, 12, 16, 24])
+def test_a_rule_integrates_polynomials_to_their_degree(count):
+    own = rule(count)
+    for power in range(2 * count):  # the end to degree 2N - 1
+        assert own.integral[-1] @ own.nodes**power == pytest.approx(1 / (power + 1), rel=1e-14)
+    for power in range(count):  # the nodes to degree N - 1
+        assert np.allclose(own.integral[:-1] @ own.nodes**power, own.nodes ** (power + 1) / (power + 1), atol=2e-16)
+
+
+@pytest.mark.parametrize("count", [4, 8, 24])
+def test_interpolation_is_exact_at_knots_and_for_polynomials(count):
+    own = rule(count)
+    assert np.array_equal(interpolation(count, own.knots), np.eye(count + 2))
+    at = np.linspace(0, 1, 37)
+    assert np.allclose(interpolation(count, at) @ own.knots ** (count + 1), at ** (count + 1), atol=2e-15)
+    assert transfer(4, 8).shape == (8, 6)
+
+
+@pytest.mark.parametrize(("count", "order"), [(4, 8), (6, 12)])
+def test_the_end_of_a_panel_converges_with_twice_the_number_of_nodes(count, order):
+    """u' = -u²/2 + cos t on (0, 1.6), halving panels: log2 of the errors' ratio."""
+    own = rule(count)
+
+    def solve(panels):
+        u = np.array([1.0])
+        for k in range(panels):
+            h = 1.6 / panels
+            t = (k + own.nodes[:, None]) * h
+            guess = np.repeat(u[None], count, axis=0)
+            for _ in range(8):
+                ends, _ = newton(own, h * (np.cos(t) - guess**2 / 2), -h * guess, guess, u)
+                guess = ends[:-1]
+            u = ends[-1]
+        return u[0]
+
+    exact = solve(64)
+    errors = [abs(solve(panels) - exact) for panels in (1, 2)]
+    assert np.log2(errors[0] / errors[1]) > order - 1.5
+
+
+def test_a_product_has_the_digits_of_each_column_alone():
+    random = np.random.default_rng(3)
+    matrix, columns = random.normal(size=(25, 26)), random.normal(size=(26, 1000))
+    whole = product(matrix, columns)
+    for k in (0, 1, 8, 777, 999):
+        assert np.array_equal(product(matrix, columns[:, k : k + 1])[:, 0], whole[:, k])
+
+
+def kinked(**more):
+    """A spoon on which the depth passes the chamfer's top, down and up again."""
+    return chute(
+        sections={"body": {"shape": "chamfered", "base_m": 0.4, "chamfer_deg": 50.0, "chamfer_m": 0.18}},
+        inlet={"velocity_m_s": 4.6, "slope_deg": 85.0},
+        segments=[{"name": "spoon", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 5.0}],
+        **more,
+    )
+
+
+def test_a_kink_costs_no_accuracy_at_any_tolerance():
+    exact = chutecalc.solve(kinked(), 1e-13)
+    top = 0.18 * np.sin(np.radians(50.0))
+    depth = exact.stations()["depth_m"][0]
+    assert depth[0] > top > depth.min()
+    assert depth[-1] > top
+    for rtol in (1e-4, 1e-6, 1e-8, 1e-10, 1e-12):
+        solution = chutecalc.solve(kinked(), rtol)
+        assert abs(solution.exit_velocity[0] / exact.exit_velocity[0] - 1) < rtol
+        assert np.abs(solution.stations()["velocity_m_s"] / exact.stations()["velocity_m_s"] - 1).max() < rtol
+
+
+def test_a_panel_never_crosses_a_kink():
+    solution = chutecalc.solve(kinked())
+    pieces = solution.legs[0].contact.stretch.pieces
+    facets = [int(piece.facet[0]) for piece in pieces]
+    assert [facet for facet, _ in groupby(facets)] == [1, 0, 1]  # wall, chamfer, wall
+    assert len(facets) <= 6  # and each in a panel or two
+    top = chutecalc.solve(kinked()).legs[0].contact.slide.facets.area[1, 0]
+    speed = 1000 / 3.6 / 800 / top  # of the stream that just fills the chamfers
+    for before, after in pairwise(pieces):
+        if before.facet[0] != after.facet[0]:
+            assert before.knots[-1, 0] ** 0.5 == pytest.approx(speed, rel=1e-12)
