@@ -36,9 +36,10 @@ class Part(NamedTuple):
         """How far each design travels on the part: m in flight, a share of the segment in contact."""
         if self.contact is None:
             return path_length(self.leg.path, self.leg.flight_time)
-        place = np.full(len(self.leg.status), np.nan)
+        begin = self.contact.arrival.place
+        place = np.where(self.contact.arrival.status == Status.STALL, begin, np.nan)
         place[self.contact.rows] = self.contact.stretch.place
-        return place - self.contact.arrival.place
+        return place - begin
 
     def length(self) -> Array:
         """The same in m."""
@@ -53,7 +54,9 @@ class Part(NamedTuple):
     def at(self, shares: Array) -> Numbers:
         """All columns at shares of the way, of shape (places,) for all designs or (places, designs) for each."""
         with np.errstate(all="ignore"):
-            return self._columns(self._profile(shares))
+            columns = self._columns(self._profile(shares))
+        shape = np.broadcast_shapes(*(values.shape for values in columns.values()))
+        return {name: np.broadcast_to(values, shape) for name, values in columns.items()}
 
     def _profile(self, shares: Array) -> Profile:
         alike = shares if shares.ndim == 1 else None

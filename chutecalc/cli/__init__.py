@@ -56,8 +56,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         status = app(args=given, prog_name="chutecalc", standalone_mode=False)
         sys.stdout.flush()
         return int(status or ExitStatus.OK)
-    except BrokenPipeError:
-        # whoever read our output has had enough; Python would complain once more when it closes the stream
+    except (BrokenPipeError, SystemExit):
+        # Whoever read our output has had enough; Typer makes SystemExit of it. Python would complain once more at the end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitStatus.OK
     except typer.TyperException as error:

@@ -62,7 +62,9 @@ class Printer:
             self.console.print(table, crop=False)
             self.console.width = width
         else:
-            self.console.print(table)
+            with self.console.capture() as captured:
+                self.console.print(table)
+            self.stream.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
 
     def report(self, chute: Chute, solution: Solution) -> None:
         """A chute: what it is, its segments, its findings."""

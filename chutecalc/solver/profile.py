@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
@@ -120,9 +121,10 @@ def _walk(contact: ContactLeg, places: Array, shares: Array | None) -> tuple[Arr
         elapsed[rows] = clock[-1]
     if own.shape == places.shape:
         return y, time
-    spread_y, spread_time = np.full(places.shape, np.nan), np.full(places.shape, np.nan)
-    spread_y[:, contact.rows], spread_time[:, contact.rows] = y, time
-    return spread_y, spread_time
+    stuck = np.where(contact.arrival.status == Status.STALL, 0.0, np.nan)  # by the impact, where it struck
+    whole = np.where(np.isnan(places), np.nan, stuck), np.where(np.isnan(places), np.nan, stuck)
+    whole[0][:, contact.rows], whole[1][:, contact.rows] = y, time
+    return whole
 
 
 def _clock(slide: Slide, piece: Piece) -> Array:

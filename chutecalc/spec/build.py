@@ -45,12 +45,14 @@ class GeometryError(Exception):
 
 
 def segment_names(spec: model.ChuteSpec) -> list[str]:
-    """What each segment is called: its name, or its kind, with its number where that is taken."""
+    """What each segment is called: its name, or its kind, with a number where that is taken."""
     names: list[str] = []
-    given = {segment.name for segment in spec.segments if segment.name}
-    for number, segment in enumerate(spec.segments, 1):
-        taken = given.union(names)
-        names.append(segment.name or (segment.kind if segment.kind not in taken else f"{segment.kind}_{number}"))
+    taken = {segment.name for segment in spec.segments if segment.name}
+    for segment in spec.segments:
+        free = (f"{segment.kind}_{number}" for number in range(2, len(spec.segments) + 2))
+        name = segment.name or next(item for item in (segment.kind, *free) if item not in taken)
+        taken.add(name)
+        names.append(name)
     return names
 
 

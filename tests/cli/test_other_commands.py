@@ -1,0 +1,85 @@
+"""``new``, ``schema``, ``columns``, ``--version``, ``--help``, ``python -m chutecalc``."""
+
+import json
+import subprocess
+import sys
+import tomllib
+
+import jsonschema
+import pytest
+
+import chutecalc
+from chutecalc.cli import main
+from chutecalc.columns import COLUMNS
+from tests.conftest import ROOT
+
+
+def test_new_writes_a_spec_that_runs_and_never_overwrites(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["new"]) == 0
+    assert "chutecalc run chute.toml" in capsys.readouterr().out
+    assert main(["run", "chute.toml"]) == 0
+    capsys.readouterr()
+    (tmp_path / "chute.toml").write_text("mine", encoding="utf-8")
+    assert main(["new"]) == 2
+    assert "chute.toml exists" in capsys.readouterr().err
+    assert (tmp_path / "chute.toml").read_text(encoding="utf-8") == "mine"
+    assert main(["new", "no/such/folder.toml"]) == 2
+    assert main(["new", "-"]) == 0
+    assert capsys.readouterr().out == chutecalc.STARTER
+
+
+def test_schema_accepts_every_standard_design_and_refuses_what_run_refuses(capsys):
+    assert main(["schema"]) == 0
+    validator = jsonschema.Draft202012Validator(json.loads(capsys.readouterr().out))
+    validator.check_schema(validator.schema)
+    specs = sorted(ROOT.glob("specs/**/*.toml"))
+    assert len(specs) >= 19
+    for path in specs:
+        assert list(validator.iter_errors(tomllib.loads(path.read_text(encoding="utf-8")))) == []
+    good = tomllib.loads(chutecalc.STARTER)
+    good["segments"][1]["radius_mm"] = good["segments"][1].pop("radius_m") * 1000
+    assert validator.is_valid(good)
+    for table, key, value in (
+        (good["flow"], "rate_kg_s", 1.0),  # given twice
+        (good["flow"], "rate", 1.0),
+        (good["inlet"], "slope_deg", 91.0),
+        (good["segments"][1], "radius_mm", -1.0),
+    ):
+        kept = table.get(key)
+        table[key] = value
+        assert not validator.is_valid(good), key
+        if kept is None:
+            del table[key]
+        else:
+            table[key] = kept
+
+
+def test_columns_lists_them_all(capsys):
+    assert main(["columns"]) == 0
+    out = capsys.readouterr().out
+    assert [line.split()[0] for line in out.splitlines()[1:]] == list(COLUMNS)
+
+
+def test_version_and_help(capsys):
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}\n"
+    assert main(["--help"]) == 0
+    listed = capsys.readouterr().out
+    for command in ("run", "new", "schema", "columns"):
+        assert command in listed
+    for later in ("sweep", "optimise", "uncertainty", "explain"):
+        assert later not in listed
+    assert main(["run", "-h"]) == 0
+    assert "--stations" in capsys.readouterr().out
+
+
+def test_no_command_shows_the_help_and_is_a_wrong_command(capsys):
+    assert main([]) == 2
+    assert "Usage: chutecalc" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("way", [["-m", "chutecalc"], ["-c", "from chutecalc.cli import entry; entry()"]])
+def test_as_a_process(way):
+    run = subprocess.run([sys.executable, *way, "--version"], capture_output=True, text=True, check=True)
+    assert run.stdout.startswith("chutecalc ")

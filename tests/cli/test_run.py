@@ -1,0 +1,260 @@
+"""``chutecalc run`` through ``main``: tables, files, streams and statuses."""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.cli import main
+from chutecalc.columns import COLUMNS
+from tests.conftest import ROOT
+
+STALLS = chutecalc.STARTER.replace("friction_deg = 25 ", "friction_deg = 40 ").replace("drop_m = 2.0", "drop_m = 0.2")
+
+
+@pytest.fixture
+def stalling(tmp_path):
+    path = tmp_path / "stalls.toml"
+    path.write_text(STALLS, encoding="utf-8")
+    return path
+
+
+def test_tables_of_the_worked_example(capsys):
+    assert main(["run", str(ROOT / "specs/paper/r3_d55_chamfered.toml")]) == 0
+    shown = capsys.readouterr()
+    assert shown.err == ""
+    for word in ("R = 3 m", "velocity", "depth", "μ_e", "time", "6.263", "3.878", "0.1399", "6.607", "below_cut_off"):
+        assert word in shown.out
+    assert all(line == line.rstrip() for line in shown.out.splitlines())
+
+
+def test_several_specs_add_a_comparison(capsys, starter, stalling):
+    assert main(["run", str(starter), str(stalling)]) == 1
+    out = capsys.readouterr().out
+    comparison = out[out.index("comparison") :]
+    assert "ok" in comparison
+    assert "stall" in comparison
+
+
+def test_a_failing_chute_still_shows_what_was_computed(capsys, stalling):
+    assert main(["run", str(stalling), "--points", "5"]) == 1
+    out = capsys.readouterr().out
+    assert "failure stall" in out
+    assert out.count("\nspoon ") >= 5
+
+
+def test_csv_says_what_the_solution_says(capsys, tmp_path, starter):
+    target = tmp_path / "out.csv"
+    assert main(["run", str(starter), "--csv", str(target), "--points", "3"]) == 0
+    text = target.read_bytes().decode("utf-8")
+    assert text.count("\r\n") == 7  # RFC 4180: header and two segments of three stations
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert list(rows[0]) == list(COLUMNS)
+    stations = chutecalc.solve(chutecalc.load(starter)).stations(points=3)
+    for name in ("s_m", "velocity_m_s", "depth_m", "time_s"):
+        written = [float(row[name]) if row[name] else float("nan") for row in rows]
+        assert np.array_equal(written, stations[name][0], equal_nan=True), name
+    assert {row["spec"] for row in rows} == {str(starter)}
+    assert rows[0]["depth_m"] == ""
+
+
+def test_csv_without_points_has_101_stations_a_segment(capsys, starter):
+    assert main(["run", str(starter), "--csv", "-"]) == 0
+    out = capsys.readouterr().out
+    assert len(out.splitlines()) == 1 + 2 * 101
+    assert "spec,segment,kind,s_m" in out.splitlines()[0]
+
+
+def test_json_of_one_and_of_several(capsys, starter, stalling):
+    assert main(["run", str(starter), "--json", "-"]) == 0
+    one = json.loads(capsys.readouterr().out)
+    assert (one["format"], one["status"], one["tolerance"]) == (1, "ok", 1e-10)
+    assert one["exit"]["velocity_m_s"] == pytest.approx(3.877919736892825, rel=1e-12)
+    assert [segment["name"] for segment in one["segments"]] == ["fall", "spoon"]
+    assert one["segments"][0]["exit"]["depth_m"] is None
+    assert one["findings"][0]["code"] == "below_cut_off"
+    assert one["spec"]["segments"][1]["radius_m"] == 3.0
+
+    assert main(["run", str(starter), str(stalling), "--json", "-", "--points", "4"]) == 1
+    both = json.loads(capsys.readouterr().out)
+    assert [item["status"] for item in both] == ["ok", "stall"]
+    assert both[1]["exit"]["velocity_m_s"] is None
+    assert both[1]["segments"][1]["status"] == "stall"
+    assert len(both[0]["segments"][1]["stations"]) == 4
+    assert both[1]["segments"][1]["stations"][-1]["velocity_m_s"] == 0.0
+
+
+def test_a_flight_that_is_no_segment_stands_under_the_segment_it_leads_to(capsys, tmp_path):
+    text = chutecalc.STARTER.replace('kind = "curve" ', 'kind = "straight" ').replace("radius_m = 3.0", "length_m = 3.0")
+    text = text.replace("to_slope_deg = 0", "slope_deg = 50").replace("velocity_m_s = 0.0", "velocity_m_s = 3.0")
+    path = tmp_path / "edge.toml"
+    path.write_text(text.replace('kind = "fall" ', 'kind = "straight" ').replace("drop_m = 2.0", "slope_deg = 20\nlength_m = 0.5"))
+    assert main(["run", str(path), "--json", "-", "--set", "inlet.slope_deg=20"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert len(document["segments"]) == 2
+    assert document["segments"][1]["flight"]["kind"] == "flight"
+    assert document["segments"][1]["flight"]["name"] == "spoon:flight"
+
+
+def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
+    assert main(["run", str(starter), "--json", "-", "--set", "segments.spoon.radius_mm=2000"]) == 0
+    twin = json.loads(capsys.readouterr().out)
+    assert main(["run", str(starter), "--json", "-", "--set", "segments.2.radius_m=2"]) == 0
+    assert json.loads(capsys.readouterr().out)["exit"] == twin["exit"]
+    assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
+    assert "segments.2.radius_m = 0" in capsys.readouterr().err
+    assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
+    assert "There are 1, spoon" in capsys.readouterr().err
+    assert main(["run", str(starter), "--set", "nothing"]) == 2
+    assert "PATH=VALUE" in capsys.readouterr().err
+
+
+def test_stations_by_distance(capsys, starter):
+    assert main(["run", str(starter), "--csv", "-", "--stations", "1.5"]) == 0
+    rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    assert [round(float(row["s_m"]), 6) for row in rows if row["segment"] == "spoon"] == [2.0, 3.5, 5.0, 6.5, 6.712389]
+
+
+def test_us_units_are_for_people_only(capsys, starter):
+    assert main(["run", str(starter), "--units", "us"]) == 0
+    us = capsys.readouterr().out
+    assert "fpm" in us
+    assert "763.4" in us  # 3.878 m/s
+    assert main(["run", str(starter), "--units", "us", "--csv", "-"]) == 0
+    american = capsys.readouterr().out
+    assert main(["run", str(starter), "--csv", "-"]) == 0
+    assert capsys.readouterr().out == american
+
+
+def test_strict_makes_warnings_count(capsys, starter):
+    assert main(["run", str(starter)]) == 0
+    assert main(["run", str(starter), "--strict"]) == 1
+
+
+def test_a_spec_from_standard_input(capsys, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(chutecalc.STARTER.encode()), encoding="utf-8"))
+    assert main(["run", "-"]) == 0
+    assert "standard input" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["run", "a.toml", "--json", "-", "--csv", "-"], "only one output"),
+        (["run", "-", "-"], "only one spec"),
+        (["run", "a.toml", "--json", "x", "--csv", "x"], "the same file"),
+        (["run", "a.toml", "--csv", "a.toml"], "overwrite"),
+        (["run", "a.toml", "--points", "5", "--stations", "0.1"], "give one of them"),
+        (["run", "a.toml", "--stations", "-1"], "greater than 0"),
+        (["run", "a.toml", "--stations", "1e-9"], "more than 1000000 stations"),
+        (["run", "a.toml", "--csv", "no/such/folder/x.csv"], "cannot be written"),
+        (["run", "a.toml", "--csv", "folder"], "is a folder"),
+        (["run", "a.toml", "--rtol", "1e-20"], "1e-13"),
+        (["run", "missing.toml"], "no such file"),
+        (["run", "folder"], "is a folder"),
+        (["run", "a.toml", "--nonsense"], "--nonsense"),
+        (["nonsense"], "nonsense"),
+        (["run"], "SPEC"),
+    ],
+)
+def test_wrong_commands_end_with_2_say_why_and_leave_nothing(arguments, words, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    (tmp_path / "folder").mkdir()
+    assert main(arguments) == 2
+    shown = capsys.readouterr()
+    assert words in shown.err
+    assert shown.out == ""
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.toml", "folder"]
+
+
+def test_all_faults_of_all_specs_and_nothing_solved(capsys, tmp_path, starter):
+    for name in ("one", "two"):
+        text = chutecalc.STARTER.replace("rate_t_h = 1000", "rate = 1000").replace("radius_m = 3.0", "radius_m = -3.0")
+        (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
+    assert main(["run", str(starter), str(tmp_path / "one.toml"), str(tmp_path / "two.toml")]) == 2
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert len(shown.err.splitlines()) == 4
+    assert shown.err.count("rate_t_h or rate_kg_s or rate_stph") == 2
+    assert shown.err.count("radius_m = -3.0 has to be greater than 0 m") == 2
+
+
+def test_an_existing_file_survives_a_failing_run(capsys, tmp_path, starter):
+    target = tmp_path / "out.csv"
+    target.write_text("precious", encoding="utf-8")
+    assert main(["run", str(starter), "--csv", str(target), "--rtol", "7"]) == 2
+    assert target.read_text(encoding="utf-8") == "precious"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["chute.toml", "out.csv"]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="no device that is always full on this system")
+def test_a_full_disk_ends_with_74(capsys, starter):
+    assert main(["run", str(starter), "--csv", "/dev/full"]) == 74
+    assert "could not be written" in capsys.readouterr().err
+
+
+def test_a_fault_of_the_program_ends_with_70_and_a_traceback_only_on_demand(capsys, monkeypatch, starter):
+    monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
+    assert main(["run", str(starter)]) == 70
+    err = capsys.readouterr().err
+    assert "ZeroDivisionError" in err
+    assert chutecalc.__version__ in err
+    assert "Traceback" not in err
+    assert main(["run", str(starter), "--debug"]) == 70
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_ctrl_c_ends_with_130(capsys, monkeypatch, starter):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("chutecalc.chute.run_chain", interrupted)
+    assert main(["run", str(starter)]) == 130
+
+
+def process(*arguments, **more):
+    return subprocess.run([sys.executable, "-m", "chutecalc", *arguments], capture_output=True, check=False, **more)
+
+
+def test_a_closed_pipe_ends_silently(starter):
+    reader, writer = os.pipe()
+    os.close(reader)
+    with subprocess.Popen(
+        [sys.executable, "-m", "chutecalc", "run", str(starter), "--csv", "-", "--points", "5000"],
+        stdout=writer,
+        stderr=subprocess.PIPE,
+    ) as run:
+        os.close(writer)
+        assert run.stderr is not None
+        assert run.stderr.read() == b""
+    assert run.returncode == 0
+
+
+def test_piped_output_has_no_colour_even_where_colour_is_forced(starter):
+    plain = process("run", str(starter))
+    forced = process("run", str(starter), env=os.environ | {"FORCE_COLOR": "1", "COLUMNS": "40", "TERM": "xterm"})
+    assert forced.stdout == plain.stdout
+    assert b"\x1b" not in plain.stdout
+
+
+def test_nothing_heavy_is_loaded_on_the_way_of_run():
+    code = (
+        "import sys\nfrom chutecalc.cli import main\n"
+        f"assert main(['run', {str(ROOT / 'specs/paper/r3_d55_chamfered.toml')!r}]) == 0\n"
+        "print(sorted({name.split('.')[0] for name in sys.modules} & {'scipy', 'matplotlib', 'mpmath', 'tomli_w'}))\n"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.splitlines()[-1] == "[]"
+
+
+def test_help_loads_no_numpy():
+    code = "import sys\nfrom chutecalc.cli import main\nmain(['--help'])\nprint('numpy' in sys.modules)\n"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.splitlines()[-1] == "False"

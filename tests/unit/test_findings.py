@@ -1,0 +1,263 @@
+"""Each finding appears above its threshold and not just below it."""
+
+import numpy as np
+import pytest
+
+import chutecalc
+from tests.conftest import chute, vee
+
+G = 9.80665
+
+
+def codes(solution):
+    return [finding.code for finding in solution.findings()]
+
+
+def found(solution, code):
+    (finding,) = [finding for finding in solution.findings() if finding.code == code]
+    return finding
+
+
+def rectangular(width=0.5, **more):
+    return {"body": {"shape": "rectangular", "width_m": width, **more}}
+
+
+def test_stall_inside_a_segment():
+    solution = chutecalc.solve(
+        chute(inlet={"velocity_m_s": 2.0, "slope_deg": 5.0}, segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}])
+    )
+    finding = found(solution, "stall")
+    assert (finding.severity, finding.segment) == ("failure", "straight")
+    assert finding.s_m[0] == solution.legs[0].exit.distance[0]
+    assert "falls to 0" in finding.message()
+
+
+def test_stall_at_an_impact():
+    solution = chutecalc.solve(
+        chute(inlet={"velocity_m_s": 4.0, "slope_deg": 90.0}, segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 1.0}])
+    )
+    finding = found(solution, "stall")
+    assert finding.numbers["incidence_deg"][0] == pytest.approx(85.0)
+    assert finding.numbers["steepest_deg"][0] < 85.0
+    assert solution.segments[0].entry["velocity_m_s"][0] == 0.0
+
+
+@pytest.mark.parametrize("above", [True, False])
+def test_choke(above):
+    # the stream is deepest at its start, Q/(v b)
+    deepest = 1000 / 3.6 / 800 / 4.0 / 0.5
+    wall = deepest * (0.999999 if above else 1.000001)
+    solution = chutecalc.solve(
+        chute(sections=rectangular(wall_height_m=wall), segments=[{"kind": "straight", "slope_deg": 40.0, "length_m": 1.0}])
+    )
+    assert ("choke" in codes(solution)) == above
+    assert (solution.status[0] == "choke") == above
+
+
+def test_a_choke_says_where_the_stream_would_stop_or_that_it_would_run_on():
+    stops = chutecalc.solve(
+        chute(
+            sections=rectangular(wall_height_m=0.4),
+            inlet={"velocity_m_s": 3.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}],
+        )
+    )
+    assert "would stop" in found(stops, "choke").message()
+    runs = chutecalc.solve(
+        chute(
+            sections=rectangular(wall_height_m=0.4),
+            inlet={"velocity_m_s": 3.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 1.0}],
+        )
+    )
+    assert "run on" in found(runs, "choke").message()
+
+
+@pytest.mark.parametrize(("factor", "lost"), [(1.0001, True), (0.9999, False)])
+def test_contact_lost_at_the_start_of_a_crest(factor, lost):
+    radius, slope = 2.0, np.radians(10.0)
+    velocity = np.sqrt(radius * G * np.cos(slope)) * factor
+    solution = chutecalc.solve(
+        chute(
+            liners={"wall": {"friction_deg": 35.0}},
+            inlet={"velocity_m_s": float(velocity), "slope_deg": 10.0},
+            segments=[{"kind": "curve", "radius_m": radius, "to_slope_deg": 10.001}],
+        )
+    )
+    assert ("contact_lost" in codes(solution)) == lost
+
+
+def test_contact_lost_is_a_warning_where_a_fall_follows():
+    crest = {"kind": "curve", "radius_m": 1.0, "to_slope_deg": 80.0}
+    inlet = {"velocity_m_s": 5.0, "slope_deg": 20.0}
+    alone = chutecalc.solve(chute(inlet=inlet, segments=[crest]))
+    caught = chutecalc.solve(chute(inlet=inlet, segments=[crest, {"kind": "fall", "drop_m": 1.0}]))
+    assert found(alone, "contact_lost").severity == "failure"
+    assert found(caught, "contact_lost").severity == "warning"
+    assert (alone.status[0], caught.status[0]) == ("contact_lost", "ok")
+
+
+@pytest.mark.parametrize("off", [-1e-6, 1e-6])
+def test_inadmissible_friction(off):
+    limit = np.degrees(np.arctan(np.sin(np.radians(30.0))))
+    solution = chutecalc.solve(
+        chute(material={"internal_friction_deg": 30.0}, liners={"wall": {"friction_deg": float(limit + off)}})
+    )
+    assert ("inadmissible_friction" in codes(solution)) == (off > 0)
+
+
+def test_no_admissibility_without_an_angle_of_internal_friction():
+    base = chute(liners={"wall": {"friction_deg": 39.0}}, segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}])
+    data = base.data
+    data["material"] = {"density_kg_m3": 800.0, "pressure_ratio": 0.5}
+    assert "inadmissible_friction" not in codes(chutecalc.solve(chutecalc.parse(data)))
+
+
+@pytest.mark.parametrize("factor", [1.2499, 1.2501])
+def test_decelerating_by_its_margin_to_the_critical_velocity(factor):
+    # rectangular: tan a = μ (1 + K_v Q/(v_c b²)), so v_c is in closed form
+    slope, wall, delta, width = np.radians(35.0), np.radians(25.0), np.radians(50.0), 0.5
+    ratio = (1 - np.sin(delta)) / (1 + np.sin(delta))
+    critical = ratio * 1000 / 3.6 / 800 / width**2 / (np.tan(slope) / np.tan(wall) - 1)
+    solution = chutecalc.solve(
+        chute(
+            sections=rectangular(width),
+            inlet={"velocity_m_s": float(critical * factor), "slope_deg": 35.0},
+            segments=[{"kind": "straight", "slope_deg": 35.0, "length_m": 2.0}],
+        )
+    )
+    if factor < 1.25:
+        finding = found(solution, "decelerating")
+        assert finding.numbers["critical_velocity_m_s"][0] == pytest.approx(critical, rel=1e-12)
+        assert finding.numbers["margin"][0] == pytest.approx(factor, rel=1e-9)
+    else:
+        assert "decelerating" not in codes(solution)
+
+
+@pytest.mark.parametrize(("slope", "flat"), [(24.999, True), (25.001, True), (31.0, False)])
+def test_decelerating_on_a_slope_flatter_than_friction(slope, flat):
+    # a wide base: equivalent and wall friction differ by less than 4 %, or 1°
+    solution = chutecalc.solve(
+        chute(
+            sections=rectangular(4.0),
+            inlet={"velocity_m_s": 4.0, "slope_deg": slope},
+            segments=[{"kind": "straight", "slope_deg": slope, "length_m": 0.5}],
+        )
+    )
+    assert ("decelerating" in codes(solution)) == flat
+
+
+@pytest.mark.parametrize("off", [-0.001, 0.001])
+def test_below_cut_off(off):
+    def ends_at(slope):
+        return chutecalc.solve(
+            chute(
+                sections=vee(45.0),
+                inlet={"velocity_m_s": 6.0, "slope_deg": 80.0},
+                segments=[{"kind": "curve", "radius_m": 2.0, "to_slope_deg": slope}],
+            )
+        )
+
+    friction = ends_at(45.0).exit["equivalent_friction"][0]  # of a vee: of no depth
+    limit = float(np.degrees(np.arctan(friction)) + 5.0)
+    assert ("below_cut_off" in codes(ends_at(limit + off))) == (off < 0)
+    finding = found(ends_at(limit - 1.0), "below_cut_off")
+    assert "practice" in finding.message()
+
+
+@pytest.mark.parametrize("factor", [0.9999, 1.0001])
+def test_thick_stream_by_its_width(factor):
+    # depth over width is Q/(v b²): largest at the entry of a chute on which the stream accelerates
+    velocity = 1000 / 3.6 / 800 / 0.3**2 * factor
+    solution = chutecalc.solve(
+        chute(
+            sections=rectangular(0.3),
+            inlet={"velocity_m_s": velocity, "slope_deg": 60.0},
+            segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}],
+        )
+    )
+    assert ("thick_stream" in codes(solution)) == (factor < 1)
+
+
+@pytest.mark.parametrize("factor", [0.9999, 1.0001])
+def test_thick_stream_by_its_radius(factor):
+    depth = 1000 / 3.6 / 800 / 6.0 / 0.5
+    solution = chutecalc.solve(
+        chute(
+            sections=rectangular(0.5),
+            liners={"wall": {"friction_deg": 0.0}},  # without friction a falling stream only gains speed
+            inlet={"velocity_m_s": 6.0, "slope_deg": 80.0},
+            segments=[{"kind": "curve", "radius_m": depth / 0.1 * factor, "to_slope_deg": 60.0}],
+        )
+    )
+    assert ("thick_stream" in codes(solution)) == (factor < 1)
+
+
+@pytest.mark.parametrize("factor", [0.9999, 1.0001])
+def test_slow_stream(factor):
+    # Fr² = v² b/(n A) = v³ b/(g cos a Q): 2 at the entry of an accelerating stream
+    slope, flow = np.radians(60.0), 1000 / 3.6 / 800
+    velocity = (4.0 * G * np.cos(slope) * flow / 0.5) ** (1 / 3) * factor
+    solution = chutecalc.solve(
+        chute(
+            sections=rectangular(0.5),
+            inlet={"velocity_m_s": float(velocity), "slope_deg": 60.0},
+            segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}],
+        )
+    )
+    assert ("slow_stream" in codes(solution)) == (factor < 1)
+
+
+@pytest.mark.parametrize("angle", [20.0, 50.0])
+def test_missing_load(angle):
+    # a vee without a top: m = 1 - K = (1 - K_v) sin²β
+    solution = chutecalc.solve(
+        chute(sections=vee(angle), segments=[{"kind": "straight", "slope_deg": 40.0, "length_m": 0.5}])
+    )
+    ratio = (1 - np.sin(np.radians(50.0))) / (1 + np.sin(np.radians(50.0)))
+    missing = (1 - ratio) * np.sin(np.radians(angle)) ** 2
+    assert ("missing_load" in codes(solution)) == (missing > 0.1)
+    if missing > 0.1:
+        finding = found(solution, "missing_load")
+        assert finding.numbers["missing_load"][0] == pytest.approx(missing, rel=1e-12)
+        tangent = np.tan(np.radians(25.0))
+        assert finding.numbers["equilibrium_friction"][0] == pytest.approx(tangent / np.cos(np.radians(angle)), rel=1e-12)
+
+
+@pytest.mark.parametrize("factor", [0.9999, 1.0001])
+def test_above_chamfer(factor):
+    base = {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45.0}
+    wetted = chutecalc.solve(chute()).segments[0].entry["chamfer_wetted_m"][0]
+    solution = chutecalc.solve(chute(sections={"body": base | {"chamfer_m": float(wetted * factor)}}))
+    assert ("above_chamfer" in codes(solution)) == (factor < 1)
+
+
+def test_geometry_follows_flow_but_not_for_a_vertical_fall():
+    segments = [{"kind": "fall", "drop_m": 1.0}, {"kind": "curve", "radius_m": 2.0, "to_slope_deg": 20.0}]
+    slanting = chutecalc.solve(chute(segments=segments))
+    vertical = chutecalc.solve(chute(inlet={"velocity_m_s": 0.0, "slope_deg": 40.0}, segments=segments))
+    fixed = chutecalc.solve(chute(segments=[segments[0], segments[1] | {"from_slope_deg": 70.0}]))
+    assert "geometry_follows_flow" in codes(slanting)
+    assert "geometry_follows_flow" not in codes(vertical) + codes(fixed)
+
+
+def test_findings_of_the_papers_worked_example_are_those_that_physics_names():
+    from tests.conftest import ROOT
+
+    def of(name):
+        return chutecalc.solve(chutecalc.load(ROOT / f"specs/paper/{name}.toml"))
+
+    for shape in ("square", "chamfered"):
+        for delta in (30, 55):
+            share = found(of(f"r1_d{delta}_{shape}"), "thick_stream").numbers["share"][0]
+            assert 0.13 <= round(share, 2) <= 0.16
+    assert found(of("r1_d30_square"), "slow_stream").numbers["froude"][0] == pytest.approx(1.99, abs=0.005)
+
+
+def test_a_finding_masks_the_designs_it_is_about():
+    base = chute(sections=rectangular(0.5), segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 1.0}])
+    solution = chutecalc.solve(base.vary({"inlet.velocity_m_s": [1.0, 8.0, 1.5, 9.0], "inlet.slope_deg": 5.0}))
+    stall = found(solution, "stall")
+    assert (stall.mask == (solution.status == "stall")).all()
+    assert stall.mask.any()
+    assert not stall.mask.all()

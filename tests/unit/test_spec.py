@@ -1,0 +1,272 @@
+"""Specs: units, faults with path, line, value, limits and remedy, and key paths."""
+
+import tomllib
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.spec.file import key_lines
+from tests.conftest import BASE, chute, spec
+
+STARTER = chutecalc.STARTER
+
+
+def faults(text_or_data):
+    with pytest.raises(chutecalc.SpecError) as caught:
+        chutecalc.parse(text_or_data)
+    return list(caught.value.faults)
+
+
+def starter(old, new):
+    assert old in STARTER
+    return STARTER.replace(old, new)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "twin", "same"),
+    [
+        ("segments.spoon.radius_m", 3.0, "segments.spoon.radius_mm", 3000),
+        ("segments.spoon.radius_m", 0.3048 * 9.0, "segments.spoon.radius_ft", 9),
+        ("sections.body.base_m", 0.508, "sections.body.base_in", 20),
+        ("flow.rate_t_h", 3600.0, "flow.rate_kg_s", 1000),
+        ("flow.rate_t_h", 907.18474, "flow.rate_stph", 1000),
+        ("material.density_kg_m3", 800.0, "material.density_t_m3", 0.8),
+        ("material.density_kg_m3", 50 * 0.45359237 / 0.3048**3, "material.density_lb_ft3", 50),
+        ("inlet.velocity_m_s", 2.032, "inlet.velocity_fpm", 400),
+        ("inlet.velocity_m_s", 3.048, "inlet.velocity_ft_s", 10),
+        ("flow.gravity_m_s2", 9.8145600, "flow.gravity_ft_s2", 32.2),
+        ("segments.spoon.to_slope_deg", 30.0, "segments.spoon.to_slope_rad", np.pi / 6),
+    ],
+)
+def test_unit_twins_are_the_same_chute(key, value, twin, same):
+    base = chutecalc.parse(STARTER).put({"inlet.slope_deg": 80})
+    one = chutecalc.solve(base.put({key: value})).exit_velocity[0]
+    assert chutecalc.solve(base.put({twin: same})).exit_velocity[0] == pytest.approx(one, rel=1e-13)
+
+
+def test_a_metre_in_millimetres_is_exact():
+    metric, fine = (chutecalc.parse(STARTER).put({f"segments.spoon.radius_{unit}": value}) for unit, value in (("m", 3), ("mm", 3000)))
+    assert chutecalc.solve(metric).exit_velocity[0] == chutecalc.solve(fine).exit_velocity[0]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "path", "given", "words", "remedy"),
+    [
+        ("rate_t_h = 1000", "rate = 1000", "flow.rate", "1000", "needs its unit", "rate_t_h or rate_kg_s or rate_stph"),
+        ("rate_t_h = 1000", "", "flow.rate_t_h", "", "is missing", "add rate_t_h"),
+        ("rate_t_h = 1000", "rate_t_h = 0", "flow.rate_t_h", "0", "greater than 0 t/h", "change"),
+        ("rate_t_h = 1000", "rate_t_h = true", "flow.rate_t_h", "true", "a number greater than 0 t/h", "change"),
+        ("rate_t_h = 1000", 'rate_t_h = "1000"', "flow.rate_t_h", '"1000"', "a number", "change"),
+        ("rate_t_h = 1000", "rate_t_h = nan", "flow.rate_t_h", "nan", "finite", "change"),
+        ("rate_t_h = 1000", "rate_t_h = inf", "flow.rate_t_h", "inf", "finite", "change"),
+        ("rate_t_h = 1000", f"rate_t_h = 1{'0' * 400}", "flow.rate_t_h", "1" + "0" * 400, "finite", "change"),
+        ("base_m = 0.5", "base_m = 0.5\nbase_in = 20", "sections.body.base_in", "20", "is given twice", "keep one"),
+        ("base_m = 0.5", "bse_m = 0.5", "sections.body.bse_m", "0.5", "is not known here", "did you mean base_m?"),
+        ("radius_m = 3.0", "radius_mm = -3", "segments.2.radius_mm", "-3", "greater than 0 mm", "change"),
+        ("chamfer_deg = 45", "chamfer_rad = 2", "sections.body.chamfer_rad", "2", "at most 1.5708 rad", "change"),
+        ('kind = "fall" ', 'kind = "drop" ', "segments.1.kind", '"drop"', "not known", "straight, curve, hood, fall"),
+        ('kind = "fall" ', "", "segments.1.kind", "", "missing", "straight, curve, hood, fall"),
+        ('shape = "chamfered"', 'shape = "oval"', "sections.body.shape", '"oval"', "not known", "rectangular, chamfered, vee"),
+        ('name = "spoon"', 'name = "a b"', "segments.2.name", '"a b"', "is no name", "begin with a letter"),
+        ('name = "spoon"', 'name = "1"', "segments.2.name", '"1"', "is no name", "begin with a letter"),
+        ('name = "spoon"', 'section = "nobody"', "segments.2.section", '"nobody"', "not defined", "name one of body"),
+        ('name = "spoon"', "liner = 3", "segments.2.liner", "3", "text in quotes", "change"),
+        ('title = "Fall and spoon, coal"', "title = 3", "title", "3", "text in quotes", "change"),
+        ('title = "Fall and spoon, coal"', "format = 2", "format", "2", "has to be 1", "change"),
+        ("internal_friction_deg = 55", "", "material.internal_friction_deg", "", "pressure_ratio is needed", "add"),
+        ("internal_friction_deg = 55", "pressure_ratio = 1.5", "material.pressure_ratio", "1.5", "at most 1", "change"),
+        ("slope_deg = 90", "slope_deg = -90", "inlet.slope_deg", "-90", "greater than -90°", "change"),
+        ("velocity_m_s = 0.0", "velocity_m_s = -1.0", "inlet.velocity_m_s", "-1.0", "at least 0 m/s", "change"),
+    ],
+)  # fmt: skip
+def test_a_fault_names_path_value_limits_and_remedy(old, new, path, given, words, remedy):
+    (fault,) = faults(starter(old, new))
+    assert (fault.path, fault.given) == (path, given)
+    assert words in fault.problem
+    assert remedy in fault.remedy
+
+
+def test_faults_name_their_lines_and_come_in_their_order():
+    text = starter("rate_t_h = 1000", "rate_t_h = -1").replace("radius_m = 3.0", "radius_m = 0").replace("drop_m = 2.0", "drop_m = 0")
+    found = faults(text)
+    lines = text.splitlines()
+    assert [lines[fault.line - 1].split(" ")[0] for fault in found] == ["rate_t_h", "drop_m", "radius_m"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "path", "words"),
+    [
+        ({"segments": [{"kind": "hood", "radius_m": 1.0, "to_slope_deg": 10.0}]}, "segments.1.to_slope_deg", "steeper than"),
+        ({"segments": [{"kind": "curve", "radius_m": 1.0, "to_slope_deg": 40.0}]}, "segments.1.to_slope_deg", "no length"),
+        ({"segments": [{"kind": "straight", "slope_deg": 0.0, "drop_m": 1.0}]}, "segments.1.drop_m", "level"),
+        ({"segments": [{"kind": "straight", "slope_deg": 90.0, "run_m": 1.0}]}, "segments.1.run_m", "vertical"),
+        ({"inlet": {"velocity_m_s": 0.0}}, "inlet.velocity_m_s", "at rest"),
+        ({"sections": {"body": {"shape": "vee", "chamfer_deg": 90.0}}}, "sections.body.chamfer_deg", "no width"),
+        (
+            {"sections": {"body": {"shape": "chamfered", "base_m": 0.0, "chamfer_deg": 90.0}}},
+            "sections.body.chamfer_deg",
+            "no width",
+        ),
+    ],
+)
+def test_faults_of_geometry(changes, path, words):
+    (fault,) = faults(spec(**changes))
+    assert fault.path == path
+    assert words in fault.problem
+    assert fault.remedy
+
+
+def test_all_faults_of_geometry_at_once_and_only_after_all_others_are_mended():
+    bent = spec(
+        inlet={"velocity_m_s": 0.0, "slope_deg": 40.0},
+        segments=[{"kind": "hood", "radius_m": 1.0, "to_slope_deg": 10.0}, {"kind": "straight", "slope_deg": 0.0, "drop_m": 1.0}],
+    )
+    assert {fault.path for fault in faults(bent)} == {"inlet.velocity_m_s", "segments.1.to_slope_deg", "segments.2.drop_m"}
+    bent["flow"]["rate_t_h"] = -1
+    assert {fault.path for fault in faults(bent)} == {"flow.rate_t_h"}
+
+
+def test_a_hood_that_the_falling_stream_is_steeper_than_is_told_when_it_is_known():
+    bad = chute(
+        inlet={"velocity_m_s": 2.0, "slope_deg": 60.0},
+        segments=[{"kind": "fall", "drop_m": 3.0}, {"kind": "hood", "radius_m": 1.0, "to_slope_deg": 70.0}],
+    )
+    with pytest.raises(chutecalc.SpecError, match=r"segments\.2\.to_slope_deg a hood has to steepen") as caught:
+        chutecalc.solve(bad)
+    assert "from_slope_deg" in caught.value.faults[0].remedy
+
+
+@pytest.mark.parametrize("measures", [{}, {"length_m": 1.0, "run_m": 1.0}])
+def test_one_measure_of_a_straight_and_one_only(measures):
+    (fault,) = faults(spec(segments=[{"kind": "straight", "slope_deg": 40.0} | measures]))
+    assert "length_m, drop_m, run_m" in fault.problem
+
+
+def test_the_three_measures_of_a_straight_agree():
+    slope = np.radians(40.0)
+    lengths = {"length_m": 2.0, "drop_m": 2.0 * np.sin(slope), "run_m": 2.0 * np.cos(slope)}
+    exits = [
+        chutecalc.solve(chute(segments=[{"kind": "straight", "slope_deg": 40.0, key: float(value)}])).exit_velocity[0]
+        for key, value in lengths.items()
+    ]
+    assert exits == pytest.approx([exits[0]] * 3, rel=1e-14)
+
+
+def test_several_sections_or_liners_have_to_be_named():
+    two = spec(sections={"a": BASE["sections"]["body"], "b": {"shape": "rectangular", "width_m": 1.0}})
+    (fault,) = faults(two)
+    assert (fault.path, fault.problem) == ("segments.1.section", "is missing, and there are several")
+    two["segments"][0]["section"] = "b"
+    assert chutecalc.parse(two).design.segments[0].section.base[0] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        ({}, "flow"),
+        (spec(segments=[]), "one table at least"),
+        (spec(segments={"kind": "fall"}), "a list of tables"),
+        (spec(segments=["fall"]), "a table"),
+        (spec(flow=3), "a table"),
+        (spec(liners={}), "one table at least"),
+        (spec(liners={"a b": {"friction_deg": 20.0}}), "is no name"),
+        (spec(sections=[]), "a table"),
+        (spec(material={"name": 3}), "text in quotes"),
+    ],
+)
+def test_wrong_tables(data, words):
+    assert any(words in f"{fault.path} {fault.problem} {fault.remedy}" for fault in faults(data))
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"[flow\n", "is not TOML"),
+        (b"a = \n", "is not TOML"),
+        (b"\xff\xfe\x00", "is not UTF-8"),
+        (b"", "is missing"),
+    ],
+)
+def test_files_that_are_no_specs(tmp_path, content, words):
+    path = tmp_path / "bad.toml"
+    path.write_bytes(content)
+    with pytest.raises(chutecalc.SpecError, match=words) as caught:
+        chutecalc.load(path)
+    assert caught.value.source == str(path)
+
+
+def test_a_byte_order_mark_is_no_fault(tmp_path):
+    path = tmp_path / "bom.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + STARTER.encode())
+    assert chutecalc.load(path).spec.title == "Fall and spoon, coal"
+
+
+def test_lines_of_keys_in_every_toml_form():
+    text = 'a.b = 1\n[t]\nx = """\ny = 2\n"""\nz = [\n 1,\n]\n[[s]]\nk = 1\n[[s]]\nk = 2\n[s.sub]\n"q r" = 3\n'
+    tomllib.loads(text)
+    lines = key_lines(text)
+    assert lines["a", "b"] == 1
+    assert lines["t", "x"] == 3
+    assert ("t", "y") not in lines
+    assert lines["t", "z"] == 6
+    assert (lines["s", 0, "k"], lines["s", 1, "k"]) == (10, 12)
+    assert lines["s", 1, "sub", "q r"] == 14
+
+
+def test_unnamed_segments_are_called_by_their_kind():
+    fall = {"kind": "fall", "drop_m": 1.0}
+    named = chute(segments=[fall, fall, {"kind": "straight", "name": "fall_2", "slope_deg": 60.0, "length_m": 1.0}])
+    assert [segment.name for segment in named.design.segments] == ["fall", "fall_3", "fall_2"]
+
+
+def test_vary_by_name_number_and_twin():
+    base = chutecalc.parse(STARTER)
+    radii = np.array([2.0, 3.0, 4.0])
+    by_name = chutecalc.solve(base.vary({"segments.spoon.radius_m": radii})).exit_velocity
+    by_number = chutecalc.solve(base.vary({"segments.2.radius_mm": list(radii * 1000)})).exit_velocity
+    assert np.array_equal(by_name, by_number)
+    optional = base.vary({"sections.body.chamfer_m": [0.1, 0.2]})
+    assert chutecalc.solve(optional).exit_velocity.shape == (2,)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"segments.spoon.radius_m": [1.0, -1.0]}, "-1 to 1"),
+        ({"segments.spoon.radius_m": [1.0, np.nan]}, "finite"),
+        ({"segments.spoon.radius": [1.0, 2.0]}, "needs its unit"),
+        ({"segments.hood.radius_m": 1.0}, "leads nowhere"),
+        ({"segments.3.radius_m": 1.0}, "leads nowhere"),
+        ({"flow": 1.0}, "a table"),
+        ({"flow.rate_t_h": [1.0, 2.0], "segments.1.drop_m": [1.0, 2.0, 3.0]}, "differ in length"),
+        ({"flow.rate_t_h": [[1.0, 2.0]]}, "takes numbers"),
+        ({"flow.rate_t_h": []}, "takes numbers"),
+        ({"flow.rate_t_h": "fast"}, "takes numbers"),
+        ({"segments.spoon.length_m": 1.0}, "is not known here"),
+    ],
+)
+def test_vary_refuses_what_a_spec_would(changes, words):
+    with pytest.raises(chutecalc.SpecError, match=words):
+        chutecalc.parse(STARTER).vary(changes)
+
+
+def test_a_curve_tangent_to_a_slanting_stream_keeps_the_base_designs_slope_in_a_sweep():
+    base = chute(
+        inlet={"velocity_m_s": 2.0, "slope_deg": 30.0},
+        segments=[{"kind": "fall", "drop_m": 1.0}, {"name": "spoon", "kind": "curve", "radius_m": 2.0, "to_slope_deg": 20.0}],
+    )
+    alone = chutecalc.solve(base)
+    (note,) = [finding for finding in alone.findings() if finding.code == "geometry_follows_flow"]
+    assert note.severity == "note"
+    swept = chutecalc.solve(base.vary({"inlet.velocity_m_s": [2.0, 1.0]}))
+    surface = swept.legs[1].contact.surface
+    assert surface.slope[0] == alone.legs[1].contact.surface.slope[0]
+    assert swept.exit_velocity[0] == alone.exit_velocity[0]
+    assert swept.segments[1].entry["velocity_m_s"][1] < swept.segments[0].exit["velocity_m_s"][1]  # an impact
+
+
+def test_rtol_has_its_bounds():
+    for wrong in (0.0, 1e-14, 0.1, float("nan")):
+        with pytest.raises(chutecalc.UsageError, match="1e-13"):
+            chutecalc.solve(chutecalc.parse(STARTER), rtol=wrong)
