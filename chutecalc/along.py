@@ -32,18 +32,20 @@ class Part(NamedTuple):
     """s since the inlet, shape (designs,)."""
     design: Design
 
-    def way(self) -> Array:
-        """How far each design travels on the part: m in flight, a share of the segment in contact."""
+    def ends(self) -> tuple[Array, Array]:
+        """From where to where each design travels on the part: m in flight, shares of the segment in contact."""
         if self.contact is None:
-            return path_length(self.leg.path, self.leg.flight_time)
+            flown = path_length(self.leg.path, self.leg.flight_time)
+            return np.zeros(flown.shape), flown
         begin = self.contact.arrival.place
-        place = np.where(self.contact.arrival.status == Status.STALL, begin, np.nan)
-        place[self.contact.rows] = self.contact.stretch.place
-        return place - begin
+        end = np.where(self.contact.arrival.status == Status.STALL, begin, np.nan)
+        end[self.contact.rows] = self.contact.stretch.place
+        return begin, end
 
     def length(self) -> Array:
-        """The same in m."""
-        return self.way() if self.contact is None else self.way() * self.contact.surface.length
+        """How far that is, m."""
+        begin, end = self.ends()
+        return end - begin if self.contact is None else (end - begin) * self.contact.surface.length
 
     def status(self) -> Index:
         """How the part ends for each design; a flight to a segment ends well where it lands."""
@@ -59,11 +61,12 @@ class Part(NamedTuple):
         return {name: np.broadcast_to(values, shape) for name, values in columns.items()}
 
     def _profile(self, shares: Array) -> Profile:
-        alike = shares if shares.ndim == 1 else None
-        places = self.way() * (shares[:, None] if shares.ndim == 1 else shares)
+        alike, each = (shares, shares[:, None]) if shares.ndim == 1 else (None, shares)
+        begin, end = self.ends()
+        places = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
         if self.contact is None:
             return flight_profile(self.leg, self.design.volume_rate, places)
-        return slide_profile(self.leg, self.contact, self.contact.arrival.place + places, alike)
+        return slide_profile(self.leg, self.contact, places, alike)
 
     def _columns(self, at: Profile) -> Numbers:
         """The catalogue's columns, the thickness (depth over the free surface's width) and the missing load."""

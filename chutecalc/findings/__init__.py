@@ -43,6 +43,7 @@ def findings(
     with np.errstate(all="ignore"):
         for number, (part, sampled) in enumerate(zip(parts, samples, strict=True)):
             if part.contact is None:
+                found += failures.fallen_short(part.leg, designs) if part.kind != "flight" else ()
                 continue
             worst = {name: extremes[number][name, sign] for name, sign in WORST}
             after = parts[number + 1].leg.start.airborne if number + 1 < len(parts) else np.zeros(1, dtype=bool)

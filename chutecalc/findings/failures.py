@@ -9,6 +9,7 @@ from chutecalc.findings.finding import FAILURE, WARNING, Finding, Scene, finding
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.section import excess_friction, take_facet, wetted_facet
+from chutecalc.solver.chain import Leg
 
 
 def stall(scene: Scene) -> Iterator[Finding]:
@@ -91,6 +92,15 @@ def missed(scene: Scene) -> Iterator[Finding]:
     passing = f"{begin}: it passes {{gap_m}} from the segment's end"
     yield from finding(scene, "missed", FAILURE, lost & np.isfinite(gap), s, passing, **numbers, gap_m=gap)
     yield from finding(scene, "missed", FAILURE, lost & ~np.isfinite(gap), s, begin, **numbers)
+
+
+def fallen_short(leg: Leg, designs: int) -> Iterator[Finding]:
+    """A fall that ends above what the stream reaches: it left a rising segment too low."""
+    lost = np.broadcast_to(leg.status == Status.MISSED, designs)
+    if lost.any():
+        template = "the stream leaves the segment before too low to come down to where the fall ends"
+        s = np.broadcast_to(leg.start.distance, designs)
+        yield Finding("missed", FAILURE, leg.segment.name, lost, s, template, {})
 
 
 def _steepest_impact(scene: Scene) -> Array:

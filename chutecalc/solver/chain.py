@@ -95,7 +95,7 @@ def _inlet(design: Design) -> Stream:
 
 def _onward(leg: Leg, rest: tuple[Segment, ...]) -> Stream:
     """The stream as the next segment gets it: where contact was lost, a fall that follows takes it up in its flight."""
-    lost = leg.exit.status == Status.CONTACT_LOST
+    lost = leg.status == Status.CONTACT_LOST  # here, and not before
     if not (rest and isinstance(rest[0], Fall) and lost.any()):
         return leg.exit
     return leg.exit._replace(status=np.where(lost, Status.OK, leg.exit.status), airborne=lost)
@@ -113,7 +113,8 @@ def _fall(fall: Fall, start: Stream, drawn_z: Array, design: Design) -> Leg:
     numbers = (np.where(alive, number, np.nan) for number in (distance, x, z, slope, velocity, error))
     flown = np.where(np.isnan(velocity), Status.MISSED, Status.OK)
     end = _stream(numbers, np.where(alive, flown, start.status), np.zeros(alive.shape, dtype=bool))
-    return Leg(fall, start, path, time, end, end, np.where(alive, flown, Status.NOT_REACHED), None)
+    status = np.where(alive, flown, Status.NOT_REACHED)
+    return Leg(fall, start, path, np.where(alive, time, np.nan), end, end, status, None)
 
 
 def _along(

@@ -15,8 +15,8 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.section import Facets
-from chutecalc.solver.collocation import Rule, newton, rule, transfer
-from chutecalc.solver.slide import Slide, field, frozen_friction, place_rates, rates
+from chutecalc.solver.collocation import Rule, newton, rule, stiff_newton, transfer
+from chutecalc.solver.slide import Slide, field, frozen_rates, place_rates, rates
 
 SAFETY = 3.0
 ROUNDING = 1e-15  # of a panel, relative
@@ -37,18 +37,20 @@ class Panel(NamedTuple):
 
 
 def panel_by_place(
-    slide: Slide, facet: Facets, start: Array, width: Array, y0: Array, pair: tuple[int, int], iterations: int
+    slide: Slide, facet: Facets, start: Array, width: Array, y0: Array, pair: tuple[int, int], quick: bool
 ) -> Panel:
-    """Y = v² over a panel in c."""
+    """Y = v² over a panel in c; ``quick`` for the attempt at a whole stretch, which most need no more than."""
+    step, iterations = (newton, 2) if quick else (stiff_newton, 4)
     coarse, fine = rule(pair[0]), rule(pair[1])
     at = field(slide, start + width * coarse.nodes[:, None], width)
-    y = frozen_friction(slide, facet, at, y0, coarse.nodes, coarse.integral)
+    y = np.repeat(y0[None], pair[0], axis=0)
+    ends, _ = step(coarse, *frozen_rates(slide, facet, at, y0, y), y, y0)
     for _ in range(iterations):
-        ends, _ = newton(coarse, *rates(slide, facet, at, y), y, y0)
         y = ends[:-1]
+        ends, _ = step(coarse, *rates(slide, facet, at, y), y, y0)
     guess = transfer(*pair) @ np.concatenate([y0[None], ends])
     at = field(slide, start + width * fine.nodes[:, None], width)
-    ends, growth = newton(fine, *rates(slide, facet, at, guess), guess, y0)
+    ends, growth = step(fine, *rates(slide, facet, at, guess), guess, y0)
     knots = np.concatenate([y0[None], ends])
     update = np.maximum.reduce(np.abs(ends[:-1] - guess) / ends[:-1])
     sound = np.minimum.reduce(ends) > 0.0
@@ -56,14 +58,14 @@ def panel_by_place(
 
 
 def panel_by_root(
-    slide: Slide, facet: Facets, start: Array, width: Array, place: Array, pair: tuple[int, int], iterations: int
+    slide: Slide, facet: Facets, start: Array, width: Array, place: Array, pair: tuple[int, int]
 ) -> Panel:
     """C over a panel in r = √v, from a place. Only where v rises or falls throughout."""
     coarse, fine = rule(pair[0]), rule(pair[1])
     root = start + width * coarse.nodes[:, None]
     first, _ = place_rates(slide, facet, start, width, place)
     c = place + first / (4.0 * width * start**3) * (root**4 - start**4)
-    for _ in range(iterations):
+    for _ in range(4):
         ends, _ = newton(coarse, *place_rates(slide, facet, root, width, c), c, place)
         c = ends[:-1]
     guess = transfer(*pair) @ np.concatenate([place[None], ends])
@@ -74,7 +76,7 @@ def panel_by_root(
     within = (np.minimum.reduce(ends) >= place) & (np.maximum.reduce(ends) < 2.0)
     sound = (np.minimum.reduce(change) > 0.0) & within
     noise = np.maximum.reduce(np.abs(ends[:-1] - guess)) - PLACE_ROUNDING
-    update = np.maximum(noise, 0.0) / np.abs(ends[-1] - place)
+    update = np.maximum(noise, 0.0) / np.maximum(np.abs(ends[-1] - place), PLACE_ROUNDING)
     pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
     smoothness = np.minimum(_smoothness(fine, pull, 0.2), _flank_smoothness(slide, facet, start, width))
     return _panel(np.concatenate([place[None], ends]), growth[-1], sound, update, smoothness, pair)

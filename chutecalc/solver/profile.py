@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
@@ -98,33 +97,33 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
 
 def _walk(contact: ContactLeg, places: Array, shares: Array | None) -> tuple[Array, Array]:
     """v² and the time since the contact began, at places, shape (places, designs)."""
-    stretch, slide = contact.stretch, contact.slide.rows(contact.rows)
-    own, begin = places[:, contact.rows], contact.arrival.place[contact.rows]
-    y, time, elapsed = np.full(own.shape, np.nan), np.full(own.shape, np.nan), np.zeros(own.shape[1])
-    for piece in stretch.pieces:
-        rows, clock = piece.rows, elapsed[piece.rows] + _clock(slide.rows(piece.rows), piece)
+    arrival = contact.arrival
+    here = places == arrival.place  # also of streams that get no further
+    y, time = np.where(here, arrival.after**2, np.nan), np.where(here, 0.0, np.nan)
+    elapsed = np.zeros(places.shape[1])
+    end = np.full(places.shape[1], np.nan)
+    end[contact.rows] = contact.stretch.place
+    for piece in contact.stretch.pieces:
+        rows = contact.rows[piece.rows]
+        clock = elapsed[rows] + _clock(contact.slide.rows(rows), piece)
         whole = np.zeros(len(rows), dtype=bool)
         if shares is not None and not piece.by_root:
-            whole = (piece.start == begin[rows]) & (piece.end == stretch.place[rows])
+            whole = (piece.start == arrival.place[rows]) & (piece.end == end[rows])
         if shares is not None and whole.any():
             matrix = interpolation(len(piece.knots) - 2, shares)
             y[:, rows[whole]] = product(matrix, piece.knots[:, whole])
             time[:, rows[whole]] = product(matrix, clock[:, whole])
         if not whole.all():
             part = Piece._make(field if isinstance(field, bool) else field[..., ~whole] for field in piece)
-            share = _share(part, own[:, part.rows])
+            others = rows[~whole]
+            share = _share(part, places[:, others])
             root = part.start + share * (part.end - part.start)
             values = root**4 if piece.by_root else evaluate(part.knots, share)
             met = ~np.isnan(share)
-            y[:, part.rows] = np.where(met, values, y[:, part.rows])
-            time[:, part.rows] = np.where(met, evaluate(clock[:, ~whole], share), time[:, part.rows])
+            y[:, others] = np.where(met, values, y[:, others])
+            time[:, others] = np.where(met, evaluate(clock[:, ~whole], share), time[:, others])
         elapsed[rows] = clock[-1]
-    if own.shape == places.shape:
-        return y, time
-    stuck = np.where(contact.arrival.status == Status.STALL, 0.0, np.nan)  # by the impact, where it struck
-    whole = np.where(np.isnan(places), np.nan, stuck), np.where(np.isnan(places), np.nan, stuck)
-    whole[0][:, contact.rows], whole[1][:, contact.rows] = y, time
-    return whole
+    return y, time
 
 
 def _clock(slide: Slide, piece: Piece) -> Array:

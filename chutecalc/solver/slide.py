@@ -99,16 +99,14 @@ def rates(slide: Slide, facet: Facets, at: Field, y: Array) -> tuple[Array, Arra
     return at.drive - drag * n, at.scale * growth * n / (2.0 * y) - drag * at.bend
 
 
-def frozen_friction(slide: Slide, facet: Facets, at: Field, y0: Array, nodes: Array, integral: Array) -> Array:
-    """Y at the nodes if μ_e kept its value at the panel's start: exact then, and close enough to start Newton from.
+def frozen_rates(slide: Slide, facet: Facets, at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
+    """The same with μ_e kept at its value for y0: an equation linear in y, solved exactly by one Newton step from anywhere.
 
-    The equation is linear in y for constant μ_e; its solution is y0 P + P ∫ P⁻¹ (dy/ds at y = 0), P = exp(-2 μ_e σ κ
-    s).
+    Close enough to start Newton from; exact where friction is constant.
     """
     chi, _ = excess_friction(facet, slide.area(y0))
     drag = at.scale * (1.0 + chi)
-    growth = np.exp(-(drag * at.bend) * nodes[:, None])
-    return growth * (y0 + integral[:-1] @ ((at.drive - drag * at.press) / growth))
+    return at.drive - drag * (at.press + at.bend * y), np.broadcast_to(-drag * at.bend, y.shape)
 
 
 def place_rates(slide: Slide, facet: Facets, root: Array, width: Array, place: Array) -> tuple[Array, Array]:

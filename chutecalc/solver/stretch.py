@@ -19,7 +19,7 @@ from chutecalc.solver.panel import PLACE_ROUNDING, Panel, panel_by_place, panel_
 from chutecalc.solver.slide import Slide, field, rates
 
 RUNNING = -1
-PASSES = 2000  # a bound, so that no input can hang; the hardest stretches found took 60
+PASSES = 2000  # a bound, so that no input can hang; the hardest stretch of 12,000 random chutes took 300
 BLOCK = {8: 2048, 12: 1680, 16: 960, 24: 432}  # designs whose matrix products stay in cache and on one core
 
 CONTACT, DEEPER, SHALLOWER, END = range(4)
@@ -133,16 +133,19 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     if front.watched:
         _start_events(front, running)
         running = np.flatnonzero(front.status == RUNNING)
-    _advance(front, running, False, front.limit[running], effort.first, effort.tolerance, 2)
+    _advance(front, running, False, front.limit[running], effort.first, effort.tolerance, True)
     front.reach = front.limit - front.place  # the finer rules may yet do it in one
     for _ in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
         if not running.size:
             return _result(front)
-        by_root, target = _choose(front, running)
+        change = _change(front, running)
+        if _cross_boundaries(front, running, change):
+            continue
+        by_root, target = _choose(front, running, change)
         for mode in (False, True):
             chosen = by_root == mode
-            _advance(front, running[chosen], mode, target[chosen], effort.later, effort.share, 4)
+            _advance(front, running[chosen], mode, target[chosen], effort.later, effort.share, False)
     raise RuntimeError(f"a contact segment was not solved in {PASSES} panels")
 
 
@@ -157,16 +160,32 @@ def _first_limit(slide: Slide, place: Array) -> Array:
     return np.where((level > place) & (level < 1.0), level, 1.0)
 
 
-def _choose(front: _Front, rows: Index) -> tuple[Mask, Array]:
+def _change(front: _Front, rows: Index) -> Array:
+    """dy/dc where the designs stand."""
+    slide, facet = front.slide.rows(rows), front.facet[rows]
+    at = field(slide, front.place[rows], np.ones(1))
+    change, _ = rates(slide, take_facet(slide.facets, facet), at, front.y[rows])
+    return change
+
+
+def _cross_boundaries(front: _Front, rows: Index, change: Array) -> bool:
+    """Takes designs that stand at a boundary of their facet, on their way out of it, over to the next."""
+    slowest, fastest, _ = front.velocity_bounds(rows)
+    velocity = np.sqrt(front.y[rows])
+    deeper = (change < 0.0) & (velocity <= slowest * (1.0 + LEVEL))
+    shallower = (change > 0.0) & (velocity >= fastest * (1.0 - LEVEL))
+    leaving = deeper | shallower
+    _happen(front, rows[leaving], np.where(deeper, DEEPER, SHALLOWER)[leaving])
+    return bool(leaving.any())
+
+
+def _choose(front: _Front, rows: Index, change: Array) -> tuple[Mask, Array]:
     """The variable and the end of each design's next panel.
 
-    In r towards a stop that is near, or away from a start near rest; in c else. Distances to a stop are those of a
-    friction that grows as 1/v, the steepest there is; panels that turn out too long are refused and shortened.
+    In r towards a stop that is near, or away from a start near rest; in c else. Panels that turn out too long are refused
+    and shortened.
     """
     place, y = front.place[rows], front.y[rows]
-    slide = front.slide.rows(rows)
-    at = field(slide, place, np.ones(1))
-    change, _ = rates(slide, take_facet(slide.facets, front.facet[rows]), at, y)
     rest = front.limit[rows] - place
     scale = np.abs(y / change)
     slowest, fastest, _ = front.velocity_bounds(rows)
@@ -187,7 +206,7 @@ def _choose(front: _Front, rows: Index) -> tuple[Mask, Array]:
 
 
 def _advance(
-    front: _Front, rows: Index, by_root: bool, target: Array, pair: tuple[int, int], tolerance: float, iterations: int
+    front: _Front, rows: Index, by_root: bool, target: Array, pair: tuple[int, int], tolerance: float, whole: bool
 ) -> None:
     """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
     block = BLOCK[pair[1]]
@@ -200,10 +219,10 @@ def _advance(
         place, y = front.place[padded], front.y[padded]
         if by_root:
             start = np.sqrt(np.sqrt(y))
-            panel = panel_by_root(slide, facet, start, end - start, place, pair, iterations)
+            panel = panel_by_root(slide, facet, start, end - start, place, pair)
         else:
             start = place
-            panel = panel_by_place(slide, facet, start, end - start, y, pair, iterations)
+            panel = panel_by_place(slide, facet, start, end - start, y, pair, whole)
         good = panel.error <= tolerance
         if front.effort.complete:
             good &= panel.inner_error <= front.effort.inner_tolerance
@@ -240,7 +259,7 @@ def _judge(front: _Front, trial: _Trial, count: int) -> None:
     _happen(front, rows[at_once], event[at_once])
     whole = np.flatnonzero(good & (cut > 1.0))
     _accept(front, trial, whole)
-    ends = ((margins[:, -1] <= LEVEL) & (margins[:, -1] <= margins[:, 0]))[:, whole]
+    ends = ((margins[:, -1] <= LEVEL) & (margins[:, -1] < margins[:, 0]))[:, whole]
     hit = ends.any(axis=0)
     _happen(front, rows[whole][hit], ends.argmax(axis=0)[hit])
 
@@ -294,6 +313,7 @@ def _margins(front: _Front, trial: _Trial) -> Array:
     """How far each event is at a panel's knots, shape (events, N + 2, designs): 0 at the event, else of order 1."""
     rows, own = trial.rows, rule(len(trial.panel.knots) - 2).knots[:, None]
     along = trial.start + own * (trial.end - trial.start)
+    along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left
     place, velocity = (trial.panel.knots, along**2) if trial.by_root else (along, np.sqrt(trial.panel.knots))
     slowest, fastest, _ = front.velocity_bounds(rows)
     slide = front.slide.rows(rows)
