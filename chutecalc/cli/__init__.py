@@ -57,7 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return int(status or ExitStatus.OK)
     except (BrokenPipeError, SystemExit):
-        # Whoever read our output has had enough; Typer makes SystemExit of it. Python would complain once more at the end.
+        # Whoever read our output has had enough; Typer makes SystemExit of it. Python would complain again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitStatus.OK
     except typer.TyperException as error:

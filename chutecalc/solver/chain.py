@@ -11,9 +11,10 @@ from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
+from chutecalc.solver.front import Effort, effort
 from chutecalc.solver.joint import Arrival, arrive
 from chutecalc.solver.slide import Slide
-from chutecalc.solver.stretch import Effort, Stretch, effort, solve_stretch
+from chutecalc.solver.stretch import Stretch, solve_stretch
 
 
 class Leg(NamedTuple):

@@ -172,8 +172,8 @@ def newton(own: Rule, rates: Array, growth_rates: Array, unknown: Array, start: 
         start: u at the panel's start, shape (designs,).
 
     Returns:
-        The next iterate at nodes and end, and P = exp ∫ ∂f/∂u there: how much a small change of ``start`` has grown; both
-        of shape (N + 1, designs). At the fixed point u is the collocation solution, whatever ∂f/∂u was. Where
+        The next iterate at nodes and end, and P = exp ∫ ∂f/∂u there: how much a small change of ``start`` has grown;
+        both of shape (N + 1, designs). At the fixed point u is the collocation solution, whatever ∂f/∂u was. Where
         ∫ ∂f/∂u falls below about -20 the nodes do not resolve P, and :func:`stiff_newton` is wanted.
     """
     picard: Array = own.integral @ rates

@@ -39,7 +39,7 @@ class Panel(NamedTuple):
 def panel_by_place(
     slide: Slide, facet: Facets, start: Array, width: Array, y0: Array, pair: tuple[int, int], quick: bool
 ) -> Panel:
-    """Y = v² over a panel in c; ``quick`` for the attempt at a whole stretch, which most need no more than."""
+    """Solves y = v² over a panel in c; ``quick`` for the attempt at a whole stretch, which most need no more than."""
     step, iterations = (newton, 2) if quick else (stiff_newton, 4)
     coarse, fine = rule(pair[0]), rule(pair[1])
     at = field(slide, start + width * coarse.nodes[:, None], width)
@@ -60,7 +60,7 @@ def panel_by_place(
 def panel_by_root(
     slide: Slide, facet: Facets, start: Array, width: Array, place: Array, pair: tuple[int, int]
 ) -> Panel:
-    """C over a panel in r = √v, from a place. Only where v rises or falls throughout."""
+    """Solves c over a panel in r = √v, from a place. Only where v rises or falls throughout."""
     coarse, fine = rule(pair[0]), rule(pair[1])
     root = start + width * coarse.nodes[:, None]
     first, _ = place_rates(slide, facet, start, width, place)

@@ -16,8 +16,8 @@ from chutecalc.physics.surface import point
 from chutecalc.solver.chain import ContactLeg, Leg
 from chutecalc.solver.collocation import interpolation, product, rule
 from chutecalc.solver.crossing import evaluate
+from chutecalc.solver.front import Piece
 from chutecalc.solver.slide import Slide, place_rates
-from chutecalc.solver.stretch import Piece
 
 
 class Profile(NamedTuple):

@@ -100,7 +100,7 @@ def rates(slide: Slide, facet: Facets, at: Field, y: Array) -> tuple[Array, Arra
 
 
 def frozen_rates(slide: Slide, facet: Facets, at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
-    """The same with μ_e kept at its value for y0: an equation linear in y, solved exactly by one Newton step from anywhere.
+    """The same with μ_e kept at its value for y0: linear in y, solved exactly by one Newton step from anywhere.
 
     Close enough to start Newton from; exact where friction is constant.
     """

@@ -91,10 +91,14 @@ def test_json_of_one_and_of_several(capsys, starter, stalling):
 
 
 def test_a_flight_that_is_no_segment_stands_under_the_segment_it_leads_to(capsys, tmp_path):
-    text = chutecalc.STARTER.replace('kind = "curve" ', 'kind = "straight" ').replace("radius_m = 3.0", "length_m = 3.0")
+    text = chutecalc.STARTER.replace('kind = "curve" ', 'kind = "straight" ').replace(
+        "radius_m = 3.0", "length_m = 3.0"
+    )
     text = text.replace("to_slope_deg = 0", "slope_deg = 50").replace("velocity_m_s = 0.0", "velocity_m_s = 3.0")
     path = tmp_path / "edge.toml"
-    path.write_text(text.replace('kind = "fall" ', 'kind = "straight" ').replace("drop_m = 2.0", "slope_deg = 20\nlength_m = 0.5"))
+    path.write_text(
+        text.replace('kind = "fall" ', 'kind = "straight" ').replace("drop_m = 2.0", "slope_deg = 20\nlength_m = 0.5")
+    )
     assert main(["run", str(path), "--json", "-", "--set", "inlet.slope_deg=20"]) == 0
     document = json.loads(capsys.readouterr().out)
     assert len(document["segments"]) == 2

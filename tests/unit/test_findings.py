@@ -24,7 +24,10 @@ def rectangular(width=0.5, **more):
 
 def test_stall_inside_a_segment():
     solution = chutecalc.solve(
-        chute(inlet={"velocity_m_s": 2.0, "slope_deg": 5.0}, segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}])
+        chute(
+            inlet={"velocity_m_s": 2.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}],
+        )
     )
     finding = found(solution, "stall")
     assert (finding.severity, finding.segment) == ("failure", "straight")
@@ -34,7 +37,10 @@ def test_stall_inside_a_segment():
 
 def test_stall_at_an_impact():
     solution = chutecalc.solve(
-        chute(inlet={"velocity_m_s": 4.0, "slope_deg": 90.0}, segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 1.0}])
+        chute(
+            inlet={"velocity_m_s": 4.0, "slope_deg": 90.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 1.0}],
+        )
     )
     finding = found(solution, "stall")
     assert finding.numbers["incidence_deg"][0] == pytest.approx(85.0)
@@ -48,7 +54,10 @@ def test_choke(above):
     deepest = 1000 / 3.6 / 800 / 4.0 / 0.5
     wall = deepest * (0.999999 if above else 1.000001)
     solution = chutecalc.solve(
-        chute(sections=rectangular(wall_height_m=wall), segments=[{"kind": "straight", "slope_deg": 40.0, "length_m": 1.0}])
+        chute(
+            sections=rectangular(wall_height_m=wall),
+            segments=[{"kind": "straight", "slope_deg": 40.0, "length_m": 1.0}],
+        )
     )
     assert ("choke" in codes(solution)) == above
     assert (solution.status[0] == "choke") == above
@@ -107,7 +116,9 @@ def test_inadmissible_friction(off):
 
 
 def test_no_admissibility_without_an_angle_of_internal_friction():
-    base = chute(liners={"wall": {"friction_deg": 39.0}}, segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}])
+    base = chute(
+        liners={"wall": {"friction_deg": 39.0}}, segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}]
+    )
     data = base.data
     data["material"] = {"density_kg_m3": 800.0, "pressure_ratio": 0.5}
     assert "inadmissible_friction" not in codes(chutecalc.solve(chutecalc.parse(data)))
@@ -221,7 +232,9 @@ def test_missing_load(angle):
         finding = found(solution, "missing_load")
         assert finding.numbers["missing_load"][0] == pytest.approx(missing, rel=1e-12)
         tangent = np.tan(np.radians(25.0))
-        assert finding.numbers["equilibrium_friction"][0] == pytest.approx(tangent / np.cos(np.radians(angle)), rel=1e-12)
+        assert finding.numbers["equilibrium_friction"][0] == pytest.approx(
+            tangent / np.cos(np.radians(angle)), rel=1e-12
+        )
 
 
 @pytest.mark.parametrize("factor", [0.9999, 1.0001])

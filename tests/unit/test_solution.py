@@ -9,7 +9,10 @@ from chutecalc.columns import COLUMNS, quantity_text
 from chutecalc.units import UNITS, convert, twins
 from tests.conftest import chute
 
-FALL_AND_SPOON = [{"kind": "fall", "drop_m": 1.0}, {"name": "spoon", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 5.0}]
+FALL_AND_SPOON = [
+    {"kind": "fall", "drop_m": 1.0},
+    {"name": "spoon", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 5.0},
+]
 REST = {"velocity_m_s": 0.0, "slope_deg": 90.0}
 
 
@@ -98,7 +101,13 @@ def test_extremes_are_found_between_samples():
 
 
 def test_stations_ask_for_something_possible(three):
-    for wrong in ({"points": 1}, {"points": 10**7}, {"spacing": 0.0}, {"spacing": float("nan")}, {"points": 2, "spacing": 1.0}):
+    for wrong in (
+        {"points": 1},
+        {"points": 10**7},
+        {"spacing": 0.0},
+        {"spacing": float("nan")},
+        {"points": 2, "spacing": 1.0},
+    ):
         with pytest.raises(chutecalc.UsageError):
             three.stations(**wrong)
 
@@ -138,7 +147,9 @@ def test_units_convert_there_and_back():
     for dimension, units in UNITS.items():
         for unit in units:
             first = next(iter(units))
-            assert convert(convert(7.3, dimension, unit, first), dimension, first, unit) == pytest.approx(7.3, rel=1e-15)
+            assert convert(convert(7.3, dimension, unit, first), dimension, first, unit) == pytest.approx(
+                7.3, rel=1e-15
+            )
     assert list(twins("rate_t_h", "mass rate")) == ["rate_t_h", "rate_kg_s", "rate_stph"]
 
 

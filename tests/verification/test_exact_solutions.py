@@ -58,18 +58,14 @@ def test_exact_arcs_solve_the_equation_of_motion():
     # central differences of the exact solution against dy/ds = 2 (g sin a - m (g cos a + κ y)): error h² y'''/6
     for side, turn in ((FLOOR, -1.0), (FLOOR, 1.0), (ROOF, 1.0)):
         a, h, radius, m = 0.7, 1e-5, 2.0, side * 0.3
-        y = [
-            float(arc_velocity_squared(side, G, radius, 0.3, 0.7 - turn * 0.2, 4.0, at)) for at in (a - h, a, a + h)
-        ]
+        y = [float(arc_velocity_squared(side, G, radius, 0.3, 0.7 - turn * 0.2, 4.0, at)) for at in (a - h, a, a + h)]
         slope = (y[2] - y[0]) / (2 * h) * turn / radius
         assert slope == pytest.approx(2 * (G * np.sin(a) - m * (G * np.cos(a) - turn / radius * y[1])), rel=1e-8)
 
 
 @pytest.mark.parametrize(("velocity", "slope"), [(2.0, 55.0), (6.0, 12.0)])
 def test_straight_of_constant_friction(velocity, slope):
-    solution = chutecalc.solve(
-        vee_chute(velocity, slope, {"kind": "straight", "slope_deg": slope, "length_m": 2.0})
-    )
+    solution = chutecalc.solve(vee_chute(velocity, slope, {"kind": "straight", "slope_deg": slope, "length_m": 2.0}))
     stations = solution.stations(points=21)
 
     exact = straight_velocity_squared(G, np.radians(slope), FRICTION, velocity, stations["s_m"][0])

@@ -63,7 +63,9 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
     table = facets(section, ratio)
     area = area_at_depth(table, np.array([depth]))
     breaks = sorted({top for _, top, _ in walls(section, depth)})
-    drawn = sum(quad(lambda z: width_at(section, z), low, high)[0] for low, high in zip([0.0, *breaks], breaks, strict=False))
+    drawn = sum(
+        quad(lambda z: width_at(section, z), low, high)[0] for low, high in zip([0.0, *breaks], breaks, strict=False)
+    )
     load = hold = 0.0
     for foot, top, psi in walls(section, depth):
         k = 1 - 0.7 * np.sin(psi) ** 2

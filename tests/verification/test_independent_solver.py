@@ -39,7 +39,9 @@ def test_random_segment(kind, seed):
     case = random_case(kind, seed)
     measure = {"length_m": case["length"], "slope_deg": case["start"]}
     arc = {"radius_m": case["radius"], "to_slope_deg": case["end"]}
-    segment = {"kind": "straight"} | measure if kind == "straight" else {"kind": "hood" if kind == "hood" else "curve"} | arc
+    segment = (
+        {"kind": "straight"} | measure if kind == "straight" else {"kind": "hood" if kind == "hood" else "curve"} | arc
+    )
     solution = chutecalc.solve(
         chute(
             flow={"rate_t_h": case["rate"]},

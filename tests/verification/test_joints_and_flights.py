@@ -18,7 +18,9 @@ def test_fall_keeps_the_horizontal_velocity():
 
     down = np.sqrt((velocity * np.sin(slope)) ** 2 + 2 * G * drop)
     time = (down - velocity * np.sin(slope)) / G
-    length, _ = quad(lambda t: np.hypot(velocity * np.cos(slope), velocity * np.sin(slope) + G * t), 0, time, epsabs=1e-13)
+    length, _ = quad(
+        lambda t: np.hypot(velocity * np.cos(slope), velocity * np.sin(slope) + G * t), 0, time, epsabs=1e-13
+    )
 
     end = solution.exit
     assert end["velocity_m_s"][0] == pytest.approx(np.hypot(velocity * np.cos(slope), down), rel=1e-14)
