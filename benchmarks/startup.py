@@ -2,8 +2,8 @@
 
     python benchmarks/startup.py [RUNS]
 
-The rival is a Typer program with one argument that imports NumPy and prints one rich table of the same size. Both run in
-turn; the ratio is taken pair by pair.
+The rival is a Typer program with one argument that imports NumPy and prints one rich table of the same size. Both run
+in turn; the ratio is taken pair by pair.
 """
 
 import statistics

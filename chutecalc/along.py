@@ -102,7 +102,7 @@ class Part(NamedTuple):
         base = section.base
         load = at.depth + at.missing * at.area / np.where(base > 0.0, base, np.inf)
         foot = pressure_ratio(section.inclinations[0], self.design.vertical_ratio) if section.lengths else 1.0
-        return self.design.density * at.normal * np.where(base > 0.0, load, foot * at.depth)
+        return self.design.density * np.maximum(at.normal, 0.0) * np.where(base > 0.0, load, foot * at.depth)
 
 
 class Extreme(NamedTuple):

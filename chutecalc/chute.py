@@ -86,7 +86,7 @@ class Chute:
         Raises:
             SpecError: as :meth:`vary`.
         """
-        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
+        return Chute(with_values(self.data, dict(changes), self.source), self.source)
 
     @cached_property
     def _drawn_slopes(self) -> dict[int, Array]:
@@ -162,7 +162,10 @@ def _as_array(path: str, value: Any, source: str) -> Any:
     try:
         array = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
-        array = np.empty((0, 0))
-    if array.ndim > 1 or array.size == 0 or isinstance(value, str | bool):
+        array = np.empty(0)
+    if array.ndim > 1:
+        problem = f"is given as an array of {array.ndim} dimensions, and takes one: a value for each design"
+        raise SpecError([Fault(path, problem, "flatten it")], source)
+    if array.size == 0 or isinstance(value, str | bool):
         raise SpecError([Fault(path, "takes numbers", "give a number or a list of numbers", value_text(value))], source)
     return np.atleast_1d(array)

@@ -85,18 +85,19 @@ COLUMNS = {
 
 _PEOPLE = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
 """Units that messages change for people in the United States."""
+_INCHES = ("depth_m", "chamfer_m", "wall_height_m")
 
 
 def quantity_text(name: str, value: float, units: str) -> str:
     """A number of a message with its unit, told from the end of its name.
 
     >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us")
-    ('1.5 m/s', '1 ft')
+    ('1.5 m/s', '12 in')
     """
     known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
     unit = known[-1] if known else ""
     if units == "us" and unit in _PEOPLE:
-        dimension, other = _PEOPLE[unit]
+        dimension, other = ("length", "in") if name in _INCHES else _PEOPLE[unit]
         value, unit = convert(value, dimension, unit, other), other
     shown = TEXT.get(unit, unit)
     return f"{value:.4g}" + ("°" if unit == "deg" else f" {shown}" if shown else "")

@@ -1,5 +1,6 @@
 """The command line: one thin file a command. ``main`` alone prints errors and sets the exit status."""
 
+import io
 import os
 import sys
 import traceback
@@ -52,6 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status, see :class:`chutecalc.errors.ExitStatus`.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
+    _speak_unicode()
     try:
         status = app(args=given, prog_name="chutecalc", standalone_mode=False)
         sys.stdout.flush()
@@ -78,6 +80,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
             f"Please report it at {ISSUES}, with the command and the spec; --debug shows where it happened.",
             ExitStatus.INTERNAL,
         )
+
+
+def _speak_unicode() -> None:
+    """Data leave in UTF-8 whatever the locale says; a terminal that cannot show a character shows another."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and stream.encoding.lower().replace("-", "") != "utf8":
+            if stream.isatty():
+                stream.reconfigure(errors="replace")
+            else:
+                stream.reconfigure(encoding="utf-8")
 
 
 def _complain(text: str, status: ExitStatus) -> int:

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from chutecalc.solution import Solution
 
 
+STANDARD_INPUT = "standard input"
+
+
 class Units(StrEnum):
     """What people are shown; files are always SI with degrees."""
 
@@ -79,13 +82,22 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
     errors: list[SpecError] = []
     for spec in specs:
         try:
-            chute = parse(typer.get_text_stream("stdin").read(), "standard input") if spec == "-" else load(spec)
+            chute = parse(_standard_input(), STANDARD_INPUT) if spec == "-" else load(spec)
             chutes.append(chute.put(changes) if changes else chute)
         except SpecError as error:
             errors.append(error)
     if errors:
         raise AllSpecsError(errors)
     return chutes
+
+
+def _standard_input() -> str:
+    """The spec that comes in by a pipe."""
+    import sys
+
+    from chutecalc.spec.file import decode
+
+    return decode(sys.stdin.buffer.read(), STANDARD_INPUT)
 
 
 def _setting(text: str) -> tuple[str, Any]:

@@ -13,6 +13,7 @@ from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
 from chutecalc.solution import SegmentResult, Solution
+from chutecalc.units import convert
 
 SHOWN = (
     "s_m",
@@ -69,7 +70,7 @@ class Printer:
     def report(self, chute: Chute, solution: Solution) -> None:
         """A chute: what it is, its segments, its findings."""
         self.text(Text(chute.spec.title or chute.source, style="bold"))
-        self.text(_flow_line(chute))
+        self.text(_flow_line(chute, self.units))
         self.text()
         self.table(self._segments(solution.ways))
         self.text()
@@ -154,10 +155,14 @@ class Printer:
         return Text(f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})")
 
 
-def _flow_line(chute: Chute) -> str:
-    """What flows, in the words of the spec."""
+def _flow_line(chute: Chute, units: str) -> str:
+    """What flows."""
     material, flow = chute.spec.material, chute.spec.flow
+    rate, density = f"{flow.rate_t_h:g} t/h", f"{material.density_kg_m3:g} kg/m³"
+    if units == "us":
+        rate = f"{convert(flow.rate_t_h, 'mass rate', 't_h', 'stph'):.6g} short tons/h"
+        density = f"{convert(material.density_kg_m3, 'density', 'kg_m3', 'lb_ft3'):.4g} lb/ft³"
     strength = f"δ {material.internal_friction_deg:g}°" if material.internal_friction_deg is not None else ""
     ratio = f"K_v {material.pressure_ratio:g}" if material.pressure_ratio is not None else ""
-    what = ", ".join(part for part in (f"{material.density_kg_m3:g} kg/m³", strength, ratio) if part)
-    return f"{chute.source}: {flow.rate_t_h:g} t/h of {material.name or 'material'} ({what})"
+    what = ", ".join(part for part in (density, strength, ratio) if part)
+    return f"{chute.source}: {rate} of {material.name or 'material'} ({what})"

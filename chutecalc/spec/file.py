@@ -21,18 +21,28 @@ def read_text(path: Path) -> str:
         SpecError: there is no such file, it cannot be read, or it is not UTF-8.
     """
     try:
-        return path.read_text(encoding="utf-8-sig")
+        return decode(path.read_bytes(), str(path))
     except FileNotFoundError:
         raise SpecError(
-            [Fault("", "there is no such file", "chutecalc new writes one to start from")], str(path)
+            [Fault("", "there is no such file", "check the name, or write one with chutecalc new")], str(path)
         ) from None
     except IsADirectoryError:
         raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
-    except UnicodeDecodeError as error:
-        problem = f"is not UTF-8 (byte {error.start})"
-        raise SpecError([Fault("", problem, "save it as UTF-8")], str(path)) from None
     except OSError as error:
         raise SpecError([Fault("", f"cannot be read: {error.strerror}", "check the path")], str(path)) from None
+
+
+def decode(data: bytes, source: str) -> str:
+    """The text of a spec's bytes, whatever the locale says.
+
+    Raises:
+        SpecError: it is not UTF-8.
+    """
+    try:
+        return data.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        problem = f"is not UTF-8 (byte {error.start})"
+        raise SpecError([Fault("", problem, "save it as UTF-8")], source) from None
 
 
 def parse_text(text: str, source: str) -> dict[str, Any]:

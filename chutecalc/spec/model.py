@@ -22,7 +22,8 @@ def one_of(*keys: str) -> Any:
     def rule(table: dict[str, Any]) -> Iterator[Rule]:
         given = [key for key in keys if key in table]
         if len(given) != 1:
-            problem = f"only one of {', '.join(keys)} may be given" if given else f"one of {', '.join(keys)} is needed"
+            names = ", ".join(keys)
+            problem = f"is one too many: give only one of {names}" if given else f"is missing: give one of {names}"
             yield Rule((given[-1] if given else keys[0],), problem, "remove the others" if given else f"add {keys[0]}")
 
     return rule

@@ -172,8 +172,11 @@ class Table(BaseModel):
 
         for name, quantity in cls.quantities().items():
             names = list(twins(name, quantity.dimension))
-            if len(names) > 1 and key == name.removesuffix("_" + first_unit(quantity.dimension)):
+            stem = name.removesuffix("_" + first_unit(quantity.dimension))
+            if len(names) > 1 and key == stem:
                 return Rule((key,), "needs its unit", f"write {' or '.join(names)}"), name
+            if len(names) > 1 and key.startswith(stem + "_"):
+                return Rule((key,), "ends in no unit that fits", f"write {' or '.join(names)}"), name
         close = get_close_matches(key, cls.keys(), n=1)
         if close:
             return Rule((key,), "is not known here", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]

@@ -241,6 +241,13 @@ def test_a_closed_pipe_ends_silently(starter):
     assert run.returncode == 0
 
 
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
+def test_piped_output_is_utf8_whatever_the_locale_says(starter, encoding):
+    run = process("run", str(starter), env={**os.environ, "PYTHONIOENCODING": encoding})
+    assert run.returncode == 0, run.stderr
+    assert "δ 55°" in run.stdout.decode("utf-8")
+
+
 def test_piped_output_has_no_colour_even_where_colour_is_forced(starter):
     plain = process("run", str(starter))
     forced = process("run", str(starter), env=os.environ | {"FORCE_COLOR": "1", "COLUMNS": "40", "TERM": "xterm"})

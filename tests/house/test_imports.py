@@ -69,4 +69,6 @@ def test_every_room_has_its_level():
 def test_physics_knows_numpy_only():
     for path in (ROOT / "physics").glob("*.py"):
         for module in imported(path):
-            assert module.startswith(("numpy", "chutecalc.physics", "typing", "collections")), f"{path.name}: {module}"
+            assert module.startswith(("numpy", "chutecalc.physics", "typing", "collections", "functools")), (
+                f"{path.name}: {module}"
+            )

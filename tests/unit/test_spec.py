@@ -57,6 +57,7 @@ def test_a_metre_in_millimetres_is_exact():
     ("old", "new", "path", "given", "words", "remedy"),
     [
         ("rate_t_h = 1000", "rate = 1000", "flow.rate", "1000", "needs its unit", "rate_t_h or rate_kg_s or rate_stph"),
+        ("rate_t_h = 1000", "rate_tph = 1000", "flow.rate_tph", "1000", "no unit that fits", "rate_t_h or rate_kg_s or rate_stph"),
         ("rate_t_h = 1000", "", "flow.rate_t_h", "", "is missing", "add rate_t_h"),
         ("rate_t_h = 1000", "rate_t_h = 0", "flow.rate_t_h", "0", "greater than 0 t/h", "change"),
         ("rate_t_h = 1000", "rate_t_h = true", "flow.rate_t_h", "true", "a number greater than 0 t/h", "change"),
@@ -262,7 +263,7 @@ def test_vary_by_name_number_and_twin():
         ({"segments.3.radius_m": 1.0}, "leads nowhere"),
         ({"flow": 1.0}, "a table"),
         ({"flow.rate_t_h": [1.0, 2.0], "segments.1.drop_m": [1.0, 2.0, 3.0]}, "differ in length"),
-        ({"flow.rate_t_h": [[1.0, 2.0]]}, "takes numbers"),
+        ({"flow.rate_t_h": [[1.0, 2.0]]}, "2 dimensions"),
         ({"flow.rate_t_h": []}, "takes numbers"),
         ({"flow.rate_t_h": "fast"}, "takes numbers"),
         ({"segments.spoon.length_m": 1.0}, "is not known here"),

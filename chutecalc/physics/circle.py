@@ -1,0 +1,101 @@
+"""A stream in a circular section, up to the half circle: depth and wall load from the flow area.
+
+With the wetted half-angle ψ0 the area is A = r² (ψ0 - sin ψ0 cos ψ0). That is Kepler's equation at eccentricity 1, and
+all that follows from it, divided by its leading power, is smooth in u = (12 A/r²)^(2/3), near 0 as well, where the
+formulas in ψ0 lose their digits. So each is kept as a Chebyshev series in u; 26 terms are exact to rounding.
+"""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import chebyshev, legendre
+
+from chutecalc.physics.arrays import Array
+
+TERMS = 26
+LARGEST = (6.0 * np.pi) ** (2.0 / 3.0)
+"""u of the half circle."""
+
+
+class Arc(NamedTuple):
+    """A stream on an arc, in the shape of its area."""
+
+    angle: Array
+    """Wetted half-angle ψ0, rad."""
+    excess: Array
+    """χ = (1/A) ∫ K (1 - cos ψ) ζ dl, hydrostatic."""
+    excess_growth: Array
+    """A dχ/dA."""
+    missing: Array
+    """m = (1/A) ∫ (1 - K) cos ψ ζ dl, the share of the weight that hydrostatic pressures do not carry."""
+    missing_growth: Array
+    """A dm/dA."""
+
+
+def arc(area: Array, lack: Array) -> Arc:
+    """The stream of an area in a circle.
+
+    Args:
+        area: A/r², 0 to π/2, any shape; above that the half circle's continuation, without meaning.
+        lack: 1 - K_v, broadcast against it.
+
+    Returns:
+        Angle and loads; χ = 2 ∫ K (1 - cos ψ)(cos ψ - cos ψ0) dψ r²/A with K = 1 - lack sin²ψ.
+
+    >>> half = arc(np.array([np.pi / 2]), np.zeros(1))  # of a liquid: 4/π - 1 more friction than weight
+    >>> float(half.angle[0] - np.pi / 2).__abs__() < 1e-15, float(half.excess[0] - (4 / np.pi - 1)).__abs__() < 1e-15
+    (True, True)
+    """
+    root = np.cbrt(12.0 * area)
+    u = root**2
+    t = 2.0 * u / LARGEST - 1.0
+    values, slopes = _series()
+    shape = (-1, *[1] * t.ndim)
+    angle, level, bent, lacking = _clenshaw(values, t, shape)
+    level_slope, bent_slope, lacking_slope = _clenshaw(slopes, t, shape)
+    third = 2.0 / 3.0  # A d/dA = (2/3) u d/du
+    excess = u * (level - lack * u * bent)
+    growth = third * u * (level + u * level_slope - lack * u * (2.0 * bent + u * bent_slope))
+    missing = lack * u * lacking
+    return Arc(root * angle, excess, growth, missing, third * lack * u * (lacking + u * lacking_slope))
+
+
+def angle_area(angle: Array) -> Array:
+    """A/r² of a wetted half-angle, ψ0 - sin ψ0 cos ψ0 = (E - sin E)/2 with E = 2 ψ0, by its series."""
+    square = (2.0 * angle) ** 2
+    total = np.zeros(angle.shape)
+    for k in range(16, 0, -1):
+        total = (1.0 - total) * square / (2 * k * (2 * k + 1))
+    return 0.5 * (2.0 * angle) * total
+
+
+@lru_cache(maxsize=1)
+def _series() -> tuple[Array, Array]:
+    """Coefficients, shape (TERMS, functions): of ψ0/√u and of the three loads; and of the loads' slopes in u."""
+    nodes = chebyshev.chebpts1(TERMS)
+    u = LARGEST * (1.0 + nodes) / 2.0
+    angle = np.sqrt(u) / 2.0
+    for _ in range(8):
+        angle = angle - (angle_area(angle) - u**1.5 / 12.0) / (2.0 * np.sin(angle) ** 2)
+    gauss, weights = legendre.leggauss(24)
+    psi = angle * (1.0 + gauss[:, None]) / 2.0
+    # cos ψ - cos ψ0 and 1 - cos ψ as products of sines
+    head = 2.0 * np.sin((angle + psi) / 2.0) * np.sin((angle - psi) / 2.0)
+    tilt = 2.0 * np.sin(psi / 2.0) ** 2
+    square = np.sin(psi) ** 2
+    area = u**1.5 / 12.0
+    loads = [(weights @ (load * head)) * angle / area for load in (tilt, square * tilt, square * np.cos(psi))]
+    functions = np.stack([angle / np.sqrt(u), loads[0] / u, loads[1] / u**2, loads[2] / u])
+    values = np.linalg.solve(chebyshev.chebvander(nodes, TERMS - 1), functions.T)
+    return values, chebyshev.chebder(values[:, 1:]) * (2.0 / LARGEST)
+
+
+def _clenshaw(coefficients: Array, t: Array, shape: tuple[int, ...]) -> Array:
+    """All the series at once, shape (functions, *t.shape)."""
+    after = np.zeros((coefficients.shape[1], *t.shape))
+    value = after
+    for row in coefficients[:0:-1]:
+        value, after = row.reshape(shape) + 2.0 * t * value - after, value
+    total: Array = coefficients[0].reshape(shape) + t * value - after
+    return total
