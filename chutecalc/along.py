@@ -11,7 +11,8 @@ import numpy as np
 from chutecalc.design import Contact, Design, Status
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.flight import path_length
-from chutecalc.physics.pressure import pressure_ratio
+from chutecalc.physics.section import Polygon
+from chutecalc.physics.wear import wall_pressures
 from chutecalc.solver.chain import ContactLeg, Leg
 from chutecalc.solver.profile import Profile, flight_profile, slide_profile
 
@@ -70,39 +71,45 @@ class Part(NamedTuple):
 
     def _columns(self, at: Profile) -> Numbers:
         """The catalogue's columns, the thickness (depth over the free surface's width) and the missing load."""
-        pressure = self._pressure(at)
-        friction = 0.0 if self.contact is None else self.contact.slide.friction
+        floor, chamfer, side = self._pressures(at)
+        guide = self.leg.segment if self.contact is not None else None
+        guide = guide if isinstance(guide, Contact) else None
+        slip = at.wall_friction * at.velocity * (guide.slip_ratio if guide else 1.0)
+        chamfered = guide is not None and isinstance(guide.section, Polygon) and bool(guide.section.lengths)
+        on_arc = guide is not None and guide.radius is not None
         return {
             "s_m": at.distance,
             "x_m": at.x,
             "z_m": at.z,
             "slope_deg": np.degrees(at.slope),
             "velocity_m_s": at.velocity,
-            "depth_m": at.depth,
-            "chamfer_wetted_m": np.where(self._has_chamfer(), at.chamfer, np.nan),
+            "depth_m": at.wet.depth,
+            "chamfer_wetted_m": np.where(chamfered, at.wet.chamfer, np.nan),
             "area_m2": at.area,
             "equivalent_friction": at.friction,
             "normal_acceleration_m_s2": at.normal,
-            "pressure_kpa": pressure / 1000.0,
-            "wear_w_m2": friction * pressure * at.velocity,
-            "froude": np.where(at.normal > 0.0, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan),
+            "pressure_kpa": floor / 1000.0,
+            "wear_w_m2": slip * floor,
+            "chamfer_pressure_kpa": chamfer / 1000.0,
+            "chamfer_wear_w_m2": slip * chamfer,
+            "side_pressure_kpa": side / 1000.0,
+            "side_wear_w_m2": slip * side,
+            "wear_number": np.where(on_arc, at.normal / self.design.gravity, np.nan),
+            "froude": np.where(at.normal > 0.0, at.velocity / np.sqrt(at.normal * at.area / at.wet.width), np.nan),
             "time_s": self.start_time + at.time,
-            "thickness": at.depth / at.width,
-            "missing_load": at.missing,
+            "thickness": at.wet.depth / at.wet.width,
+            "missing_load": at.wet.missing,
+            "wall_friction": at.wall_friction,
         }
 
-    def _has_chamfer(self) -> bool:
-        return isinstance(self.leg.segment, Contact) and bool(self.leg.segment.section.lengths)
-
-    def _pressure(self, at: Profile) -> Array:
-        """ρ n (H + m A/B) on the centre section, which carries the missing load; in a vee K ρ n H at the foot."""
-        if self.contact is None or not isinstance(self.leg.segment, Contact):
-            return at.depth
-        section = self.leg.segment.section
-        base = section.base
-        load = at.depth + at.missing * at.area / np.where(base > 0.0, base, np.inf)
-        foot = pressure_ratio(section.inclinations[0], self.design.vertical_ratio) if section.lengths else 1.0
-        return self.design.density * np.maximum(at.normal, 0.0) * np.where(base > 0.0, load, foot * at.depth)
+    def _pressures(self, at: Profile) -> tuple[Array, Array, Array]:
+        """On floor, chamfers and side walls, Pa; none in flight."""
+        if self.contact is None:
+            return at.wet.depth, at.wet.depth, at.wet.depth
+        slide = self.contact.slide
+        section, table = slide.section_at(at.place), slide.facets_at(at.place)
+        weight = self.design.density * np.maximum(at.normal, 0.0)
+        return wall_pressures(section, table, at.wet, at.area, weight, slide.equilibrium)
 
 
 class Extreme(NamedTuple):

@@ -94,10 +94,10 @@ class Chute:
         segments = self.design.segments
         if not any(getattr(segment, "entry_slope", segment) is None for segment in segments):
             return {}
-        legs = run_chain(self.design, 1e-10, complete=False)
+        legs, _ = run_chain(self.design, 1e-10, complete=False)
         return {
-            number: leg.contact.surface.slope
-            for number, leg in enumerate(legs)
+            leg.number: leg.contact.surface.slope
+            for leg in legs
             if leg.contact and np.isfinite(leg.contact.surface.slope).all()
         }
 
@@ -151,10 +151,10 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     if not low <= rtol <= high:
         raise UsageError(f"rtol has to be from {low:g} to {high:g}, not {rtol!r}")
     try:
-        legs = run_chain(chute.design, rtol)
+        legs, final = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source) from None
-    return Solution(chute.design, tuple(legs), rtol)
+    return Solution(chute.design, tuple(legs), final, rtol)
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:

@@ -10,7 +10,8 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.physics.section import Facets, Polygon
+from chutecalc.physics.section import Facets, Section
+from chutecalc.physics.wall import Wall
 
 
 class Status(IntEnum):
@@ -22,6 +23,8 @@ class Status(IntEnum):
     CONTACT_LOST = 3
     MISSED = 4
     NOT_REACHED = 5
+    PASSED = 6
+    """Of a segment alone: the stream flew past it."""
 
     @property
     def label(self) -> str:
@@ -30,7 +33,7 @@ class Status(IntEnum):
 
 
 class Contact(NamedTuple):
-    """A segment that guides the stream: straight, curve or hood."""
+    """A segment that guides the stream: straight, curve, hood or plate."""
 
     name: str
     kind: str
@@ -43,20 +46,49 @@ class Contact(NamedTuple):
     """Of a curve or hood; None for a straight."""
     length: Array | None
     """Of a straight; a curve's follows from its slopes."""
-    section: Polygon
+    start: tuple[Array, Array] | None
+    """Where it is drawn from, x and z; None where that is the end of the segment before it."""
+    section: Section
+    end_section: Section | None
+    """Of a taper."""
     facets: Facets
-    choke_area: Array
-    """Flow area at the wall height; infinite where none is given."""
-    wall_friction: Array
-    """μ, the tangent of the wall friction angle."""
+    """Of ``section``."""
+    wall: Wall
+    slip_ratio: Array
+    """Slip velocity at the wall over mean velocity."""
 
 
 class Fall(NamedTuple):
-    """Free flight down to a level below its drawn start."""
+    """Free flight; down to a level, or to a distance, from its drawn start, or else onto the segment after it."""
 
     name: str
     kind: str
-    drop: Array
+    drop: Array | None
+    run: Array | None
+
+    @property
+    def onto_next(self) -> bool:
+        """Whether it ends where it lands."""
+        return self.drop is None and self.run is None
+
+
+class Belt(NamedTuple):
+    """The belt that the stream comes from; see :func:`chutecalc.physics.belt.discharge`."""
+
+    centre: tuple[Array, Array]
+    velocity: Array
+    incline: Array
+    lower_radius: Array
+    """Of the stream's lower edge on the pulley."""
+    middle_radius: Array
+
+
+class Receiver(NamedTuple):
+    """The belt that the stream goes to."""
+
+    velocity: Array
+    slope: Array
+    friction: Array
 
 
 Segment = Contact | Fall
@@ -72,8 +104,13 @@ class Design(NamedTuple):
     """δ, rad; None where the spec gives a pressure ratio alone."""
     vertical_ratio: Array
     """K_v."""
+    equilibrium: bool
+    """Wall pressures scaled until they carry the weight, instead of the paper's friction law."""
+    inlet_place: tuple[Array, Array]
     inlet_velocity: Array
     inlet_slope: Array
+    belt: Belt | None
+    receiver: Receiver | None
     segments: tuple[Segment, ...]
 
     @property
@@ -105,8 +142,8 @@ Record = TypeVar("Record", bound=tuple[Any, ...])
 
 
 def take(array: Array, rows: Index) -> Array:
-    """The entries of some designs; an array of length 1 serves them all and is returned as it is."""
-    return array if len(array) == 1 else np.ascontiguousarray(array[rows])
+    """The entries of some designs, along the last axis; where one entry serves them all it is returned as it is."""
+    return array if array.shape[-1] == 1 else np.ascontiguousarray(array[..., rows])
 
 
 def select(record: Record, rows: Index) -> Record:
@@ -117,7 +154,8 @@ def select(record: Record, rows: Index) -> Record:
             return take(field, rows)
         return select(field, rows) if isinstance(field, tuple) else field
 
-    return type(record)(*(chosen(field) for field in record))
+    fields = [chosen(field) for field in record]
+    return type(record)(*fields) if hasattr(record, "_fields") else type(record)(fields)
 
 
 def spread(record: Record, rows: Index, count: int) -> Record:
@@ -139,4 +177,5 @@ def spread(record: Record, rows: Index, count: int) -> Record:
 
 def length(record: tuple[Any, ...]) -> int:
     """How many designs the arrays of a record, of length 1 or n, describe."""
-    return max((len(field) for field in record if isinstance(field, np.ndarray)), default=1)
+    own = (field.shape[-1] for field in record if isinstance(field, np.ndarray))
+    return max((*own, *(length(field) for field in record if isinstance(field, tuple))), default=1)

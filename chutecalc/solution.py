@@ -7,14 +7,25 @@ import numpy as np
 
 from chutecalc.along import LARGEST, LEAST, SAMPLES, Extreme, Numbers, Part, Wanted, extremes
 from chutecalc.columns import COLUMNS
-from chutecalc.design import Design, Status
+from chutecalc.design import Design, Status, Stream
 from chutecalc.errors import UsageError
 from chutecalc.findings import WORST, Finding, findings
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.solver.chain import Leg
 
 MOST_STATIONS = 1_000_000
-EXTREMES = ("velocity_m_s", "depth_m", "equivalent_friction", "pressure_kpa", "wear_w_m2", "froude")
+EXTREMES = (
+    "velocity_m_s",
+    "depth_m",
+    "equivalent_friction",
+    "pressure_kpa",
+    "wear_w_m2",
+    "chamfer_pressure_kpa",
+    "chamfer_wear_w_m2",
+    "side_pressure_kpa",
+    "side_wear_w_m2",
+    "froude",
+)
 """The columns of which a segment's least and largest values are told."""
 TOLD = list(dict.fromkeys([(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)] + [*WORST]))
 
@@ -40,14 +51,14 @@ class SegmentResult(NamedTuple):
 class Solution:
     """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure."""
 
-    def __init__(self, design: Design, legs: tuple[Leg, ...], rtol: float) -> None:
-        self.design, self.legs, self.rtol = design, legs, rtol
+    def __init__(self, design: Design, legs: tuple[Leg, ...], final: Stream, rtol: float) -> None:
+        self.design, self.legs, self.final, self.rtol = design, legs, final, rtol
         self.count = max(len(leg.exit.status) for leg in legs)
 
     @cached_property
     def codes(self) -> Index:
         """The :class:`~chutecalc.design.Status` of each design, shape (designs,)."""
-        return np.broadcast_to(self.legs[-1].exit.status, self.count)
+        return np.broadcast_to(self.final.status, self.count)
 
     @cached_property
     def status(self) -> Any:
@@ -67,13 +78,13 @@ class Solution:
     @cached_property
     def exit(self) -> Numbers:
         """The stream at the end of the chute, by column name, each of shape (designs,)."""
-        last = self.parts[-1].at(np.ones(1))
-        return {name: np.where(self.codes == Status.OK, last[name][0], np.nan) for name in COLUMNS if name in last}
+        last = self.segments[-1].exit
+        return {name: np.where(self.codes == Status.OK, values, np.nan) for name, values in last.items()}
 
     @cached_property
     def error_estimate(self) -> Array:
         """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
-        return np.broadcast_to(self.legs[-1].exit.error, self.count)
+        return np.broadcast_to(self.final.error, self.count)
 
     @cached_property
     def parts(self) -> list[Part]:
@@ -85,7 +96,8 @@ class Solution:
             if leg.contact is not None and (leg.flight_time > 0.0).any():
                 parts.append(Part(f"{name}:flight", "flight", leg, None, elapsed, self.design))
             parts.append(Part(name, kind, leg, leg.contact, elapsed, self.design))
-            elapsed = parts[-1].at(np.ones(1))["time_s"][0]
+            time = parts[-1].at(np.ones(1))["time_s"][0]
+            elapsed = np.where(np.isfinite(time), time, elapsed)
         return parts
 
     @cached_property
@@ -105,8 +117,13 @@ class Solution:
 
     @property
     def segments(self) -> list[SegmentResult]:
-        """The segments of the spec, in order."""
-        return [way for way in self.ways if way.kind != "flight"]
+        """The segments of the spec, in order; one that was left and struck again as one."""
+        found: dict[int, SegmentResult] = {}
+        for part, way in zip(self.parts, self.ways, strict=True):
+            if way.kind != "flight":
+                number = part.leg.number
+                found[number] = _joined(found[number], way) if number in found else way
+        return list(found.values())
 
     def findings(self) -> list[Finding]:
         """Failures, warnings and notes, each with a mask of the designs that it is about."""
@@ -164,6 +181,21 @@ class Solution:
             maximum={name: whole(found[name, LARGEST].value) for name in EXTREMES},
             duration=whole(sampled["time_s"][-1] - sampled["time_s"][0]),
         )
+
+
+def _joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
+    """A segment that some designs left and struck again."""
+    there = again.status != Status.NOT_REACHED.label
+    return SegmentResult(
+        name=first.name,
+        kind=first.kind,
+        status=np.where(there, again.status, first.status),
+        entry=first.entry,
+        exit={name: np.where(there, again.exit[name], values) for name, values in first.exit.items()},
+        minimum={name: np.fmin(again.minimum[name], values) for name, values in first.minimum.items()},
+        maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
+        duration=first.duration + np.where(there, again.duration, 0.0),
+    )
 
 
 def _labels(codes: Index) -> Any:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from chutecalc.along import Extreme, Numbers, Part, Wanted
-from chutecalc.design import Contact
+from chutecalc.design import Contact, Status
 from chutecalc.findings import failures, warnings
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
 
@@ -16,6 +16,8 @@ CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
     failures.choke,
     failures.contact_lost,
     failures.missed,
+    warnings.steep_impact,
+    warnings.flown_past,
     warnings.inadmissible_friction,
     warnings.decelerating,
     warnings.below_cut_off,
@@ -46,10 +48,12 @@ def findings(
                 found += failures.fallen_short(part.leg, designs) if part.kind != "flight" else ()
                 continue
             worst = {name: extremes[number][name, sign] for name, sign in WORST}
-            after = parts[number + 1].leg.start.airborne if number + 1 < len(parts) else np.zeros(1, dtype=bool)
+            goes_on = np.zeros(designs, dtype=bool)
+            for later in parts[number + 1 :]:
+                goes_on = goes_on | (later.leg.status != Status.NOT_REACHED) & (later.leg is not part.leg)
             segment = part.leg.segment
             assert isinstance(segment, Contact)
-            scene = Scene(part, part.contact, segment, sampled, worst, after, part is guided[-1], designs)
+            scene = Scene(part, part.contact, segment, sampled, worst, goes_on, part is guided[-1], designs)
             found += [finding for criterion in CRITERIA for finding in criterion(scene)]
     order = {FAILURE: 0, WARNING: 1, NOTE: 2}
     return sorted(found, key=lambda finding: order[finding.severity])

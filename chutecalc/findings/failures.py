@@ -7,9 +7,9 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.findings.finding import FAILURE, WARNING, Finding, Scene, finding
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.friction import equivalent_friction
-from chutecalc.physics.section import excess_friction, take_facet, wetted_facet
+from chutecalc.physics.motion import ROOF
 from chutecalc.solver.chain import Leg
+from chutecalc.solver.joint import impact_friction
 
 
 def stall(scene: Scene) -> Iterator[Finding]:
@@ -51,7 +51,8 @@ def choke(scene: Scene) -> Iterator[Finding]:
     choked = leg.status == Status.CHOKE
     beyond, place = scene.spread(stretch.beyond), scene.spread(stretch.place)
     stops = beyond < 1.0
-    numbers = {"wall_height_m": scene.segment.section.wall_height, "velocity_m_s": leg.exit.velocity}
+    wall_height = scene.contact.slide.section_at(scene.contact_place(np.ones(1))).wall_height
+    numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
     begin = (
         "the chute chokes: at {velocity_m_s} the depth passes the wall height of {wall_height_m}; between higher walls"
     )
@@ -64,22 +65,28 @@ def choke(scene: Scene) -> Iterator[Finding]:
 
 
 def contact_lost(scene: Scene) -> Iterator[Finding]:
-    """The normal acceleration falls to 0; a warning where a fall takes the stream up."""
+    """The normal acceleration falls to 0; a warning where something follows that may catch the stream."""
+    if scene.segment.kind == "plate":
+        return
     leg, surface = scene.part.leg, scene.contact.surface
     lost = leg.status == Status.CONTACT_LOST
+    weight = scene.contact.slide.gravity * np.cos(leg.exit.slope)
     numbers = {
         "velocity_m_s": leg.exit.velocity,
         "slope_deg": np.degrees(leg.exit.slope),
-        "balance_m_s": np.sqrt(scene.contact.slide.gravity * np.cos(leg.exit.slope) / np.abs(surface.curvature)),
+        "balance_m_s": np.sqrt(weight / np.abs(surface.curvature)),
+        "radius_m": leg.exit.velocity**2 / weight,
     }
     begin = (
-        "the stream leaves the surface at {velocity_m_s} and a slope of {slope_deg} (v² = R g cos a at {balance_m_s})"
+        "the stream leaves the surface at {velocity_m_s} and a slope of {slope_deg}: there it keeps contact "
+        + ("under a hood from {balance_m_s} on" if surface.side == ROOF else "up to {balance_m_s}")
+        + ", or with a radius of {radius_m} at "
+        + ("most" if surface.side == ROOF else "least")
     )
     s = leg.exit.distance
-    caught = f"{begin}; the fall after it takes it up"
-    yield from finding(scene, "contact_lost", WARNING, lost & scene.caught, s, caught, **numbers)
+    yield from finding(scene, "contact_lost", WARNING, lost & scene.goes_on, s, f"{begin}; it flies on", **numbers)
     alone = f"{begin}; nothing catches it"
-    yield from finding(scene, "contact_lost", FAILURE, lost & ~scene.caught, s, alone, **numbers)
+    yield from finding(scene, "contact_lost", FAILURE, lost & ~scene.goes_on, s, alone, **numbers)
 
 
 def missed(scene: Scene) -> Iterator[Finding]:
@@ -87,25 +94,27 @@ def missed(scene: Scene) -> Iterator[Finding]:
     leg, gap = scene.part.leg, scene.contact.arrival.gap
     lost = leg.status == Status.MISSED
     numbers = {"velocity_m_s": leg.start.velocity, "slope_deg": np.degrees(leg.start.slope)}
-    begin = "the stream flies off at {velocity_m_s} and {slope_deg}, and misses the segment"
+    begin = "the stream flies off at {velocity_m_s} and {slope_deg}, and misses the segment: "
     s = leg.start.distance
-    passing = f"{begin}: it passes {{gap_m}} from the segment's end"
-    yield from finding(scene, "missed", FAILURE, lost & np.isfinite(gap), s, passing, **numbers, gap_m=gap)
-    yield from finding(scene, "missed", FAILURE, lost & ~np.isfinite(gap), s, begin, **numbers)
+    beyond = f"{begin}it passes {{gap_m}} beyond its end"
+    yield from finding(scene, "missed", FAILURE, lost & (gap > 0.0), s, beyond, **numbers, gap_m=gap)
+    short = f"{begin}it falls short, and is {{gap_m}} behind its surface where it passes its end"
+    yield from finding(scene, "missed", FAILURE, lost & (gap <= 0.0), s, short, **numbers, gap_m=-gap)
+    away = f"{begin}it never comes to it"
+    yield from finding(scene, "missed", FAILURE, lost & np.isnan(gap), s, away, **numbers)
 
 
 def fallen_short(leg: Leg, designs: int) -> Iterator[Finding]:
     """A fall that ends above what the stream reaches: it left a rising segment too low."""
     lost = np.broadcast_to(leg.status == Status.MISSED, designs)
     if lost.any():
-        template = "the stream leaves the segment before too low to come down to where the fall ends"
+        template = "the stream never comes to where the fall ends: it is too low, or too far, or falls straight down"
         s = np.broadcast_to(leg.start.distance, designs)
         yield Finding("missed", FAILURE, leg.segment.name, lost, s, template, {})
 
 
 def _steepest_impact(scene: Scene) -> Array:
     """The incidence, in degrees, from which on an impact on the segment leaves no velocity: tan i = 1/μ_e."""
-    slide = scene.contact.slide
-    area = slide.flow / scene.contact.arrival.velocity
-    excess, _ = excess_friction(take_facet(slide.facets, wetted_facet(slide.facets, area)), area)
-    return np.degrees(np.arctan(1.0 / equivalent_friction(slide.friction, excess)))
+    arrival = scene.contact.arrival
+    friction, _ = impact_friction(scene.contact.slide, arrival.place, arrival.velocity, arrival.pressure)
+    return np.degrees(np.arctan(1.0 / friction))

@@ -55,8 +55,8 @@ class Scene(NamedTuple):
     segment: Contact
     sampled: Numbers
     worst: dict[str, Extreme]
-    caught: Mask
-    """Designs whose flight is taken up by the segment after this one."""
+    goes_on: Mask
+    """Designs that have gone on to something after this part."""
     last: bool
     """The last contact segment."""
     designs: int
@@ -66,6 +66,11 @@ class Scene(NamedTuple):
         s = self.sampled["s_m"]
         place: Array = s[0] + share * (s[-1] - s[0])
         return place
+
+    def contact_place(self, share: Array) -> Array:
+        """The share of the drawn segment at a share of the part's way."""
+        begin, end = self.part.ends()
+        return begin + (end - begin) * share
 
     def spread(self, values: Array) -> Array:
         """Values of the designs that moved on the segment as values of all."""

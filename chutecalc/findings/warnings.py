@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chutecalc.along import SAMPLES
 from chutecalc.design import Status
 from chutecalc.findings.finding import NOTE, WARNING, Finding, Scene, finding
 from chutecalc.physics.friction import equilibrium_friction
@@ -17,30 +18,36 @@ THICKEST = 1.0
 THICKEST_ON_ARC = 0.1
 SLOWEST_FROUDE = 2.0
 MOST_MISSING = 0.10
+STEEPEST_IMPACT = np.radians(20.0)
+ROUNDING = 1e-12
 
 
 def inadmissible_friction(scene: Scene) -> Iterator[Finding]:
-    """The wall friction angle is more than atan(sin δ) (Paper, section 6)."""
+    """The wall friction angle is more than atan(sin δ) (Paper, section 6), or that bounds a yield locus."""
     internal = scene.part.design.internal_friction
     if internal is None:
         return
-    angle, greatest = np.arctan(scene.segment.wall_friction), greatest_wall_friction(internal)
+    bound, s = np.sin(internal), scene.part.leg.entry.distance
+    numbers = {
+        "greatest_deg": np.degrees(greatest_wall_friction(internal)),
+        "internal_friction_deg": np.degrees(internal),
+    }
+    most = np.nanmax(np.nan_to_num(scene.sampled["wall_friction"]), axis=0)
+    if scene.segment.wall.changes:
+        template = (
+            "the yield locus shows more friction than the material's own, {greatest_deg} = atan(sin"
+            " {internal_friction_deg}), somewhere on the way; the material's own is used there"
+        )
+        mask = most >= bound * (1.0 - ROUNDING)
+        yield from finding(scene, "inadmissible_friction", WARNING, mask, s, template, **numbers)
+        return
     template = (
         "a wall friction of {friction_deg} is more than the material can show on any wall, {greatest_deg} ="
         " atan(sin {internal_friction_deg}); the angle given is used"
     )
-    rounding = 1e-12
-    yield from finding(
-        scene,
-        "inadmissible_friction",
-        WARNING,
-        angle > greatest * (1.0 + rounding),
-        scene.part.leg.entry.distance,
-        template,
-        friction_deg=np.degrees(angle),
-        greatest_deg=np.degrees(greatest),
-        internal_friction_deg=np.degrees(internal),
-    )
+    numbers["friction_deg"] = np.degrees(np.arctan(scene.segment.wall.slopes[0]))
+    mask = (most > 0.0) & (scene.segment.wall.slopes[0] > bound * (1.0 + ROUNDING))
+    yield from finding(scene, "inadmissible_friction", WARNING, mask, s, template, **numbers)
 
 
 def decelerating(scene: Scene) -> Iterator[Finding]:
@@ -48,14 +55,14 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
     if scene.segment.kind != "straight":
         return
     slowest = scene.worst["velocity_m_s"]
-    critical = critical_velocity(scene.contact.slide)
+    critical = critical_velocity(scene.contact.slide, scene.contact_place(slowest.share), slowest.value)
     slope = np.degrees(scene.contact.surface.slope)
     s = scene.place(slowest.share)
     flat = np.isinf(critical) & np.isfinite(slowest.value)
     template = (
         "the slope of {slope_deg} is flatter than the wall friction angle, {friction_deg}: the stream decelerates"
     )
-    angle = np.degrees(np.arctan(scene.segment.wall_friction))
+    angle = np.degrees(np.arctan(scene.sampled["wall_friction"][-1]))
     yield from finding(scene, "decelerating", WARNING, flat, s, template, slope_deg=slope, friction_deg=angle)
     margin = slowest.value / critical
     template = (
@@ -74,6 +81,34 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
         critical_velocity_m_s=critical,
         slope_deg=slope,
     )
+
+
+def steep_impact(scene: Scene) -> Iterator[Finding]:
+    """The stream strikes the surface at more than 20° (practice)."""
+    arrival = scene.contact.arrival
+    template = (
+        "the stream strikes at {incidence_deg} (limit 20°, practice): of {velocity_m_s} it keeps {after_m_s}, and"
+        " presses with {pressure_kpa}"
+    )
+    yield from finding(
+        scene,
+        "steep_impact",
+        WARNING,
+        (arrival.incidence > STEEPEST_IMPACT) & (arrival.status == Status.OK),
+        scene.part.leg.entry.distance,
+        template,
+        incidence_deg=np.degrees(arrival.incidence),
+        velocity_m_s=arrival.velocity,
+        after_m_s=arrival.after,
+        pressure_kpa=arrival.pressure / 1000.0,
+    )
+
+
+def flown_past(scene: Scene) -> Iterator[Finding]:
+    """A flight goes past the segment to one further on."""
+    template = "the stream flies past the segment, {gap_m} from its end, and on to what follows"
+    mask, gap = scene.part.leg.status == Status.PASSED, scene.contact.arrival.gap
+    yield from finding(scene, "flown_past", WARNING, mask, scene.part.leg.start.distance, template, gap_m=gap)
 
 
 def below_cut_off(scene: Scene) -> Iterator[Finding]:
@@ -124,9 +159,11 @@ def slow_stream(scene: Scene) -> Iterator[Finding]:
 
 def missing_load(scene: Scene) -> Iterator[Finding]:
     """The paper's law lays more than a tenth of the weight on the centre section by way of correction."""
-    missing, wall = scene.worst["missing_load"], scene.segment.wall_friction
-    share = np.broadcast_to(missing.share, (1, len(missing.share)))
-    friction = scene.part.at(share)["equivalent_friction"][0]
+    if scene.part.design.equilibrium:
+        return
+    missing = scene.worst["missing_load"]
+    there = scene.part.at(np.broadcast_to(missing.share, (1, len(missing.share))))
+    friction, wall = there["equivalent_friction"][0], there["wall_friction"][0]
     even = equilibrium_friction(wall, friction / np.where(wall > 0.0, wall, np.inf) - 1.0, missing.value)
     template = (
         "hydrostatic wall pressures leave {missing_load} of the weight uncarried (limit 0.1): laid on the centre"
@@ -147,13 +184,17 @@ def missing_load(scene: Scene) -> Iterator[Finding]:
 
 def above_chamfer(scene: Scene) -> Iterator[Finding]:
     """The depth passes the drawn top of the section."""
-    table, deep = scene.contact.slide.facets, scene.worst["depth_m"]
-    if not scene.segment.section.lengths or table.drawn[-1, 0] > 0.0:
+    depth = scene.sampled["depth_m"]
+    table = scene.contact.slide.facets_at(scene.contact_place(SAMPLES[:, None]))
+    if len(table.area) == 1 or (table.drawn[-1] > 0.0).any():
         return
-    top = table.height[-1]
-    template = "the depth of {depth_m} passes the top of the chamfers at {top_m}; the walls go on vertically there"
-    mask, s = deep.value > top, scene.place(deep.share)
-    yield from finding(scene, "above_chamfer", NOTE, mask, s, template, depth_m=deep.value, top_m=top)
+    top = np.broadcast_to(table.height[-1], depth.shape)
+    above = np.nan_to_num(depth - top, nan=-np.inf)
+    most, columns = above.argmax(axis=0), np.arange(depth.shape[1])
+    template = "the depth of {depth_m} passes the drawn top of the section at {top_m}; the walls go on vertically there"
+    mask, s = above[most, columns] > 0.0, scene.sampled["s_m"][most, columns]
+    numbers = {"depth_m": depth[most, columns], "top_m": top[most, columns]}
+    yield from finding(scene, "above_chamfer", NOTE, mask, s, template, **numbers)
 
 
 def geometry_follows_flow(scene: Scene) -> Iterator[Finding]:

@@ -61,6 +61,12 @@ def time_to_drop(path: Flight, drop: Array) -> Array:
     return np.where(rising, (root - w) / path.gravity, quick)
 
 
+def time_to_run(path: Flight, run: Array) -> Array:
+    """Time until the stream is a horizontal distance, m, from its start; NaN where it never is."""
+    ahead = (path.forward > 0.0) & (run >= 0.0)
+    return np.where(ahead, run / np.where(ahead, path.forward, 1.0), np.nan)
+
+
 def path_length(path: Flight, time: Array) -> Array:
     """Length of the parabola flown in a time.
 

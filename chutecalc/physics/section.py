@@ -1,16 +1,16 @@
-"""Cross-sections: how deep a flow area stands in one, and how hard its walls are pressed.
+"""Cross-sections, and what each of their facets starts from.
 
-Every symmetric section of flat walls is one :class:`Polygon`: a centre section, facets from the centre outwards, and
-vertical walls above them. A rectangle has no facets, a chamfered section one, a vee one and no base. On each facet
-depth, area and wall load are quadratics in the wetted length C of that facet, with constants known at its foot: those
-are the :class:`Facets` that the solver works with.
+Every symmetric section is a stack of facets from the centre outwards: a polygon's flat walls, or a circle's arc, and
+vertical walls above what is drawn. A rectangle has no drawn facet, a chamfered section one, a vee one and no base. The
+:class:`Facets` hold what is known at each facet's foot; :mod:`chutecalc.physics.wetting` works with those.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.circle import arc
 from chutecalc.physics.pressure import pressure_shortfall
 
 
@@ -22,13 +22,27 @@ class Polygon(NamedTuple):
     lengths: tuple[Array, ...]
     """Of the drawn facets on one side, from the centre outwards; the last may be infinite: it has no top then."""
     inclinations: tuple[Array, ...]
-    """Of the same facets to the plane of the centre section, in (0, π/2], never falling."""
+    """Of the same facets to the plane of the centre section, in [0, π/2], never falling."""
     wall_height: Array
     """Above the floor; deeper than that the chute chokes; infinite where none is given."""
 
 
+class Circle(NamedTuple):
+    """The lower half of a circle, with vertical walls above it."""
+
+    radius: Array
+    wall_height: Array
+    """As of a polygon."""
+
+
+Section = Polygon | Circle
+
+
 class Facets(NamedTuple):
-    """What each facet of a polygon starts from at its foot; every field has the shape (facets, designs)."""
+    """What each facet of a section starts from at its foot; the first axis of every field counts the facets.
+
+    The others are those of the section's numbers: (facets, designs), or (facets, places, designs) along a taper.
+    """
 
     drawn: Array
     """1 for a drawn facet, 0 for the vertical walls that go on above the drawn top."""
@@ -54,57 +68,74 @@ class Facets(NamedTuple):
     """Its growth with depth from the facets below alone, 2 Σ (1 - K) cos ψ L, m."""
     own_shortfall: Array
     """(1 - K) cos ψ of this facet."""
+    radius: Array
+    """Of an arc, m; 0 for a flat facet."""
+    lack: Array
+    """1 - K_v."""
 
 
-class Wetting(NamedTuple):
-    """How a flow area lies in its section, shapes as broadcast."""
+def blend(first: Section, last: Section, share: Array) -> Section:
+    """The section at a share of the length of a taper: each of its numbers goes linearly from first to last.
 
-    depth: Array
-    """Normal to the floor, m."""
-    chamfer: Array
-    """Wetted length of the drawn facets on one side, m."""
-    width: Array
-    """Of the free surface, m."""
-    excess: Array
-    """χ = (1/A) ∫ K (1 - cos ψ) ζ dl."""
-    missing: Array
-    """m = 1 - (1/A) ∫ K cos ψ ζ dl, the share of the weight that hydrostatic wall pressures do not carry."""
+    Args:
+        first, last: sections of the same kind and facets; what has no top, or no wall height, has none in both.
+        share: 0 at the first, 1 at the last, shape (..., designs).
+
+    >>> wide, narrow = (Circle(np.array([r]), np.array([np.inf])) for r in (1.0, 0.5))
+    >>> blend(wide, narrow, np.array([0.5])).radius
+    array([0.75])
+    """
+
+    def between(one: Any, other: Any) -> Any:
+        if isinstance(one, tuple):
+            return tuple(between(*pair) for pair in zip(one, other, strict=True))
+        endless = np.isinf(one)
+        return np.where(endless, one, one + share * (other - np.where(endless, 0.0, one)))
+
+    return type(first)(*between(tuple(first), tuple(last)))
 
 
-def facets(section: Polygon, vertical_ratio: Array) -> Facets:
+def facets(section: Section, vertical_ratio: Array) -> Facets:
     """The constants of each facet at its foot, by stacking the facets from the centre outwards.
 
     Args:
-        section: the polygon.
+        section: the section; its numbers of shape (designs,) or (places, designs).
         vertical_ratio: K_v, in (0, 1], length 1 or n.
 
     Returns:
-        Facets of shape (facets, designs), designs being 1 unless something has length n. The last facet has no top:
-        vertical walls are added above a drawn top.
+        Facets, of shape (facets, 1) unless something has length n. The last facet has no top: vertical walls are added
+        above a drawn top.
 
     >>> half_open = Polygon(np.array([0.5]), (np.array([0.2]),), (np.radians([30.0]),), np.array([np.inf]))
     >>> facets(half_open, np.array([1 / 3])).height.round(12)  # of the chamfer, and of the wall above it
     array([[0. ],
            [0.1]])
     """
+    rows = _arc_rows(section, vertical_ratio) if isinstance(section, Circle) else _flat_rows(section, vertical_ratio)
+    shape = np.broadcast_shapes(*(value.shape for row in rows for value in row))
+    fields = zip(*rows, strict=True)
+    return Facets(*(np.stack([np.broadcast_to(value, shape) for value in field]) for field in fields))
+
+
+def _flat_rows(section: Polygon, vertical_ratio: Array) -> list[Facets]:
+    """The facets of a polygon, one by one."""
     lengths, inclinations = list(section.lengths), list(section.inclinations)
-    drawn = [1.0] * len(lengths)
+    zero, one = np.zeros(1), np.ones(1)
+    drawn = [one] * len(lengths)
     if not lengths or np.isfinite(lengths[-1]).all():
         lengths.append(np.array([np.inf]))
         inclinations.append(np.array([np.pi / 2]))
-        drawn.append(0.0)
-    zero = np.zeros(1)
+        drawn.append(zero)
     area, width, height, chamfer = zero, section.base, zero, zero
     excess, excess_rise, shortfall, shortfall_rise = zero, zero, zero, zero
-    rows: list[tuple[Array, ...]] = []
+    rows = []
     for number, (length, psi) in enumerate(zip(lengths, inclinations, strict=True)):
         s, c = np.sin(psi), np.cos(psi)
         lacking = pressure_shortfall(psi, vertical_ratio)
         own_excess = (1.0 - lacking) * 2.0 * np.sin(psi / 2) ** 2  # 1 - cos ψ, without its cancellation
         own_shortfall = lacking * c
-        foot = (area, width, height, chamfer)
         load = (excess, excess_rise, own_excess, shortfall, shortfall_rise, own_shortfall)
-        rows.append((np.array([drawn[number]]), s, c, *foot, *load))
+        rows.append(Facets(drawn[number], s, c, area, width, height, chamfer, *load, zero, 1.0 - vertical_ratio))
         if number + 1 < len(lengths):
             rise = length * s
             excess = excess + rise * (excess_rise + own_excess * length)
@@ -115,102 +146,57 @@ def facets(section: Polygon, vertical_ratio: Array) -> Facets:
             width = width + 2.0 * length * c
             height = height + rise
             chamfer = chamfer + length
-    shape = np.broadcast_shapes(*(value.shape for row in rows for value in row))
-    fields = zip(*rows, strict=True)
-    return Facets(*(np.stack([np.broadcast_to(value, shape) for value in field]) for field in fields))
+    return rows
+
+
+def _arc_rows(section: Circle, vertical_ratio: Array) -> list[Facets]:
+    """The half circle, and the vertical walls above it."""
+    r, lack, zero, one = section.radius, 1.0 - vertical_ratio, np.zeros(1), np.ones(1)
+    half = arc(np.array([np.pi / 2]), lack)
+    area, length = 0.5 * np.pi * r**2, 0.5 * np.pi * r
+    excess_rise = 2.0 * r * (np.pi / 2 - 1.0 - lack * (np.pi / 4 - 1.0 / 3.0))  # 2 r ∫ K (1 - cos ψ) dψ
+    shortfall_rise = 2.0 * r * lack / 3.0  # 2 r ∫ (1 - K) cos ψ dψ
+    load = (area * half.excess, excess_rise, 1.0 - lack, area * half.missing, shortfall_rise, zero)
+    return [
+        Facets(one, one, zero, zero, 2.0 * r, zero, zero, zero, zero, zero, zero, zero, zero, r, lack),
+        Facets(zero, one, zero, area, 2.0 * r, r, length, *load, zero, lack),
+    ]
 
 
 def wetted_facet(table: Facets, area: Array) -> Index:
     """The facet in which the surface of a flow area lies, 0 for the innermost.
 
     Args:
-        table: of shape (facets, designs).
-        area: flow area, m², shape (designs,) or (1,).
+        table: the section's facets.
+        area: flow area, m², of the shape of one facet's fields, or broadcast against it.
 
     Returns:
-        Row numbers into ``table``, shape (designs,). A surface exactly at a joint counts to the facet above.
+        Numbers of facets, in the broadcast shape. A surface exactly at a joint counts to the facet above, and so no
+        facet without height is ever told.
     """
-    rows: Index = (area >= table.area[1:]).sum(axis=0)
+    rows: Index = (area >= with_axes(table.area[1:], np.ndim(area))).sum(axis=0)
     return rows
 
 
 def take_facet(table: Facets, rows: Index) -> Facets:
-    """One facet a design: fields of shape (designs,), or (1,) where the table holds one facet for all designs."""
-    columns = np.arange(len(rows))
-    return Facets(*(take_row(field, rows, columns) for field in table))
+    """One facet for each design, or for each place and design; of a table of one facet, that for all of them."""
+    return Facets(*(take_row(field, rows) for field in table))
 
 
-def take_row(field: Array, rows: Index, columns: Index) -> Array:
-    """Entry ``rows[i]`` of column ``columns[i]`` of a facet field; a field of one row or column serves all."""
-    own_rows = rows if len(field) > 1 else 0
-    own_columns = columns if field.shape[1] > 1 else 0
-    return np.atleast_1d(field[own_rows, own_columns])
+def take_row(field: Array, rows: Index) -> Array:
+    """Entries ``field[rows[i], ..., i]``; what one row or one column holds for all is broadcast."""
+    if len(field) == 1:
+        only: Array = field[0]
+        return only
+    if rows.ndim == 1 and field.ndim == 2:
+        return np.atleast_1d(field[rows, np.arange(len(rows)) if field.shape[1] > 1 else 0])
+    field = with_axes(field, rows.ndim)
+    wide = np.broadcast_to(field, (len(field), *np.broadcast_shapes(field.shape[1:], rows.shape)))
+    taken: Array = np.take_along_axis(wide, np.broadcast_to(rows, wide.shape[1:])[None], axis=0)[0]
+    return taken
 
 
-def wetted_length(facet: Facets, area: Array) -> tuple[Array, Array]:
-    """Wetted length of a facet and width of the free surface above it.
-
-    C = 2 q / (w + √(w² + 4 q cos β)), q = (A - A_foot)/sin β: the root of Paper Eq 7 in the form that is exact at
-    β = 90° and at B = 0.
-
-    Args:
-        facet: one facet a design, shape (designs,).
-        area: flow area, m², shape (..., designs), in or above that facet.
-
-    Returns:
-        C and the surface's width, m, in the shape of ``area``.
-    """
-    q = (area - facet.area) / facet.sine
-    width = np.sqrt(facet.width**2 + (4.0 * facet.cosine) * q)
-    return 2.0 * q / (facet.width + width), width
-
-
-def excess_friction(facet: Facets, area: Array) -> tuple[Array, Array]:
-    """Excess of the equivalent over the wall friction, χ = μ_e/μ - 1, and its logarithmic growth with area.
-
-    χ A = X_foot + C sin β (E + K (1 - cos β) C), with E = 2 Σ K (1 - cos ψ) L of the facets below. For a chamfer on a
-    base this is Paper Eq 11 without its cancellation, χ = K C (1 - cos β)/(B + C cos β); for a rectangle Paper Eq 2.
-
-    Args:
-        facet: one facet a design, shape (designs,).
-        area: flow area, m², shape (..., designs), positive.
-
-    Returns:
-        χ and A dχ/dA, in the shape of ``area``.
-
-    >>> vee = Polygon(np.array([0.0]), (np.array([np.inf]),), (np.radians([60.0]),), np.array([np.inf]))
-    >>> chi, growth = excess_friction(take_facet(facets(vee, np.array([0.2])), np.array([0])), np.array([0.1]))
-    >>> bool(abs(chi[0] - 0.4 * 0.5 / 0.5) < 1e-15), bool(abs(growth[0]) < 1e-15)  # K (1 - cos β)/cos β, any depth
-    (True, True)
-    """
-    wetted, width = wetted_length(facet, area)
-    own = facet.own_excess * wetted
-    chi = (facet.excess + wetted * facet.sine * (facet.excess_rise + own)) / area
-    return chi, (facet.excess_rise + 2.0 * own) / width - chi
-
-
-def wetting(facet: Facets, area: Array) -> Wetting:
-    """Depth, wetted chamfer, surface width, χ and missing load of a flow area.
-
-    Arguments as in :func:`excess_friction`, shapes likewise. The walls above a drawn top do not count as chamfer.
-    """
-    wetted, width = wetted_length(facet, area)
-    rise = wetted * facet.sine
-    chi = (facet.excess + rise * (facet.excess_rise + facet.own_excess * wetted)) / area
-    missing = (facet.shortfall + rise * (facet.shortfall_rise + facet.own_shortfall * wetted)) / area
-    return Wetting(facet.height + rise, facet.chamfer + facet.drawn * wetted, width, chi, missing)
-
-
-def area_at_depth(table: Facets, depth: Array) -> Array:
-    """Flow area below a depth, the inverse of the depth in :func:`wetting`.
-
-    Args:
-        table: of shape (facets, designs).
-        depth: m, shape (designs,) or (1,), 0 or more; infinite gives infinite.
-
-    Returns:
-        Area, m², shape (designs,).
-    """
-    facet = take_facet(table, (np.asarray(depth) >= table.height[1:]).sum(axis=0))
-    wetted = (depth - facet.height) / facet.sine
-    return facet.area + (facet.width + wetted * facet.cosine) * wetted * facet.sine
+def with_axes(field: Array, dimensions: int) -> Array:
+    """A field of facets with room for as many axes as each of its rows is to have."""
+    missing = dimensions - (field.ndim - 1)
+    return field if missing <= 0 else field.reshape(len(field), *[1] * missing, *field.shape[1:])

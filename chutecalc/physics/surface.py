@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.flight import Flight, motion, position, time_to_drop
 from chutecalc.physics.roots import falls_through_zero
 
@@ -37,7 +37,8 @@ class Landing(NamedTuple):
     slope: Array
     """Of the surface there."""
     gap: Array
-    """How far from the surface's end the flight passes, m, where it misses; NaN where it lands or never passes."""
+    """How far beyond the surface's end the flight crosses the normal there, m, where it misses; positive on the
+    stream's side, NaN where it lands or never crosses."""
 
 
 def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
@@ -58,7 +59,7 @@ def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
     return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + surface.turn * place
 
 
-def landing(surface: Surface, path: Flight, from_edge: Mask) -> Landing:
+def landing(surface: Surface, path: Flight, known: Index) -> Landing:
     """Where a flight first meets a surface from the stream's side.
 
     With D the vector from the surface's start, n its normal there and κ the curvature, σ (D·n - κ |D|²/2) is positive
@@ -68,21 +69,23 @@ def landing(surface: Surface, path: Flight, from_edge: Mask) -> Landing:
     Args:
         surface: of length 1 or n.
         path: the flight.
-        from_edge: where the flight starts on the surface's own first point; its root at time 0 is taken out.
+        known: how many roots at time 0 are known and taken out: 1 where the flight starts on the surface, 2 where it
+            starts along it.
 
     Returns:
         The landing.
 
     >>> one = np.ones(1)
     >>> level = Surface(1.0, 0 * one, -4.905 * one, 0 * one, 0 * one, 10 * one)
-    >>> landing(level, Flight(0 * one, 0 * one, 2 * one, 0 * one, 9.81 * one), np.array([False])).place.round(12)
+    >>> landing(level, Flight(0 * one, 0 * one, 2 * one, 0 * one, 9.81 * one), np.array([0])).place.round(12)
     array([0.2])
     """
     coefficients = _clearance(surface, path)
-    n = max(len(from_edge), coefficients.shape[1])
+    n = max(len(known), coefficients.shape[1])
     coefficients = np.broadcast_to(coefficients, (5, n)).copy()
-    edge = np.broadcast_to(from_edge, (n,))
-    coefficients[:, edge] = np.concatenate([coefficients[1:, edge], np.zeros((1, int(edge.sum())))])
+    for count in (1, 2):
+        some = np.broadcast_to(known >= count, (n,))
+        coefficients[:, some] = np.concatenate([coefficients[1:, some], np.zeros((1, int(some.sum())))])
     x_end, z_end, end_slope = point(surface, np.ones(1))
     lowest = surface.z - surface.length
     horizon = np.broadcast_to(time_to_drop(path, np.maximum(path.z - lowest, 0.0)), (n,))
@@ -136,7 +139,7 @@ def _foot(surface: Surface, path: Flight, time: Array) -> tuple[Array, Array]:
 
 
 def _gap_at_end(surface: Surface, path: Flight, x_end: Array, z_end: Array, slope: Array) -> Array:
-    """Distance from the surface's end at which the flight crosses the normal through it, m."""
+    """How far from the surface's end the flight crosses the normal through it, m, positive on the stream's side."""
     sine, cosine = np.sin(slope), np.cos(slope)
     start = (path.x - x_end) * cosine - (path.z - z_end) * sine  # along the surface, from its end
     speed = path.forward * cosine + path.downward * sine
@@ -144,4 +147,4 @@ def _gap_at_end(surface: Surface, path: Flight, x_end: Array, z_end: Array, slop
     root = np.sqrt(speed**2 - 4.0 * pull * start)
     time = -2.0 * start / (speed + root)
     x, z = position(path, time)
-    return np.where(time >= 0.0, np.abs((x - x_end) * sine + (z - z_end) * cosine), np.nan)
+    return np.where(time >= 0.0, surface.side * ((x - x_end) * sine + (z - z_end) * cosine), np.nan)

@@ -2,38 +2,62 @@
 
 import numpy as np
 
+from chutecalc.design import length
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.roots import root_between
-from chutecalc.physics.section import excess_friction, take_facet, wetted_facet
+from chutecalc.physics.section import take_facet, wetted_facet
+from chutecalc.physics.wall import wall_friction
+from chutecalc.physics.wetting import excess_friction
 from chutecalc.solver.slide import Slide
 
 SLOWEST, FASTEST = 1e-9, 1e4
+GRID = 200
+"""Velocities, evenly in their logarithm, between which balances are looked for."""
+BLOCK = 100_000
 
 
-def critical_velocity(slide: Slide) -> Array:
-    """v_c, where tan a = μ_e(v_c): entered slower, a stream on a straight decelerates to a stall.
+def critical_velocity(slide: Slide, place: Array, velocity: Array) -> Array:
+    """v_c, where tan a = μ_e(v_c) and friction grows as the stream slows: the next such balance below a velocity.
 
-    Friction grows with depth, so the balance is unstable: a faster stream accelerates.
+    With constant wall friction, which grows with depth, there is one at most: entered slower, the stream decelerates to
+    a stall. With a yield locus there may be several.
 
     Args:
         slide: a straight and the flow on it, n designs.
+        place: where along it, shape (n,).
+        velocity: of the stream there, m/s, shape (n,).
 
     Returns:
-        v_c, m/s, shape (n,); 0 where the slope is steeper than any friction of the section, infinite where it is
-        flatter than the wall friction angle itself.
+        v_c, m/s, shape (n,): 0 where the stream accelerates at every smaller velocity, the next balance above where it
+        decelerates, infinite where it does so at any.
     """
-    n = max(len(slide.entry_slope), len(slide.flow), len(slide.friction), slide.facets.area.shape[1])
-    slope, flow = np.broadcast_to(slide.entry_slope, n), np.broadcast_to(slide.flow, n)
-    friction = np.broadcast_to(slide.friction, n)
+    n = max(length(slide), len(velocity), len(place))
+    place, velocity = np.broadcast_to(place, n), np.broadcast_to(velocity, n)
 
     def surplus(log_velocity: Array, rows: Index) -> Array:
-        chosen = slide.rows(rows)
-        area = flow[rows] / np.exp(log_velocity)
-        facet = take_facet(chosen.facets, np.broadcast_to(wetted_facet(chosen.facets, area), rows.shape))
-        return np.sin(slope[rows]) - friction[rows] * (1.0 + excess_friction(facet, area)[0]) * np.cos(slope[rows])
+        return _surplus(slide.rows(rows), place[rows], np.exp(log_velocity))
 
-    everything = np.arange(n)
-    low, high = np.full(n, np.log(SLOWEST)), np.full(n, np.log(FASTEST))
-    slow, fast = surplus(low, everything), surplus(high, everything)
-    found = np.exp(root_between(surplus, low, high, slow, fast))
-    return np.where(slow > 0.0, 0.0, np.where(fast < 0.0, np.inf, found))
+    grid = np.repeat(np.linspace(np.log(SLOWEST), np.log(FASTEST), GRID)[:, None], n, axis=1)
+    blocks = np.array_split(grid, max(1, GRID * n // BLOCK))
+    values = np.concatenate([_surplus(slide, np.broadcast_to(place, rows.shape), np.exp(rows)) for rows in blocks])
+    rising = (values[:-1] <= 0.0) & (values[1:] > 0.0)
+    below = rising & (grid[:-1] <= np.log(velocity))
+    faster = _surplus(slide, place, velocity) > 0.0
+    last = len(grid) - 2 - below[::-1].argmax(axis=0)  # the highest balance below the stream
+    first = (rising & (grid[1:] >= np.log(velocity))).argmax(axis=0)  # the lowest above it
+    chosen, columns = np.where(faster, last, first), np.arange(n)
+    ends = (grid[chosen, columns], grid[chosen + 1, columns], values[chosen, columns], values[chosen + 1, columns])
+    found = np.exp(root_between(surplus, *ends))
+    exists = rising[chosen, columns] & np.where(faster, below.any(axis=0), True)
+    return np.where(exists, found, np.where(faster, 0.0, np.inf))
+
+
+def _surplus(slide: Slide, place: Array, velocity: Array) -> Array:
+    """What is left of the slope's pull after friction, over g."""
+    table, area = slide.facets_at(place), slide.flow / velocity
+    facet = take_facet(table, np.broadcast_to(wetted_facet(table, area), area.shape))
+    excess, _ = excess_friction(facet, area, slide.equilibrium)
+    slope = slide.entry_slope + slide.turn * place
+    stress = slide.stress(place, velocity**2, facet)
+    result: Array = np.sin(slope) - wall_friction(slide.wall, stress) * (1.0 + excess) * np.cos(slope)
+    return result

@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, take
+from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop
+from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
 from chutecalc.solver.front import Effort, effort
@@ -16,10 +16,15 @@ from chutecalc.solver.joint import Arrival, arrive
 from chutecalc.solver.slide import Slide
 from chutecalc.solver.stretch import Stretch, solve_stretch
 
+STRIKES = 50  # on one hood; a bound, so that no input can hang
+Place = tuple[Array, Array]
+
 
 class Leg(NamedTuple):
     """One segment as n designs went through it. Numbers are NaN in designs that did not get that far."""
 
+    number: int
+    """Of the segment, from 0; a hood that is left and struck again has a leg for each time."""
     segment: Segment
     start: Stream
     """As it comes from the segment before."""
@@ -47,7 +52,7 @@ class ContactLeg(NamedTuple):
     """The designs in ``stretch``, in its order."""
 
 
-def run_chain(design: Design, rtol: float, complete: bool = True) -> list[Leg]:
+def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[Leg], Stream]:
     """Solves a chute, or n of them.
 
     Args:
@@ -56,27 +61,141 @@ def run_chain(design: Design, rtol: float, complete: bool = True) -> list[Leg]:
         complete: keep what it takes to tell the stream at every place; without it only the ends of segments are known.
 
     Returns:
-        A leg per segment. A number that no varied field has met yet stays of length 1.
+        The legs in order, one or more a segment, and the stream at the end. A number that no varied field has met yet
+        stays of length 1.
 
     Raises:
         SpecError: a hood that is drawn tangent to a falling stream does not steepen from there, or a curve does not
         turn.
     """
-    work = effort(rtol, complete)
-    legs: list[Leg] = []
+    chain = _Chain(design, effort(rtol, complete))
     with np.errstate(all="ignore"):  # a panel too long may overflow or pass v = 0: it is refused and shortened
-        stream = _inlet(design)
-        drawn = (stream.x, stream.z)
-        for number, segment in enumerate(design.segments, 1):
-            if isinstance(segment, Fall):
-                leg = _fall(segment, stream, drawn[1], design)
-                drawn = (leg.exit.x, leg.exit.z)
-            else:
-                leg = _along(segment, number, stream, drawn, design, work)
-                drawn = point(leg.contact.surface, np.ones(1))[:2] if leg.contact else drawn
-            legs.append(leg)
-            stream = _onward(leg, design.segments[number:])
-    return legs
+        for number in range(len(design.segments)):
+            chain.run(number)
+    return chain.legs, chain.stream
+
+
+class _Chain:
+    """The stream on its way, and the drawn end of the segment before it."""
+
+    def __init__(self, design: Design, work: Effort) -> None:
+        self.design, self.work = design, work
+        self.legs: list[Leg] = []
+        self.stream = _inlet(design)
+        self.drawn: Place = (self.stream.x, self.stream.z)
+        self.arrival: Arrival | None = None
+        """On the next segment, where the fall before it has found that."""
+
+    def run(self, number: int) -> None:
+        """One segment."""
+        segment = self.design.segments[number]
+        more = number + 1 < len(self.design.segments)
+        if isinstance(segment, Contact):
+            leg = self.along(number, segment)
+            end = point(leg.contact.surface, np.ones(1)) if leg.contact else None
+            self.legs.append(leg)
+            self.stream = _onward(leg, more)
+            if segment.side == ROOF and segment.kind != "plate":
+                self.strike_again(number, segment, leg)
+            self.drawn = (end[0], end[1]) if end else self.drawn
+        elif segment.onto_next:
+            self.legs.append(self.onto_next(number, segment))
+        else:
+            leg = _fall(number, segment, self.stream, self.drawn, self.design)
+            self.legs.append(leg)
+            self.stream, self.drawn = leg.exit, (leg.exit.x, leg.exit.z)
+
+    def strike_again(self, number: int, hood: Contact, leg: Leg) -> None:
+        """A stream that dropped off a hood may strike it again further on."""
+        drawn = self.drawn
+        for _ in range(STRIKES):
+            lost = leg.status == Status.CONTACT_LOST
+            if not lost.any():
+                return
+            status = np.where(lost, Status.OK, Status.NOT_REACHED)
+            start = leg.exit._replace(status=status, airborne=lost)
+            self.drawn = drawn
+            again = self.along(number, hood, start, known=2)
+            caught = (again.status != Status.NOT_REACHED) & (again.status != Status.MISSED)
+            caught &= again.status != Status.PASSED
+            if not caught.any():
+                return
+            leg = again._replace(status=np.where(caught, again.status, Status.NOT_REACHED))
+            self.legs.append(leg)
+            self.stream = _merge(caught, _onward(leg, number + 1 < len(self.design.segments)), self.stream)
+
+    def onto_next(self, number: int, fall: Fall) -> Leg:
+        """A flight to where it meets the next segment; what misses that flies on from where this one began."""
+        contact = self.design.segments[number + 1]
+        assert isinstance(contact, Contact)  # a rule of the spec
+        start, surface, slide = self.meet(number + 1, contact, self.stream._replace(airborne=np.ones(1, dtype=bool)))
+        alive = np.flatnonzero(start.status == Status.OK)
+        n = len(start.status)
+        arrival = spread(arrive(_some(start, alive), select(surface, alive), slide.rows(alive)), alive, n)
+        landed = (arrival.status == Status.OK) | (arrival.status == Status.STALL)
+        time = np.where(landed, arrival.time, np.nan)
+        x, z = position(arrival.path, time)
+        velocity, slope = motion(arrival.path, time)
+        distance = start.distance + arrival.distance
+        error = start.error * (start.velocity / velocity) ** 2
+        end = _stream((distance, x, z, slope, velocity, error), start.status, landed)
+        self.stream = _merge(landed, end, start)
+        none = np.zeros(n)
+        self.arrival = arrival._replace(
+            time=np.where(landed, none, arrival.time), distance=np.where(landed, none, arrival.distance)
+        )
+        status = np.where((start.status == Status.OK) & landed, Status.OK, Status.NOT_REACHED)
+        return Leg(number, fall, start, arrival.path, time, end, end, status, None)
+
+    def meet(self, number: int, contact: Contact, stream: Stream) -> tuple[Stream, Surface, Slide]:
+        """A stream and the segment that it comes to, all of one length."""
+        design = self.design
+        surface = _surface(contact, number, stream, contact.start or self.drawn)
+        slide = Slide(
+            contact.side,
+            design.gravity,
+            surface.slope,
+            surface.turn,
+            surface.length,
+            design.volume_rate,
+            design.density,
+            contact.wall,
+            contact.section,
+            contact.end_section,
+            design.vertical_ratio,
+            contact.facets,
+            design.equilibrium,
+        )
+        n = max(length(stream), length(surface), length(slide))
+        numbers = (np.broadcast_to(field, n) for field in stream[:6])
+        return _stream(numbers, np.broadcast_to(stream.status, n), np.broadcast_to(stream.airborne, n)), surface, slide
+
+    def along(self, number: int, contact: Contact, start: Stream | None = None, known: int = 0) -> Leg:
+        """A contact segment: onto it, along it, and where each design leaves it."""
+        start, surface, slide = self.meet(number, contact, self.stream if start is None else start)
+        arrival, self.arrival = self.arrival, None
+        n = len(start.status)
+        if arrival is None:
+            alive = np.flatnonzero(start.status == Status.OK)
+            arrival = spread(arrive(_some(start, alive), select(surface, alive), slide.rows(alive), known), alive, n)
+        if number + 1 == len(self.design.segments):  # none that could catch what flies past
+            arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
+        entry = _entry(start, surface, arrival)
+        rows = np.flatnonzero(arrival.status == Status.OK)
+        here, place = _some(entry, rows), arrival.place[rows]
+        if contact.kind == "plate":
+            stretch = Stretch.standing(place, here.velocity**2, 2.0 * here.error)
+        else:
+            stretch = solve_stretch(slide.rows(rows), place, here.velocity**2, 2.0 * here.error, self.work)
+        x, z, slope = point(select(surface, rows), stretch.place)
+        distance = here.distance + np.broadcast_to(surface.length, n)[rows] * (stretch.place - place)
+        error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
+        numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), error)
+        moved = _stream(numbers, stretch.status, here.airborne)
+        end = moved if len(rows) == n else _overwrite(entry, moved, rows)
+        status = np.where(start.status == Status.OK, end.status, Status.NOT_REACHED)
+        contact_leg = ContactLeg(surface, slide, arrival, stretch, rows)
+        return Leg(number, contact, start, arrival.path, arrival.time, entry, end, status, contact_leg)
 
 
 def _stream(numbers: Iterable[Array], status: Index, airborne: Mask) -> Stream:
@@ -91,21 +210,30 @@ def _inlet(design: Design) -> Stream:
     slope = np.where(design.inlet_velocity > 0.0, design.inlet_slope, np.pi / 2)
     velocity = np.broadcast_to(design.inlet_velocity, slope.shape)
     status = np.full(slope.shape, Status.OK)
-    return Stream(zero, zero, zero, slope, velocity, zero, status, np.zeros(slope.shape, dtype=bool))
+    numbers = (zero, *design.inlet_place, slope, velocity, zero)
+    return _stream(numbers, status, np.zeros(slope.shape, dtype=bool))
 
 
-def _onward(leg: Leg, rest: tuple[Segment, ...]) -> Stream:
-    """The stream as the next segment gets it: where contact was lost, a fall that follows takes it up in its flight."""
-    lost = leg.status == Status.CONTACT_LOST  # here, and not before
-    if not (rest and isinstance(rest[0], Fall) and lost.any()):
+def _onward(leg: Leg, more: bool) -> Stream:
+    """The stream as the next segment gets it: in flight where it lost contact, left a plate or flew past."""
+    thrown = leg.segment.kind == "plate"
+    if thrown:
+        leg = leg._replace(exit=leg.exit._replace(airborne=leg.status == Status.OK))
+    lost, passed = leg.status == Status.CONTACT_LOST, leg.status == Status.PASSED
+    if not (more and (lost.any() or passed.any())):
         return leg.exit
-    return leg.exit._replace(status=np.where(lost, Status.OK, leg.exit.status), airborne=lost)
+    flying = leg.exit._replace(status=np.where(lost, Status.OK, leg.exit.status), airborne=leg.exit.airborne | lost)
+    return _merge(passed, leg.start._replace(airborne=np.ones(1, dtype=bool)), flying) if passed.any() else flying
 
 
-def _fall(fall: Fall, start: Stream, drawn_z: Array, design: Design) -> Leg:
-    """Free flight down to a level below the drawn end of the segment before."""
+def _fall(number: int, fall: Fall, start: Stream, drawn: Place, design: Design) -> Leg:
+    """Free flight to a level below, or to a distance from, the drawn end of the segment before."""
     path = flight(start.x, start.z, start.velocity, start.slope, design.gravity)
-    time = time_to_drop(path, start.z - drawn_z + fall.drop)
+    if fall.drop is not None:
+        time = time_to_drop(path, start.z - drawn[1] + fall.drop)
+    else:
+        assert fall.run is not None
+        time = time_to_run(path, drawn[0] + fall.run - start.x)
     x, z = position(path, time)
     velocity, slope = motion(path, time)
     alive = np.broadcast_to(start.status == Status.OK, velocity.shape)
@@ -115,43 +243,7 @@ def _fall(fall: Fall, start: Stream, drawn_z: Array, design: Design) -> Leg:
     flown = np.where(np.isnan(velocity), Status.MISSED, Status.OK)
     end = _stream(numbers, np.where(alive, flown, start.status), np.zeros(alive.shape, dtype=bool))
     status = np.where(alive, flown, Status.NOT_REACHED)
-    return Leg(fall, start, path, np.where(alive, time, np.nan), end, end, status, None)
-
-
-def _along(
-    contact: Contact, number: int, start: Stream, drawn: tuple[Array, Array], design: Design, work: Effort
-) -> Leg:
-    """A contact segment: onto it, along it, and where each design leaves it."""
-    surface = _surface(contact, number, start, drawn)
-    flow = (design.gravity, surface.slope, surface.turn, surface.length, design.volume_rate, contact.wall_friction)
-    slide = Slide(contact.side, *flow, contact.facets, contact.choke_area)
-    n = max(length(start), length(surface), length(slide), contact.facets.area.shape[1])
-    start = _stream(
-        (np.broadcast_to(field, n) for field in start[:6]),
-        np.broadcast_to(start.status, n),
-        np.broadcast_to(start.airborne, n),
-    )
-    alive = np.flatnonzero(start.status == Status.OK)
-    arrival = spread(arrive(_some(start, alive), select(surface, alive), slide.rows(alive)), alive, n)
-    entry = _entry(start, surface, arrival)
-    rows = np.flatnonzero(arrival.status == Status.OK)
-    here, place = _some(entry, rows), arrival.place[rows]
-    stretch = solve_stretch(slide.rows(rows), place, here.velocity**2, 2.0 * here.error, work)
-    x, z, slope = point(select(surface, rows), stretch.place)
-    distance = here.distance + take(surface.length, rows) * (stretch.place - place)
-    error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
-    moved = Stream(distance, x, z, slope, np.sqrt(stretch.velocity_squared), error, stretch.status, here.airborne)
-    end = moved if len(rows) == n else _overwrite(entry, moved, rows)
-    return Leg(
-        contact,
-        start,
-        arrival.path,
-        arrival.time,
-        entry,
-        end,
-        np.where(start.status == Status.OK, end.status, Status.NOT_REACHED),
-        ContactLeg(surface, slide, arrival, stretch, rows),
-    )
+    return Leg(number, fall, start, path, np.where(alive, time, np.nan), end, end, status, None)
 
 
 def _entry(start: Stream, surface: Surface, arrival: Arrival) -> Stream:
@@ -159,12 +251,18 @@ def _entry(start: Stream, surface: Surface, arrival: Arrival) -> Stream:
     x, z, slope = point(surface, arrival.place)
     status = np.where(start.status == Status.OK, arrival.status, start.status)
     grounded = np.zeros(status.shape, dtype=bool)
-    return Stream(start.distance + arrival.distance, x, z, slope, arrival.after, arrival.error, status, grounded)
+    numbers = (start.distance + arrival.distance, x, z, slope, arrival.after, arrival.error)
+    return _stream(numbers, status, grounded)
 
 
 def _some(stream: Stream, rows: Index) -> Stream:
     """Some designs of a stream whose fields are all of full length; none of them where there are no rows."""
     return Stream._make(field[rows] for field in stream)
+
+
+def _merge(chosen: Mask, one: Stream, other: Stream) -> Stream:
+    """The one stream in the designs chosen, the other in the rest."""
+    return Stream._make(np.where(chosen, *pair) for pair in zip(one, other, strict=True))
 
 
 def _overwrite(record: Stream, part: Stream, rows: Index) -> Stream:
@@ -175,7 +273,7 @@ def _overwrite(record: Stream, part: Stream, rows: Index) -> Stream:
     return Stream._make(fields)
 
 
-def _surface(contact: Contact, number: int, start: Stream, drawn: tuple[Array, Array]) -> Surface:
+def _surface(contact: Contact, number: int, start: Stream, drawn: Place) -> Surface:
     """The segment as it stands: a curve tangent to a falling stream takes its slope."""
     slope = start.slope if contact.entry_slope is None else contact.entry_slope
     turn = contact.exit_slope - slope
@@ -194,4 +292,4 @@ def _check_turn(contact: Contact, number: int, slope: Array, turn: Array) -> Non
         at = f"{np.degrees(slope[flat][0]):.6g}"
         what = "a hood has to steepen" if contact.side == ROOF else "a curve has to turn"
         problem = f"{what}, and the stream falls into this one at {at}°"
-        raise SpecError([Fault(f"segments.{number}.to_slope_deg", problem, "change it, or give from_slope_deg")])
+        raise SpecError([Fault(f"segments.{number + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")])

@@ -4,19 +4,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Status, take
+from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.motion import ROOF
-from chutecalc.physics.section import take_row, wetted_facet
-from chutecalc.solver.collocation import rule
-from chutecalc.solver.crossing import slope_at
+from chutecalc.physics.section import Facets, take_facet, take_row, wetted_facet
+from chutecalc.physics.wall import wall_piece
+from chutecalc.solver.crossing import LEVEL, slope_at
 from chutecalc.solver.panel import PLACE_ROUNDING, Panel
-from chutecalc.solver.slide import Slide
+from chutecalc.solver.slide import Course, Slide
 
 RUNNING = -1
+CLEAR = 4.0 * LEVEL  # beyond an event by more than it is found within
 
-CONTACT, DEEPER, SHALLOWER, END = range(4)
-"""What a margin below zero means, in the order in which margins are stacked."""
+CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
+"""What happens where a margin falls below zero; of two that do at once the first counts."""
 
 
 class Effort(NamedTuple):
@@ -48,6 +49,7 @@ class Piece(NamedTuple):
 
     rows: Index
     facet: Index
+    piece: Index
     by_root: bool
     start: Array
     """Of the independent variable (c, or r = √v)."""
@@ -73,7 +75,11 @@ class Front:
     def __init__(self, slide: Slide, place: Array, y: Array, error: Array, effort: Effort) -> None:
         self.slide, self.effort = slide, effort
         self.place, self.y, self.error = place.copy(), y.copy(), error.copy()
-        self.facet = np.broadcast_to(wetted_facet(slide.facets, slide.area(y)), y.shape).copy()
+        table = slide.facets_at(place)
+        self.facet = np.broadcast_to(wetted_facet(table, slide.area(y)), y.shape).copy()
+        self.piece = np.zeros(y.shape, dtype=np.intp)
+        if len(slide.wall.starts) > 1:
+            self.piece = wall_piece(slide.wall, slide.stress(place, y, take_facet(table, self.facet)))
         self.status = np.full(y.shape, RUNNING)
         self.limit = _first_limit(slide, place)
         self.reach = self.limit - place
@@ -88,34 +94,60 @@ class Front:
         self.choke = np.full((3, *y.shape), np.nan)
         """Place, y and error where the stream choked."""
         self.pieces: list[Piece] = []
-        self.watched = (
-            slide.can_lose_contact() or len(slide.facets.area) > 1 or bool(np.isfinite(slide.choke_area).any())
-        )
+        watched = {
+            CONTACT: slide.can_lose_contact(),
+            CHOKE: bool(np.isfinite(slide.section.wall_height).any()),
+            DEEPER: len(table.area) > 1,
+            SHALLOWER: len(table.area) > 1,
+            FIRMER: len(slide.wall.starts) > 1,
+            LOOSER: len(slide.wall.starts) > 1,
+        }
+        self.events = tuple(event for event, there in watched.items() if there)
+        """What can happen on this segment at all."""
 
-    def velocity_bounds(self, rows: Index) -> tuple[Array, Array, Mask]:
-        """Velocities that keep the surface on its facet and below the wall, and where the lower one is the wall's."""
-        table = self.slide.facets.area
-        foot = take_row(table, self.facet[rows], rows)
-        top = take_row(np.concatenate([table[1:], np.full((1, table.shape[1]), np.inf)]), self.facet[rows], rows)
-        choke = np.where(np.isfinite(self.choke[0, rows]), np.inf, take(self.slide.choke_area, rows))
-        flow = take(self.slide.flow, rows)
-        return flow / np.minimum(top, choke), flow / foot, choke <= top
+    def course(self, rows: Index) -> Course:
+        """The branches of the friction law that designs are on."""
+        return Course(self.slide.rows(rows), self.facet[rows], self.piece[rows])
 
-    def margins(self, trial: Trial) -> Array:
-        """How far each event is at a panel's knots, shape (events, N + 2, designs): 0 at the event, else of order 1."""
-        rows, own = trial.rows, rule(len(trial.panel.knots) - 2).knots[:, None]
-        along = trial.start + own * (trial.end - trial.start)
-        along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left
-        place, velocity = (trial.panel.knots, along**2) if trial.by_root else (along, np.sqrt(trial.panel.knots))
-        slowest, fastest, _ = self.velocity_bounds(rows)
-        slide = self.slide.rows(rows)
-        margins = np.ones((4, *place.shape))
-        if slide.can_lose_contact():
-            margins[CONTACT] = slide.normal(place, velocity**2) / slide.gravity
-        margins[DEEPER] = np.where(slowest > 0.0, velocity / np.where(slowest > 0.0, slowest, 1.0) - 1.0, 1.0)
-        margins[SHALLOWER] = 1.0 - velocity / fastest
-        if trial.by_root:
-            margins[END] = self.limit[rows] - place
+    def velocity_bounds(self, rows: Index) -> tuple[Array, Array]:
+        """Velocities that keep the surface on its facet, and below the wall; none along a taper, where they move."""
+        slide, facet = self.slide.rows(rows), self.facet[rows]
+        if slide.end_section is not None:
+            return np.zeros(len(rows)), np.full(len(rows), np.inf)
+        foot, top = _feet(slide.drawn, facet)
+        choke = np.where(np.isfinite(self.choke[0, rows]), np.inf, slide.choke_area(self.place[rows]))
+        return slide.flow / np.minimum(top, choke), slide.flow / foot
+
+    def margins(self, rows: Index, place: Array, y: Array, by_root: bool) -> Array:
+        """How far each event is, 0 at it and else of order 1, at places and their v².
+
+        Args:
+            rows: the designs.
+            place, y: shape (..., designs).
+            by_root: whether the segment's end is an event too.
+
+        Returns:
+            Shape (events, ..., designs); the events are ``self.events``, and ``END`` last.
+        """
+        slide, facet, velocity = self.slide.rows(rows), self.facet[rows], np.sqrt(y)
+        table = slide.facets_at(place)
+        margins = np.ones((len(self.events) + by_root, *y.shape))
+        for number, event in enumerate(self.events):
+            if event == CONTACT:
+                margins[number] = slide.normal(place, y) / slide.gravity
+            elif event == CHOKE:
+                most = slide.choke_area(place)
+                margins[number] = np.where(np.isnan(self.choke[0, rows]), _closeness(velocity * most, slide.flow), 1.0)
+            elif event == DEEPER:
+                margins[number] = _closeness(velocity * _feet(table, facet)[1], slide.flow)
+            elif event == SHALLOWER:
+                margins[number] = 1.0 - velocity * _feet(table, facet)[0] / slide.flow
+            else:
+                stress = slide.stress(place, y, take_facet(table, facet))
+                least, most = _ends(slide.wall.starts, self.piece[rows])
+                margins[number] = _balance(most, stress) if event == FIRMER else _balance(stress, least)
+        if by_root:
+            margins[-1] = self.limit[rows] - place
         return margins
 
     def retreat(self, rows: Index, by_root: bool, step: Array) -> None:
@@ -151,7 +183,7 @@ class Front:
             self.arrive(rows[end >= self.limit[rows]])
         self.aim[rows] = np.nan
         if self.effort.complete and rows.size:
-            self.pieces.append(Piece(rows, self.facet[rows], trial.by_root, start, end, knots))
+            self.pieces.append(Piece(rows, self.facet[rows], self.piece[rows], trial.by_root, start, end, knots))
 
     def arrive(self, rows: Index) -> None:
         """At the limit: on to the segment's end, or done."""
@@ -164,17 +196,52 @@ class Front:
         """What an event does to the designs that stand at it."""
         self.aim[rows] = np.nan
         self.status[rows[event == CONTACT]] = Status.CONTACT_LOST
-        deeper = rows[event == DEEPER]
-        _, _, is_choke = self.velocity_bounds(deeper)
-        choked = deeper[is_choke]
+        choked = rows[event == CHOKE]
         self.choke[:, choked] = self.place[choked], self.y[choked], self.error[choked]
         if not self.effort.complete:
             self.status[choked] = Status.CHOKE
-        self.facet[deeper[~is_choke]] += 1
-        self.facet[rows[event == SHALLOWER]] -= 1
+        self._cross(rows[event == DEEPER], rows[event == SHALLOWER], rows[event == FIRMER], rows[event == LOOSER])
         ended = rows[event == END]
         self.place[ended] = self.limit[ended]
         self.arrive(ended)
+
+    def _cross(self, deeper: Index, shallower: Index, firmer: Index, looser: Index) -> None:
+        """On to the next facet or piece that is not empty."""
+        for rows, side in ((deeper, 1), (shallower, -1)):
+            if rows.size:
+                slide = self.slide.rows(rows)
+                area = slide.area(self.y[rows]) * (1.0 + side * CLEAR)
+                there = wetted_facet(slide.facets_at(self.place[rows]), area)
+                self.facet[rows] = side * np.maximum(side * there, side * self.facet[rows] + 1)
+        for rows, side in ((firmer, 1), (looser, -1)):
+            if rows.size:
+                slide, place = self.slide.rows(rows), self.place[rows]
+                facet = take_facet(slide.facets_at(place), self.facet[rows])
+                stress = slide.stress(place, self.y[rows], facet) * (1.0 + side * CLEAR)
+                there = wall_piece(slide.wall, stress)
+                self.piece[rows] = side * np.maximum(side * there, side * self.piece[rows] + 1)
+
+
+def _feet(table: Facets, facet: Index) -> tuple[Array, Array]:
+    """Areas at the foot and at the top of facets."""
+    return _ends(table.area, facet)
+
+
+def _ends(starts: Array, number: Index) -> tuple[Array, Array]:
+    """Where the interval of a number begins and ends, of those that begin at ``starts``, shape (intervals, ...)."""
+    ends = np.concatenate([starts[1:], np.full((1, *starts.shape[1:]), np.inf)])
+    return take_row(starts, number), take_row(ends, number)
+
+
+def _balance(more: Array, less: Array) -> Array:
+    """(more - less)/(more + less), with its limits where one of the two is infinite."""
+    inside = (more - less) / (more + less)
+    return np.where(np.isfinite(more), np.where(np.isfinite(less), inside, -1.0), 1.0)
+
+
+def _closeness(value: Array, limit: Array) -> Array:
+    """Value over limit less 1; 1 where there is no limit to come near."""
+    return np.where(np.isfinite(value), value / limit - 1.0, 1.0)
 
 
 def _first_limit(slide: Slide, place: Array) -> Array:

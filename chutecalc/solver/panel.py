@@ -14,9 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.physics.section import Facets
 from chutecalc.solver.collocation import Rule, newton, rule, stiff_newton, transfer
-from chutecalc.solver.slide import Slide, field, frozen_rates, place_rates, rates
+from chutecalc.solver.slide import Course, field, frozen_rates, place_rates, rates
 
 SAFETY = 3.0
 ROUNDING = 1e-15  # of a panel, relative
@@ -36,41 +35,39 @@ class Panel(NamedTuple):
     """The same of the polynomial through the knots."""
 
 
-def panel_by_place(
-    slide: Slide, facet: Facets, start: Array, width: Array, y0: Array, pair: tuple[int, int], quick: bool
-) -> Panel:
+def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: tuple[int, int], quick: bool) -> Panel:
     """Solves y = v² over a panel in c; ``quick`` for the attempt at a whole stretch, which most need no more than."""
     step, iterations = (newton, 2) if quick else (stiff_newton, 4)
-    coarse, fine = rule(pair[0]), rule(pair[1])
-    at = field(slide, start + width * coarse.nodes[:, None], width)
+    slide, coarse, fine = course.slide, rule(pair[0]), rule(pair[1])
+    at = field(course, start + width * coarse.nodes[:, None], width)
     y = np.repeat(y0[None], pair[0], axis=0)
-    ends, _ = step(coarse, *frozen_rates(slide, facet, at, y0, y), y, y0)
+    ends, _ = step(coarse, *frozen_rates(slide, at, y0, y), y, y0)
     for _ in range(iterations):
         y = ends[:-1]
-        ends, _ = step(coarse, *rates(slide, facet, at, y), y, y0)
+        ends, _ = step(coarse, *rates(slide, at, y), y, y0)
     guess = transfer(*pair) @ np.concatenate([y0[None], ends])
-    at = field(slide, start + width * fine.nodes[:, None], width)
-    ends, growth = step(fine, *rates(slide, facet, at, guess), guess, y0)
+    at = field(course, start + width * fine.nodes[:, None], width)
+    ends, growth = step(fine, *rates(slide, at, guess), guess, y0)
     knots = np.concatenate([y0[None], ends])
     update = np.maximum.reduce(np.abs(ends[:-1] - guess) / ends[:-1])
     sound = np.minimum.reduce(ends) > 0.0
-    return _panel(knots, growth[-1], sound, update, _smoothness(fine, knots, 0.5), pair)
+    return _panel(
+        knots, growth[-1], sound, update, _smoothness(fine, knots - _arc_velocity(course, start) ** 2, 0.5), pair
+    )
 
 
-def panel_by_root(
-    slide: Slide, facet: Facets, start: Array, width: Array, place: Array, pair: tuple[int, int]
-) -> Panel:
+def panel_by_root(course: Course, start: Array, width: Array, place: Array, pair: tuple[int, int]) -> Panel:
     """Solves c over a panel in r = √v, from a place. Only where v rises or falls throughout."""
     coarse, fine = rule(pair[0]), rule(pair[1])
     root = start + width * coarse.nodes[:, None]
-    first, _ = place_rates(slide, facet, start, width, place)
+    first, _ = place_rates(course, start, width, place)
     c = place + first / (4.0 * width * start**3) * (root**4 - start**4)
     for _ in range(4):
-        ends, _ = newton(coarse, *place_rates(slide, facet, root, width, c), c, place)
+        ends, _ = newton(coarse, *place_rates(course, root, width, c), c, place)
         c = ends[:-1]
     guess = transfer(*pair) @ np.concatenate([place[None], ends])
     root = start + width * fine.nodes[:, None]
-    change, change_growth = place_rates(slide, facet, root, width, guess)
+    change, change_growth = place_rates(course, root, width, guess)
     ends, growth = newton(fine, change, change_growth, guess, place)
     # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
     within = (np.minimum.reduce(ends) >= place) & (np.maximum.reduce(ends) < 2.0)
@@ -78,7 +75,7 @@ def panel_by_root(
     noise = np.maximum.reduce(np.abs(ends[:-1] - guess)) - PLACE_ROUNDING
     update = np.maximum(noise, 0.0) / np.maximum(np.abs(ends[-1] - place), PLACE_ROUNDING)
     pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
-    smoothness = np.minimum(_smoothness(fine, pull, 0.2), _flank_smoothness(slide, facet, start, width))
+    smoothness = np.minimum(_smoothness(fine, pull, 0.2), _flank_smoothness(course, start, width, place))
     return _panel(np.concatenate([place[None], ends]), growth[-1], sound, update, smoothness, pair)
 
 
@@ -100,16 +97,26 @@ def _smoothness(own: Rule, values: Array, share: float) -> Array:
     return 1.0 + smallest
 
 
-def _flank_smoothness(slide: Slide, facet: Facets, start: Array, width: Array) -> Array:
+def _arc_velocity(course: Course, place: Array) -> Array:
+    """The velocity at which a full circle would flow, where depth on an arc has its branch point; 0 on flat facets."""
+    radius = course.at(place).facet.radius
+    velocity: Array = course.slide.flow / (np.pi * np.where(radius > 0.0, radius, np.inf) ** 2)
+    return velocity
+
+
+def _flank_smoothness(course: Course, start: Array, width: Array, place: Array) -> Array:
     """ρ that the section leaves to a panel in r: sloping walls bring χ a branch point at r = i √(Q/A_apex).
 
     A_apex is what the facet's flanks, drawn down to where they meet, would add to the area. Branch points so near rest
-    that less than rounding of the way lies between are left out.
+    that less than rounding of the way lies between are left out. An arc has its own on the real axis, below the panel.
     """
+    slide, facet = course.slide, course.at(place).facet
     apex = facet.width**2 * facet.sine / (4.0 * facet.cosine) - facet.area
     branch = np.sqrt(slide.flow / apex)
     distance: Array = np.hypot(np.minimum(start, start + width), branch) / np.abs(width)
-    return np.where(branch > 1e-4 * np.abs(width), 1.0 + np.sqrt(2.0 * distance), np.inf)
+    below = (np.minimum(start, start + width) - np.sqrt(_arc_velocity(course, place))) / np.abs(width)
+    distance = np.where(facet.radius > 0.0, 2.0 * np.maximum(below, 0.0), distance)
+    return np.where((branch > 1e-4 * np.abs(width)) | (facet.radius > 0.0), 1.0 + np.sqrt(2.0 * distance), np.inf)
 
 
 def _panel(knots: Array, growth: Array, sound: Mask, update: Array, smoothness: Array, pair: tuple[int, int]) -> Panel:

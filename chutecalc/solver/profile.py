@@ -11,13 +11,15 @@ from chutecalc.physics.arrays import Array
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.roots import root_between
-from chutecalc.physics.section import take_facet, wetted_facet, wetting
+from chutecalc.physics.section import take_facet, wetted_facet
 from chutecalc.physics.surface import point
+from chutecalc.physics.wall import wall_friction
+from chutecalc.physics.wetting import Wetting, excess_friction, wetting
 from chutecalc.solver.chain import ContactLeg, Leg
 from chutecalc.solver.collocation import interpolation, product, rule
 from chutecalc.solver.crossing import evaluate
 from chutecalc.solver.front import Piece
-from chutecalc.solver.slide import Slide, place_rates
+from chutecalc.solver.slide import Course, Slide, place_rates
 
 
 class Profile(NamedTuple):
@@ -32,13 +34,11 @@ class Profile(NamedTuple):
     time: Array
     """Since the leg began, s."""
     area: Array
-    depth: Array
-    chamfer: Array
-    """Wetted length of the drawn facets on one side, m."""
-    width: Array
-    """Of the free surface, m."""
-    missing: Array
-    """Share of the weight that hydrostatic wall pressures do not carry."""
+    place: Array
+    """Share of the segment's length."""
+    wet: Wetting
+    wall_friction: Array
+    """μ."""
     friction: Array
     """μ_e."""
     normal: Array
@@ -52,7 +52,8 @@ def flight_profile(leg: Leg, flow: Array, distances: Array) -> Profile:
     velocity, slope = motion(leg.path, time)
     area = np.where(velocity > 0.0, flow / np.where(velocity > 0.0, velocity, 1.0), np.nan)
     none = np.full(time.shape, np.nan)
-    return Profile._make((leg.start.distance + distances, x, z, slope, velocity, time, area, *[none] * 6))
+    dry = Wetting(*[none] * len(Wetting._fields))
+    return Profile(leg.start.distance + distances, x, z, slope, velocity, time, area, none, dry, none, none, none)
 
 
 def slide_profile(leg: Leg, contact: ContactLeg, places: Array, shares: Array | None = None) -> Profile:
@@ -67,18 +68,20 @@ def slide_profile(leg: Leg, contact: ContactLeg, places: Array, shares: Array | 
     x, z, slope = point(contact.surface, places)
     velocity = np.sqrt(y)
     along = contact.surface.length * (places - contact.arrival.place)
-    columns = np.broadcast_to(np.arange(y.shape[1]), y.shape).ravel()
-    slide = contact.slide.rows(columns)
-    area = (contact.slide.flow / velocity).ravel()
-    facet = take_facet(slide.facets, wetted_facet(slide.facets, area))
+    slide = contact.slide
+    area = slide.area(y)
+    table = slide.facets_at(places)
+    facet = take_facet(table, wetted_facet(table, area))
     wet = wetting(facet, area)
-    normal = contact.slide.normal(places, y)
-    friction = equivalent_friction(slide.friction, wet.excess)
+    excess, _ = excess_friction(facet, area, slide.equilibrium)
+    normal = np.where(np.isnan(y), np.nan, slide.normal(places, y))
+    wall = np.where(np.isnan(y), np.nan, wall_friction(slide.wall, slide.density * np.maximum(normal, 0.0) * wet.depth))
+    friction = equivalent_friction(wall, excess)
     clock = leg.flight_time + time
-    rows = (area, wet.depth, wet.chamfer, wet.width, wet.missing, friction)
-    shaped = [np.where(np.isfinite(row), row, np.nan).reshape(y.shape) for row in rows]
-    normal = np.where(np.isnan(y), np.nan, normal)
-    return Profile._make((leg.entry.distance + along, x, z, slope, velocity, clock, *shaped, normal))
+    finite = [np.broadcast_to(np.where(np.isfinite(row), row, np.nan), y.shape) for row in (area, wall, friction, *wet)]
+    area, wall, friction, *wet_fields = finite
+    distance = leg.entry.distance + along
+    return Profile(distance, x, z, slope, velocity, clock, area, places, Wetting(*wet_fields), wall, friction, normal)
 
 
 def _flight_time(leg: Leg, distances: Array) -> Array:
@@ -132,7 +135,8 @@ def _clock(slide: Slide, piece: Piece) -> Array:
     width = piece.end - piece.start
     if piece.by_root:
         root = piece.start + width * own.nodes[:, None]
-        change, _ = place_rates(slide, take_facet(slide.facets, piece.facet), root, width, piece.knots[1:-1])
+        course = Course(slide, piece.facet, piece.piece)
+        change, _ = place_rates(course, root, width, piece.knots[1:-1])
         rate = slide.length * change / root**2
     else:
         rate = slide.length * width / np.sqrt(piece.knots[1:-1])

@@ -3,16 +3,21 @@
 Along the segment the independent variable is the place c, 0 at its drawn start and 1 at its drawn end, and the unknown
 y = v². Near rest that form is singular, so there r = √v is the independent variable and c the unknown: walls of every
 section pull with a force that is smooth in r down to r = 0, which makes a stall an ordinary end of a panel.
+
+The force is smooth as long as the surface stays on one facet of the section and the pressure on one piece of the wall's
+friction law: a :class:`Branch`. At the ends of branches it has kinks.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import take
+from chutecalc.design import select
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.motion import ROOF
-from chutecalc.physics.section import Facets, excess_friction
+from chutecalc.physics.section import Facets, Section, blend, facets, take_facet, take_row
+from chutecalc.physics.wall import Wall
+from chutecalc.physics.wetting import area_at_depth, depth_and_width, excess_friction
 
 
 class Slide(NamedTuple):
@@ -26,27 +31,34 @@ class Slide(NamedTuple):
     length: Array
     flow: Array
     """Volume rate Q, m³/s."""
-    friction: Array
-    """Wall friction μ."""
-    facets: Facets
-    choke_area: Array
+    density: Array
+    wall: Wall
+    section: Section
+    """Where the segment starts."""
+    end_section: Section | None
+    """Where a taper ends; None where the section stays."""
+    vertical_ratio: Array
+    """K_v."""
+    drawn: Facets
+    """Of ``section``."""
+    equilibrium: bool
+    """The friction law: wall pressures scaled to carry the weight, or the paper's."""
 
     def rows(self, index: Index) -> "Slide":
         """The same for some of the designs."""
-        table = self.facets
-        if table.area.shape[1] > 1:
-            table = Facets(*(np.ascontiguousarray(field[:, index]) for field in table))
-        return Slide(
-            self.side,
-            take(self.gravity, index),
-            take(self.entry_slope, index),
-            take(self.turn, index),
-            take(self.length, index),
-            take(self.flow, index),
-            take(self.friction, index),
-            table,
-            take(self.choke_area, index),
-        )
+        return select(self, index)
+
+    def section_at(self, place: Array) -> Section:
+        """The section at places, shape (..., designs)."""
+        return self.section if self.end_section is None else blend(self.section, self.end_section, place)
+
+    def facets_at(self, place: Array) -> Facets:
+        """The section's facets at places, shape (facets, ..., designs); without places where it stays the same."""
+        return self.drawn if self.end_section is None else facets(self.section_at(place), self.vertical_ratio)
+
+    def choke_area(self, place: Array) -> Array:
+        """Flow area at the wall height; infinite where none is given."""
+        return area_at_depth(self.facets_at(place), self.section_at(place).wall_height)
 
     def bend(self) -> Array:
         """σ κ, what v² adds to the normal acceleration, 1/m."""
@@ -61,63 +73,127 @@ class Slide(NamedTuple):
         slope = self.entry_slope + self.turn * place
         return self.side * self.gravity * np.cos(slope) + self.bend() * velocity_squared
 
+    def stress(self, place: Array, velocity_squared: Array, facet: Facets) -> Array:
+        """Pressure on the centre section that decides the wall friction, ρ n H, Pa."""
+        depth, _ = depth_and_width(facet, self.area(velocity_squared))
+        stress: Array = self.density * self.normal(place, velocity_squared) * depth
+        return np.where(velocity_squared > 0.0, stress, np.inf)
+
     def can_lose_contact(self) -> bool:
         """Whether any design has a crest or a hood here: everything else presses on its floor by weight alone."""
         return self.side == ROOF or bool((self.turn > 0.0).any())
 
 
+class Branch(NamedTuple):
+    """One smooth branch of the friction law, at places: a facet of the section and a piece of the wall's friction."""
+
+    facet: Facets
+    slope: Array
+    """dτ/dσ of the piece."""
+    adhesion: Array | None
+    """τ(0) of the piece over the density, m²/s²; None where no piece has any."""
+
+
+class Course:
+    """The branches that n designs follow on a panel, at whatever place they are asked for."""
+
+    def __init__(self, slide: Slide, facet: Index, piece: Index) -> None:
+        self.slide, self.rows = slide, facet
+        self.slope = take_row(slide.wall.slopes, piece)
+        sticky = slide.wall.intercepts.any()
+        self.adhesion = take_row(slide.wall.intercepts, piece) / slide.density if sticky else None
+        self.fixed = Branch(take_facet(slide.drawn, facet), self.slope, self.adhesion)
+
+    def at(self, place: Array) -> Branch:
+        """The branches at places, shape (..., designs)."""
+        if self.slide.end_section is None:
+            return self.fixed
+        return Branch(take_facet(self.slide.facets_at(place), self.rows), self.slope, self.adhesion)
+
+
 class Field(NamedTuple):
     """What the equation needs at given places of a panel, whatever the velocity there."""
 
+    branch: Branch
     drive: Array
     """2 h g sin a, with h the panel's length in m."""
     press: Array
-    """σ g cos a."""
+    """μ σ g cos a."""
     scale: Array
-    """2 h μ."""
+    """2 h."""
     bend: Array
+    """μ σ κ."""
 
 
-def field(slide: Slide, place: Array, width: Array) -> Field:
+def field(course: Course, place: Array, width: Array) -> Field:
     """The field at places, shape (nodes, designs) or (nodes, 1), of panels of a width in c."""
+    slide, branch = course.slide, course.at(place)
     slope = slide.entry_slope + slide.turn * place
     doubled = 2.0 * width * slide.length
     return Field(
+        branch,
         doubled * slide.gravity * np.sin(slope),
-        slide.side * slide.gravity * np.cos(slope),
-        doubled * slide.friction,
-        slide.bend(),
+        branch.slope * slide.side * slide.gravity * np.cos(slope),
+        doubled,
+        branch.slope * slide.bend(),
     )
 
 
-def rates(slide: Slide, facet: Facets, at: Field, y: Array) -> tuple[Array, Array]:
-    """Dy over the panel's width and its derivative to y: dy/ds = 2 [g sin a - μ (1 + χ) n]."""
-    chi, growth = excess_friction(facet, slide.area(y))
-    n = at.press + at.bend * y
-    load = 1.0 + chi
-    drag = at.scale * load
-    return at.drive - drag * n, at.scale * growth * n / (2.0 * y) - drag * at.bend
+def rates(slide: Slide, at: Field, y: Array) -> tuple[Array, Array]:
+    """Dy over the panel's width and its derivative to y: dy/ds = 2 [g sin a - (1 + χ) τ n/σ]."""
+    branch, area = at.branch, slide.area(y)
+    chi, growth = excess_friction(branch.facet, area, slide.equilibrium)
+    hold = at.press + at.bend * y  # μ_w n
+    hold_growth = at.bend
+    if branch.adhesion is not None:
+        depth, width = depth_and_width(branch.facet, area)
+        stuck = branch.adhesion / depth
+        hold, hold_growth = hold + stuck, hold_growth + stuck * area / (2.0 * y * width * depth)
+    drag = at.scale * (1.0 + chi)
+    return at.drive - drag * hold, at.scale * growth * hold / (2.0 * y) - drag * hold_growth
 
 
-def frozen_rates(slide: Slide, facet: Facets, at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
+def frozen_rates(slide: Slide, at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
     """The same with μ_e kept at its value for y0: linear in y, solved exactly by one Newton step from anywhere.
 
     Close enough to start Newton from; exact where friction is constant.
     """
-    chi, _ = excess_friction(facet, slide.area(y0))
+    area = slide.area(y0)
+    chi, _ = excess_friction(at.branch.facet, area, slide.equilibrium)
     drag = at.scale * (1.0 + chi)
-    return at.drive - drag * (at.press + at.bend * y), np.broadcast_to(-drag * at.bend, y.shape)
+    hold = at.press + at.bend * y
+    if at.branch.adhesion is not None:
+        hold = hold + at.branch.adhesion / depth_and_width(at.branch.facet, area)[0]
+    return at.drive - drag * hold, np.broadcast_to(-drag * at.bend, y.shape)
 
 
-def place_rates(slide: Slide, facet: Facets, root: Array, width: Array, place: Array) -> tuple[Array, Array]:
+TAPER_STEP = 1e-6
+"""Of the segment's length: over which a taper's own change is taken, for Newton's derivative alone."""
+
+
+def place_rates(course: Course, root: Array, width: Array, place: Array) -> tuple[Array, Array]:
     """Dc over a panel in r = √v of a width, and its derivative to c: dc/dr = 4 r³/(dy/dc)."""
-    slope = slide.entry_slope + slide.turn * place
     y = root**4
-    chi, _ = excess_friction(facet, slide.area(y))
-    drag = slide.friction * (1.0 + chi)
-    sine, cosine = np.sin(slope), np.cos(slope)
-    pull = 2.0 * slide.length * slide.gravity
-    press = slide.side * cosine + slide.bend() / slide.gravity * y
-    change = pull * (sine - drag * press)  # dy/dc
+    change, growth = _pull(course, place, y)
+    if course.slide.end_section is not None:
+        ahead, behind = (_pull(course, place + step, y)[0] for step in (TAPER_STEP, -TAPER_STEP))
+        growth = (ahead - behind) / (2.0 * TAPER_STEP)
     rate = 4.0 * width * root**3 / change
-    return rate, -rate * pull * slide.turn * (cosine + drag * slide.side * sine) / change
+    return rate, -rate * growth / change
+
+
+def _pull(course: Course, place: Array, y: Array) -> tuple[Array, Array]:
+    """dy/dc at places, and its derivative to c where the section stays the same."""
+    slide, branch = course.slide, course.at(place)
+    slope = slide.entry_slope + slide.turn * place
+    area = slide.area(y)
+    chi, _ = excess_friction(branch.facet, area, slide.equilibrium)
+    drag = branch.slope * (1.0 + chi)
+    sine, cosine = np.sin(slope), np.cos(slope)
+    doubled = 2.0 * slide.length * slide.gravity
+    press = slide.side * cosine + slide.bend() / slide.gravity * y
+    pull = sine - drag * press
+    if branch.adhesion is not None:
+        depth, _ = depth_and_width(branch.facet, area)
+        pull = pull - (1.0 + chi) * branch.adhesion / (slide.gravity * depth)
+    return doubled * pull, doubled * slide.turn * (cosine + drag * slide.side * sine)

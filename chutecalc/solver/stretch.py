@@ -11,9 +11,9 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.physics.section import take_facet
+from chutecalc.solver.collocation import rule
 from chutecalc.solver.crossing import LEVEL, first_crossing
-from chutecalc.solver.front import DEEPER, RUNNING, SHALLOWER, Effort, Front, Piece, Trial
+from chutecalc.solver.front import CHOKE, END, RUNNING, Effort, Front, Piece, Trial
 from chutecalc.solver.panel import panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, rates
 
@@ -34,6 +34,12 @@ class Stretch(NamedTuple):
     """After a choke: c where the stream would stop, 1 where it would run on; NaN else."""
     pieces: list[Piece]
 
+    @classmethod
+    def standing(cls, place: Array, velocity_squared: Array, error: Array) -> "Stretch":
+        """Designs that go no way on the segment, and are well."""
+        status = np.full(place.shape, Status.OK)
+        return cls(status, place, velocity_squared, error, np.full(place.shape, np.nan), [])
+
 
 def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Array, effort: Effort) -> Stretch:
     """Carries n streams along one contact segment.
@@ -53,7 +59,7 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     """
     front = Front(slide, place, velocity_squared, error, effort)
     running = np.arange(len(place))
-    if front.watched:
+    if front.events:
         _start_events(front, running)
         running = np.flatnonzero(front.status == RUNNING)
     _advance(front, running, False, front.limit[running], effort.first, effort.tolerance, True)
@@ -76,27 +82,29 @@ def _start_events(front: Front, rows: Index) -> None:
     """Streams that have no contact where they enter, or stand above the wall there."""
     slide = front.slide
     lost = slide.normal(front.place, front.y) < -LEVEL * slide.gravity
-    choked = slide.area(front.y) > slide.choke_area * (1.0 + LEVEL)
-    front.happen(rows[choked & ~lost], np.full(int((choked & ~lost).sum()), DEEPER))
+    choked = slide.area(front.y) > slide.choke_area(front.place) * (1.0 + LEVEL)
+    front.happen(rows[choked & ~lost], np.full(int((choked & ~lost).sum()), CHOKE))
     front.status[lost] = Status.CONTACT_LOST
 
 
 def _change(front: Front, rows: Index) -> Array:
     """dy/dc where the designs stand."""
-    slide, facet = front.slide.rows(rows), front.facet[rows]
-    at = field(slide, front.place[rows], np.ones(1))
-    change, _ = rates(slide, take_facet(slide.facets, facet), at, front.y[rows])
+    course = front.course(rows)
+    change, _ = rates(course.slide, field(course, front.place[rows], np.ones(1)), front.y[rows])
     return change
 
 
 def _cross_boundaries(front: Front, rows: Index, change: Array) -> bool:
-    """Takes designs that stand at a boundary of their facet, on their way out of it, over to the next."""
-    slowest, fastest, _ = front.velocity_bounds(rows)
-    velocity = np.sqrt(front.y[rows])
-    deeper = (change < 0.0) & (velocity <= slowest * (1.0 + LEVEL))
-    shallower = (change > 0.0) & (velocity >= fastest * (1.0 - LEVEL))
-    leaving = deeper | shallower
-    front.happen(rows[leaving], np.where(deeper, DEEPER, SHALLOWER)[leaving])
+    """Takes designs that stand at an event, on their way into it, beyond it."""
+    if not front.events:
+        return False
+    place, y, step = front.place[rows], front.y[rows], 1e-6
+    here = front.margins(rows, place, y, False)
+    along = front.margins(rows, place + step, y, False) - here  # 0 but on tapers, and where pressure or contact counts
+    faster = front.margins(rows, place, y * (1.0 + step), False) - here
+    into = (here <= LEVEL) & (along + faster * change / y < 0.0)
+    leaving = into.any(axis=0)
+    front.happen(rows[leaving], np.array(front.events)[into.argmax(axis=0)[leaving]])
     return bool(leaving.any())
 
 
@@ -109,7 +117,7 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
     place, y = front.place[rows], front.y[rows]
     rest = front.limit[rows] - place
     scale = np.abs(y / change)
-    slowest, fastest, _ = front.velocity_bounds(rows)
+    slowest, fastest = front.velocity_bounds(rows)
     fresh = ~front.tired[rows]
     stopping = fresh & (change < 0.0) & (scale < 0.5 * rest)
     starting = fresh & (change > 0.0) & (scale < 0.2 * rest)
@@ -135,15 +143,14 @@ def _advance(
         chunk = rows[first : first + block]
         pad = np.minimum(np.arange(-(-len(chunk) // 8) * 8), len(chunk) - 1)
         padded, end = chunk[pad], target[first : first + block][pad]
-        slide = front.slide.rows(padded)
-        facet = take_facet(slide.facets, front.facet[padded])
+        course = front.course(padded)
         place, y = front.place[padded], front.y[padded]
         if by_root:
             start = np.sqrt(np.sqrt(y))
-            panel = panel_by_root(slide, facet, start, end - start, place, pair)
+            panel = panel_by_root(course, start, end - start, place, pair)
         else:
             start = place
-            panel = panel_by_place(slide, facet, start, end - start, y, pair, whole)
+            panel = panel_by_place(course, start, end - start, y, pair, whole)
         good = panel.error <= tolerance
         if front.effort.complete:
             good &= panel.inner_error <= front.effort.inner_tolerance
@@ -156,12 +163,16 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     good = trial.good[:count]
     if not good.all():
         front.retreat(rows[~good], trial.by_root, (end - start)[~good])
-    if not (front.watched or trial.by_root):
+    if not (front.events or trial.by_root):
         front.accept(trial, np.flatnonzero(good))
         return
-    margins = front.margins(trial)
+    along = trial.start + rule(len(trial.panel.knots) - 2).knots[:, None] * (trial.end - trial.start)
+    along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left
+    place, y = (trial.panel.knots, along**4) if trial.by_root else (along, trial.panel.knots)
+    margins = front.margins(trial.rows, place, y, trial.by_root)
+    events = np.array([*front.events, END])
     crossings = np.stack([first_crossing(margin)[:count] for margin in margins])
-    cut, event = crossings.min(axis=0), crossings.argmin(axis=0)
+    cut, event = crossings.min(axis=0), events[crossings.argmin(axis=0)]
     inside = good & (cut < 1.0) & (cut > 0.0)
     front.aim[rows[inside]] = (start + cut * (end - start))[inside]
     front.aim_by_root[rows[inside]] = trial.by_root
@@ -171,7 +182,7 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     front.accept(trial, whole)
     ends = ((margins[:, -1] <= LEVEL) & (margins[:, -1] < margins[:, 0]))[:, whole]
     hit = ends.any(axis=0)
-    front.happen(rows[whole][hit], ends.argmax(axis=0)[hit])
+    front.happen(rows[whole][hit], events[ends.argmax(axis=0)[hit]])
 
 
 def _result(front: Front) -> Stretch:

@@ -1,15 +1,18 @@
 """A checked spec as numbers: names resolved, units in SI, slopes along the chain, and the faults of geometry."""
 
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Segment
+from chutecalc.design import Belt, Contact, Design, Fall, Receiver, Segment
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.belt import discharge
 from chutecalc.physics.motion import FLOOR, ROOF
 from chutecalc.physics.pressure import vertical_pressure_ratio
-from chutecalc.physics.section import Facets, Polygon, area_at_depth, facets
+from chutecalc.physics.section import Circle, Facets, Polygon, Section, facets
+from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.spec import model
 from chutecalc.spec.faults import PlacedFault
 from chutecalc.spec.file import Place
@@ -56,6 +59,11 @@ def segment_names(spec: model.ChuteSpec) -> list[str]:
     return names
 
 
+def _optional(length: Any) -> Array | None:
+    """A length that may be absent."""
+    return None if length is None else _array(length, "length")
+
+
 def _array(value: Any, dimension: str) -> Array:
     """A number of the spec in SI, of length 1 or n."""
     return np.atleast_1d(np.asarray(to_si(value, dimension), dtype=np.float64))
@@ -73,65 +81,97 @@ class _Geometry:
 
     def design(self) -> Design:
         """The design; of no use where there are faults."""
-        material, flow, inlet = self.spec.material, self.spec.flow, self.spec.inlet
+        material, flow = self.spec.material, self.spec.flow
         friction = None if material.internal_friction_deg is None else _array(material.internal_friction_deg, "angle")
         if material.pressure_ratio is not None:
             ratio = _array(material.pressure_ratio, "number")
         else:
             assert friction is not None  # the material's own rule
             ratio = vertical_pressure_ratio(friction)
+        velocity, slope, place, belt = self.inlet()
         return Design(
             mass_rate=_array(flow.rate_t_h, "mass rate"),
             density=_array(material.density_kg_m3, "density"),
             gravity=_array(flow.gravity_m_s2, "acceleration"),
             internal_friction=friction,
             vertical_ratio=ratio,
-            inlet_velocity=_array(inlet.velocity_m_s, "velocity"),
-            inlet_slope=_array(inlet.slope_deg, "angle"),
-            segments=self.segments(ratio),
+            equilibrium=self.spec.model.friction_law == "equilibrium",
+            inlet_place=place,
+            inlet_velocity=velocity,
+            inlet_slope=slope,
+            belt=belt,
+            receiver=self.receiver(),
+            segments=self.segments(ratio, velocity, slope),
         )
 
-    def segments(self, ratio: Array) -> tuple[Segment, ...]:
+    def inlet(self) -> tuple[Array, Array, tuple[Array, Array], Belt | None]:
+        """Velocity, slope and place of the stream where it enters, and the belt it comes from."""
+        inlet = self.spec.inlet
+        x, z = (_array(item, "length") for item in inlet.at_m)
+        if inlet.belt is None:
+            return _array(inlet.velocity_m_s, "velocity"), _array(inlet.slope_deg, "angle"), (x, z), None
+        velocity, incline = _array(inlet.belt.velocity_m_s, "velocity"), _array(inlet.belt.incline_deg, "angle")
+        lower = _array(inlet.belt.pulley_radius_m, "length") + _array(inlet.belt.belt_thickness_m, "length")
+        middle = lower + 0.5 * _array(inlet.belt.material_depth_m, "length")
+        leaves = discharge(velocity, incline, middle, _array(self.spec.flow.gravity_m_s2, "acceleration"))
+        belt = Belt((x, z), velocity, incline, lower, middle)
+        return velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
+
+    def receiver(self) -> Receiver | None:
+        """The belt below, if there is one."""
+        belt = self.spec.receiver
+        if belt is None:
+            return None
+        friction = np.tan(_array(belt.friction_deg, "angle"))
+        return Receiver(_array(belt.velocity_m_s, "velocity"), _array(belt.slope_deg, "angle"), friction)
+
+    def segments(self, ratio: Array, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
         """The segments, each with the slope at which it is drawn."""
         sections = {name: self.section(name, section) for name, section in self.spec.sections.items()}
         tables = {name: facets(section, ratio) for name, section in sections.items()}
-        velocity = _array(self.spec.inlet.velocity_m_s, "velocity")
+        walls = {name: self.wall(liner) for name, liner in self.spec.liners.items()}
         if (velocity == 0.0).any() and self.spec.segments[0].kind != "fall":
             remedy = "give a velocity, or begin with a fall"
             self.fault(("inlet", "velocity_m_s"), self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
-        resting = bool((velocity == 0.0).all())
-        slope: Array | None = VERTICAL if resting else _array(self.spec.inlet.slope_deg, "angle")
+        slope: Array | None = VERTICAL if (velocity == 0.0).all() else inlet_slope
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
             if isinstance(segment, model.Fall):
-                built.append(Fall(name, segment.kind, _array(segment.drop_m, "length")))
-                slope = slope if slope is not None and (slope == np.pi / 2).all() else None
+                vertical = slope is not None and bool((slope == np.pi / 2).all())
+                if vertical and segment.run_m is not None:
+                    problem = "is never reached: the stream falls straight down"
+                    self.fault(("segments", number, "run_m"), segment.run_m, problem, "give drop_m")
+                drop, run = _optional(segment.drop_m), _optional(segment.run_m)
+                built.append(Fall(name, segment.kind, drop, run))
+                slope = VERTICAL if vertical else None
                 continue
             follows = self.drawn_slopes.get(number) if slope is None else slope
-            contact = self.contact(("segments", number), name, segment, follows, sections, tables)
+            contact = self.contact(("segments", number), name, segment, follows, sections, tables, walls)
             built.append(contact)
-            slope = contact.exit_slope
+            slope = None if segment.kind == "plate" else contact.exit_slope
         return tuple(built)
 
     def contact(
         self,
         place: Place,
         name: str,
-        segment: model.Straight | model.Arc,
+        segment: model.Flat | model.Arc,
         slope: Array | None,
-        sections: dict[str, Polygon],
+        sections: dict[str, Section],
         tables: dict[str, Facets],
+        walls: dict[str, Wall],
     ) -> Contact:
         """A guiding segment that follows a slope; None where that is the stream's."""
-        section = segment.section or next(iter(sections))
-        liner = self.spec.liners[segment.liner or next(iter(self.spec.liners))]
+        section, end_section = self.named_sections(place, segment, sections)
+        liner = segment.liner or next(iter(self.spec.liners))
         radius: Array | None = None
         length: Array | None = None
         entry: Array | None
-        if isinstance(segment, model.Straight):
+        if isinstance(segment, model.Straight | model.Plate):
             entry = exit_ = _array(segment.slope_deg, "angle")
             length = self.straight_length(place, segment, exit_)
         else:
+            assert isinstance(segment, model.Arc)
             radius = _array(segment.radius_m, "length")
             exit_ = _array(segment.to_slope_deg, "angle")
             entry = slope if segment.from_slope_deg is None else _array(segment.from_slope_deg, "angle")
@@ -139,19 +179,53 @@ class _Geometry:
         return Contact(
             name=name,
             kind=segment.kind,
-            side=ROOF if isinstance(segment, model.Hood) else FLOOR,
+            side=ROOF if segment.kind in ("hood", "plate") else FLOOR,
             entry_slope=entry,
             exit_slope=exit_,
             radius=radius,
             length=length,
+            start=None
+            if segment.start_m is None
+            else (_array(segment.start_m[0], "length"), _array(segment.start_m[1], "length")),
             section=sections[section],
+            end_section=None if end_section is None else sections[end_section],
             facets=tables[section],
-            choke_area=area_at_depth(tables[section], sections[section].wall_height),
-            wall_friction=np.tan(_array(liner.friction_deg, "angle")),
+            wall=walls[liner],
+            slip_ratio=_array(self.spec.liners[liner].slip_ratio, "number"),
         )
 
-    def straight_length(self, place: Place, segment: model.Straight, slope: Array) -> Array:
-        """Length of a straight, from whichever of its three measures is given."""
+    def named_sections(
+        self, place: Place, segment: model.Guided, sections: dict[str, Section]
+    ) -> tuple[str, str | None]:
+        """Names of the sections at the start and, along a taper, at the end."""
+        if not isinstance(segment.section, list):
+            return segment.section or next(iter(sections)), None
+        first, last = segment.section
+        one, other = self.spec.sections[first], self.spec.sections[last]
+        alike = type(one) is type(other) and one.model_fields_set == other.model_fields_set
+        if isinstance(one, model.Faceted) and isinstance(other, model.Faceted):
+            alike = alike and len(one.facets) == len(other.facets)
+        if not alike:
+            problem = f"tapers from {first} to {last}, which differ in more than numbers"
+            self.fault((*place, "section"), None, problem, "give both the same shape and the same keys")
+            return first, None
+        return first, last if last != first else None
+
+    def wall(self, liner: model.Liner) -> Wall:
+        """The friction law of a liner."""
+        if liner.friction_deg is not None:
+            return constant_wall(np.tan(_array(liner.friction_deg, "angle")))
+        strength = np.sin(_array(self.spec.material.internal_friction_deg, "angle"))
+        if liner.yield_locus_kpa is None:
+            return constant_wall(strength)
+        columns = zip(*liner.yield_locus_kpa, strict=True)
+        normal, shear = (
+            np.stack(np.broadcast_arrays(*(_array(item, "pressure") for item in column))) for column in columns
+        )
+        return yield_locus(normal, shear, strength)
+
+    def straight_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
+        """Length of a flat segment, from whichever of its three measures is given."""
         if segment.length_m is not None:
             return _array(segment.length_m, "length")
         if segment.drop_m is not None:
@@ -159,7 +233,7 @@ class _Geometry:
                 self.fault(
                     (*place, "drop_m"), segment.drop_m, "gives a level segment no length", "give length_m or run_m"
                 )
-            return _array(segment.drop_m, "length") / np.where(slope > 0.0, np.sin(slope), 1.0)
+            return _array(segment.drop_m, "length") / np.where(slope != 0.0, np.abs(np.sin(slope)), 1.0)
         if (slope == np.pi / 2).any():
             self.fault(
                 (*place, "run_m"), segment.run_m, "gives a vertical segment no length", "give length_m or drop_m"
@@ -181,11 +255,15 @@ class _Geometry:
                 key, segment.to_slope_deg, f"leaves the curve no length: it begins at {start}", "give another slope"
             )
 
-    def section(self, name: str, section: model.Section) -> Polygon:
-        """A cross-section as a polygon."""
+    def section(self, name: str, section: model.Section) -> Section:
+        """A cross-section in numbers."""
         wall = np.array([np.inf]) if section.wall_height_m is None else _array(section.wall_height_m, "length")
+        if isinstance(section, model.Circular):
+            return Circle(_array(section.radius_m, "length"), wall)
         if isinstance(section, model.Rectangular):
             return Polygon(_array(section.width_m, "length"), (), (), wall)
+        if isinstance(section, model.Faceted):
+            return self.faceted(("sections", name, "facets"), section, wall)
         assert isinstance(section, model.Chamfered | model.Vee)
         base = _array(section.base_m, "length") if isinstance(section, model.Chamfered) else np.zeros(1)
         angle = _array(section.chamfer_deg, "angle")
@@ -196,3 +274,23 @@ class _Geometry:
             )
         top = np.array([np.inf]) if section.chamfer_m is None else _array(section.chamfer_m, "length")
         return Polygon(base, (top,), (angle,), wall)
+
+    def faceted(self, place: Place, section: model.Faceted, wall: Array) -> Polygon:
+        """Facets from the centre outwards; those that are level in all designs are the centre section."""
+        lengths = [_array(facet.length_m, "length") for facet in section.facets]
+        slopes = [_array(facet.slope_deg, "angle") for facet in section.facets]
+        for number, (lower, upper) in enumerate(pairwise(slopes), 2):
+            if (upper < lower).any():
+                value = section.facets[number - 1].slope_deg
+                problem = "is flatter than the facet before it"
+                self.fault((*place, number - 1, "slope_deg"), value, problem, "order them from the centre outwards")
+        if (slopes[-1] == 0.0).any():
+            self.fault(place, None, "are all level, and hold no stream", "add one that rises")
+        if (slopes[0] == np.pi / 2).any():
+            value, problem = section.facets[0].slope_deg, "leaves the section no width"
+            self.fault((*place, 0, "slope_deg"), value, problem, "begin with a facet that is less steep")
+        base = np.zeros(1)
+        while len(slopes) > 1 and (slopes[0] == 0.0).all():
+            base = base + 2.0 * lengths.pop(0)
+            slopes.pop(0)
+        return Polygon(base, tuple(lengths), tuple(slopes), wall)

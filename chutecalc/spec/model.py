@@ -1,11 +1,20 @@
 """The spec as pydantic models: bounds, meaning and units in one place, for checks, schema and docs."""
 
-from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from chutecalc.spec.quantity import Number, Quantity, Rule, Table
+from chutecalc.spec.quantity import Number, Quantity, Table
+from chutecalc.spec.rules import (
+    GUIDED,
+    known_strength,
+    locus_rows,
+    names,
+    one_inlet,
+    one_of,
+    placement,
+    some_friction,
+)
 
 Length = Annotated[Number, Quantity("length", gt=0)]
 Depth = Annotated[Number, Quantity("length", ge=0)]
@@ -14,27 +23,6 @@ Slope = Annotated[Number, Quantity("angle", gt=-90, le=90)]
 FrictionAngle = Annotated[Number, Quantity("angle", ge=0, lt=90)]
 ChamferAngle = Annotated[Number, Quantity("angle", gt=0, le=90)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_-]*$")]
-
-
-def one_of(*keys: str) -> Any:
-    """The rule that exactly one of some keys is given."""
-
-    def rule(table: dict[str, Any]) -> Iterator[Rule]:
-        given = [key for key in keys if key in table]
-        if len(given) != 1:
-            names = ", ".join(keys)
-            problem = f"is one too many: give only one of {names}" if given else f"is missing: give one of {names}"
-            yield Rule((given[-1] if given else keys[0],), problem, "remove the others" if given else f"add {keys[0]}")
-
-    return rule
-
-
-def _some_friction(table: dict[str, Any]) -> Iterator[Rule]:
-    if "internal_friction_deg" not in table and "pressure_ratio" not in table:
-        problem = "internal_friction_deg or pressure_ratio is needed"
-        yield Rule(
-            ("internal_friction_deg",), problem, "add internal_friction_deg, the effective angle of internal friction"
-        )
 
 
 class Flow(Table):
@@ -53,13 +41,23 @@ class Material(Table):
     pressure_ratio: Annotated[Number, Quantity("number", gt=0, le=1)] = Field(
         None, description="K_v, pressure on a vertical wall over that on the centre section, instead of what δ gives"
     )
-    rules: ClassVar = (_some_friction,)
+    rules: ClassVar = (some_friction,)
 
 
 class Liner(Table):
     """What the stream slides on."""
 
-    friction_deg: FrictionAngle = Field(description="wall friction angle")
+    friction_deg: FrictionAngle = Field(None, description="wall friction angle")
+    yield_locus_kpa: Annotated[Any, Quantity("pressure", ge=0, shape=(None, 2))] = Field(
+        None, description="measured instead: rows of normal and shear stress; beyond them the end slopes go on"
+    )
+    own_material: Literal[True] | None = Field(
+        None, description="instead: the material slides on itself, as in a rock box"
+    )
+    slip_ratio: Annotated[Number, Quantity("number", gt=0, le=1)] = Field(
+        1.0, description="slip velocity at the wall over mean velocity, for wear"
+    )
+    rules: ClassVar = (one_of("friction_deg", "yield_locus_kpa", "own_material"), locus_rows)
 
 
 class Section(Table):
@@ -92,14 +90,72 @@ class Vee(Section):
     chamfer_m: Length = Field(None, description="length of a flank; vertical walls above it; no top without it")
 
 
-AnySection = Annotated[Rectangular | Chamfered | Vee, Field(discriminator="shape")]
+class Circular(Section):
+    """The lower half of a circle, vertical walls above it."""
+
+    shape: Literal["circular"]
+    radius_m: Length = Field(description="of the circle")
+
+
+class Facet(Table):
+    """A flat wall."""
+
+    length_m: Length = Field(description="along the section")
+    slope_deg: Annotated[Number, Quantity("angle", ge=0, le=90)] = Field(description="from the plane of the section")
+
+
+class Faceted(Section):
+    """Flat walls one above the other."""
+
+    shape: Literal["facets"]
+    facets: list[Facet] = Field(
+        min_length=1, description="of one side, from the centre outwards, none flatter than the one before"
+    )
+
+
+AnySection = Annotated[Rectangular | Chamfered | Vee | Circular | Faceted, Field(discriminator="shape")]
+
+
+class Belt(Table):
+    """The belt that the stream comes from."""
+
+    velocity_m_s: Annotated[Number, Quantity("velocity", gt=0)] = Field(description="of the belt")
+    incline_deg: Annotated[Number, Quantity("angle", gt=-90, lt=90)] = Field(0.0, description="positive uphill")
+    pulley_radius_m: Length = Field(description="of the head pulley")
+    belt_thickness_m: Depth = Field(0.0, description="of the belt")
+    material_depth_m: Depth = Field(0.0, description="of the stream on it; its middle is followed")
 
 
 class Inlet(Table):
     """How the stream enters."""
 
-    velocity_m_s: Annotated[Number, Quantity("velocity", ge=0)] = Field(description="of the stream, along slope_deg")
-    slope_deg: Slope = Field(description="of the stream below horizontal; 90 falls straight down")
+    velocity_m_s: Annotated[Number, Quantity("velocity", ge=0)] = Field(
+        None, description="of the stream, along slope_deg"
+    )
+    slope_deg: Slope = Field(None, description="of the stream below horizontal; 90 falls straight down")
+    belt: Belt | None = Field(None, description="instead: the belt that it comes from")
+    at_m: Annotated[Any, Quantity("length", shape=(2,))] = Field(
+        [0.0, 0.0], description="x and z of where it enters, or of the pulley's centre"
+    )
+    rules: ClassVar = (one_inlet,)
+
+
+class Receiver(Table):
+    """The belt that the stream goes to."""
+
+    velocity_m_s: Annotated[Number, Quantity("velocity", gt=0)] = Field(description="of the belt")
+    slope_deg: Annotated[Number, Quantity("angle", gt=-90, lt=90)] = Field(0.0, description="of the belt, downhill")
+    friction_deg: FrictionAngle = Field(description="of the material on the belt")
+
+
+class Model(Table):
+    """Which model is used."""
+
+    friction_law: Literal["paper", "equilibrium"] = Field(
+        "paper",
+        description="load that hydrostatic wall pressures do not carry is laid on the centre section (paper), or all"
+        " wall pressures are scaled until they carry it (equilibrium)",
+    )
 
 
 class Segment(Table):
@@ -112,19 +168,36 @@ class Segment(Table):
 class Guided(Segment):
     """A segment that guides the stream."""
 
-    section: str | None = Field(None, description="its cross-section; not needed where there is one only")
+    section: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = Field(
+        None, description="its cross-section, or that at its start and at its end; not needed where there is one only"
+    )
     liner: str | None = Field(None, description="its liner; not needed where there is one only")
+    start_m: Annotated[Any, Quantity("length", shape=(2,))] = Field(
+        None, description="x and z of where it is drawn from, after a fall that goes onto_next"
+    )
 
 
-class Straight(Guided):
+class Flat(Guided):
+    """A flat guiding surface."""
+
+    length_m: Length = Field(None, description="along it")
+    drop_m: Length = Field(None, description="its height, instead of its length")
+    run_m: Length = Field(None, description="its horizontal length, instead of its length")
+    rules: ClassVar = (one_of("length_m", "drop_m", "run_m"),)
+
+
+class Straight(Flat):
     """An inclined chute."""
 
     kind: Literal["straight"]
     slope_deg: FloorSlope = Field(description="below horizontal")
-    length_m: Length = Field(None, description="along the floor")
-    drop_m: Length = Field(None, description="its height, instead of its length")
-    run_m: Length = Field(None, description="its horizontal length, instead of its length")
-    rules: ClassVar = (one_of("length_m", "drop_m", "run_m"),)
+
+
+class Plate(Flat):
+    """A flat roof that is struck and left."""
+
+    kind: Literal["plate"]
+    slope_deg: Slope = Field(description="below horizontal")
 
 
 class Arc(Guided):
@@ -151,44 +224,15 @@ class Fall(Segment):
     """Free flight."""
 
     kind: Literal["fall"]
-    drop_m: Length = Field(description="from the end of the segment before it, or from the inlet, down to its own end")
+    drop_m: Length = Field(None, description="from the drawn end of the segment before it, or the inlet, to its own")
+    run_m: Length = Field(None, description="its horizontal length, instead of its height")
+    onto_next: Literal[True] | None = Field(
+        None, description="instead: to where it meets the next segment, which has start_m"
+    )
+    rules: ClassVar = (one_of("drop_m", "run_m", "onto_next"),)
 
 
-GUIDED = ("straight", "curve", "hood")
-
-AnySegment = Annotated[Straight | Curve | Hood | Fall, Field(discriminator="kind")]
-
-
-def _names(table: dict[str, Any]) -> Iterator[Rule]:
-    """Sections and liners are named where there are several, and defined where they are named; segments are unique."""
-    segments = table.get("segments")
-    seen: dict[str, int] = {}
-    for number, segment in enumerate(segments if isinstance(segments, list) else []):
-        if not isinstance(segment, dict):
-            continue
-        place = ("segments", number)
-        name = segment.get("name")
-        if isinstance(name, str):
-            if name in seen:
-                yield Rule((*place, "name"), f"is the name of segment {seen[name]} too", "choose another name")
-            seen.setdefault(name, number + 1)
-        if segment.get("kind") in GUIDED:
-            yield from _reference(table, segment, place, "section", "sections")
-            yield from _reference(table, segment, place, "liner", "liners")
-
-
-def _reference(
-    table: dict[str, Any], segment: dict[str, Any], place: tuple[str | int, ...], key: str, kinds: str
-) -> Iterator[Rule]:
-    """One reference of a segment to the sections or liners."""
-    defined, named = table.get(kinds), segment.get(key)
-    if not isinstance(defined, dict) or not defined:
-        return
-    names = ", ".join(defined)
-    if named is None and len(defined) > 1:
-        yield Rule((*place, key), "is missing, and there are several", f"name one of {names}")
-    elif isinstance(named, str) and named not in defined:
-        yield Rule((*place, key), f"is not defined in [{kinds}]", f"name one of {names}, or add [{kinds}.{named}]")
+AnySegment = Annotated[Straight | Curve | Hood | Plate | Fall, Field(discriminator="kind")]
 
 
 class ChuteSpec(Table):
@@ -201,6 +245,11 @@ class ChuteSpec(Table):
     liners: dict[Name, Liner] = Field(min_length=1, description="by name")
     sections: dict[Name, AnySection] = Field(min_length=1, description="by name")
     inlet: Inlet
+    model: Model = Field(Model(), description="optional")
+    receiver: Receiver | None = Field(None, description="optional")
     segments: list[AnySegment] = Field(min_length=1, description="in the order in which the stream meets them")
-    rules: ClassVar = (_names,)
-    choices: ClassVar = {"kind": (*GUIDED, "fall"), "shape": ("rectangular", "chamfered", "vee")}
+    rules: ClassVar = (names, placement, known_strength)
+    choices: ClassVar = {
+        "kind": (*GUIDED, "fall"),
+        "shape": ("rectangular", "chamfered", "vee", "circular", "facets"),
+    }

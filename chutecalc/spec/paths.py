@@ -39,6 +39,9 @@ def _put(data: dict[str, Any], path: str, value: Any) -> Fault | None:
             return Fault(path, f"leads nowhere: {where} has no {item}", remedy, value_text(value))
         here = below
         done.append(item)
+    if isinstance(here, list) and key.isdigit() and 1 <= int(key) <= len(here):
+        here[int(key) - 1] = value
+        return None
     if not isinstance(here, dict) or not key:
         return Fault(path, "names no key", "use a path such as segments.1.drop_m", value_text(value))
     for name in _same_quantity(key):

@@ -15,7 +15,10 @@ Number = float | Any
 
 
 class Quantity:
-    """Declares a field, ``Annotated[Number, Quantity("length", gt=0)]``; bounds in the dimension's first unit."""
+    """Declares a field, ``Annotated[Number, Quantity("length", gt=0)]``; bounds in the dimension's first unit.
+
+    With a ``shape`` it is a list of such numbers, (2,), or a list of lists, (None, 2); None stands for any count.
+    """
 
     def __init__(
         self,
@@ -25,8 +28,9 @@ class Quantity:
         ge: float | None = None,
         lt: float | None = None,
         le: float | None = None,
+        shape: tuple[int | None, ...] = (),
     ) -> None:
-        self.dimension = dimension
+        self.dimension, self.shape = dimension, shape
         self.bounds = {
             name: limit for name, limit in (("gt", gt), ("ge", ge), ("lt", lt), ("le", le)) if limit is not None
         }
@@ -35,7 +39,15 @@ class Quantity:
         return core_schema.no_info_plain_validator_function(self.check)
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        return {"type": "number", "x-dimension": self.dimension} | self.json_bounds(first_unit(self.dimension))
+        return {"x-dimension": self.dimension} | self.json_type(first_unit(self.dimension))
+
+    def json_type(self, unit: str) -> dict[str, Any]:
+        """What JSON Schema says of the value in one of the dimension's units."""
+        described: dict[str, Any] = {"type": "number"} | self.json_bounds(unit)
+        for count in reversed(self.shape):
+            counts = {} if count is None else {"minItems": count, "maxItems": count}
+            described = {"type": "array", "items": described} | counts
+        return described
 
     def json_bounds(self, unit: str) -> dict[str, float]:
         """The bounds as JSON Schema names them, in one of the dimension's units."""
@@ -48,7 +60,18 @@ class Quantity:
         return {name: convert(limit, self.dimension, start, unit) for name, limit in self.bounds.items()}
 
     def check(self, value: Any) -> Any:
-        """The number as a float, or the array; a fault where it is none, not finite, or out of bounds."""
+        """The number as a float, or the array, or lists of them; a fault where one is none, or out of bounds."""
+        return self._checked(value, self.shape)
+
+    def _checked(self, value: Any, shape: tuple[int | None, ...]) -> Any:
+        if shape:
+            count = shape[0]
+            if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
+                raise PydanticCustomError("quantity", f"has to be {_LISTS[self.shape]}, each")
+            return [self._checked(item, shape[1:]) for item in value]
+        return self._number(value)
+
+    def _number(self, value: Any) -> Any:
         if isinstance(value, np.ndarray):
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float):
@@ -72,6 +95,17 @@ class Quantity:
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
         shown = "°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip()
         return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.limits(unit).items())
+
+
+_LISTS = {(2,): "a list of two numbers", (None, 2): "a list of rows of two numbers"}
+
+
+def _converted(value: Any, dimension: str, unit: str) -> Any:
+    """Numbers, also in lists, in the dimension's first unit; what is none stays for the check to find."""
+    if isinstance(value, list | tuple):
+        return [_converted(item, dimension, unit) for item in value]
+    number = isinstance(value, int | float | np.ndarray) and not isinstance(value, bool)
+    return convert(value, dimension, unit, first_unit(dimension)) if number else value
 
 
 class Rule(NamedTuple):
@@ -125,7 +159,7 @@ class Table(BaseModel):
         broken: list[Rule] = []
         table, written, meant = cls._in_first_units(data, broken)
         for rule in cls.rules:
-            broken += rule(table)
+            broken += [item for item in rule(table) if not (item.place[0] in meant and "missing" in item.problem)]
         details = [_detail(*rule) for rule in broken]
         try:
             model = handler(table)
@@ -157,12 +191,7 @@ class Table(BaseModel):
                 continue
             written[name] = key
             quantity = cls.quantities().get(name)
-            number = quantity and isinstance(value, int | float | np.ndarray) and not isinstance(value, bool)
-            table[name] = (
-                convert(value, quantity.dimension, unit, first_unit(quantity.dimension))
-                if number and quantity
-                else value
-            )
+            table[name] = _converted(value, quantity.dimension, unit) if quantity else value
         return table, written, meant
 
     @classmethod

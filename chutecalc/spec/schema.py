@@ -31,13 +31,8 @@ def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> N
         own.pop("default", None)
         names = twins(key, quantity.dimension)
         for name, unit in names.items():
-            bounds = quantity.json_bounds(unit)
-            kept = {
-                item: value
-                for item, value in own.items()
-                if item not in {"minimum", "maximum"} and "exclusive" not in item
-            }
-            definition["properties"][name] = kept | bounds
+            kept = {item: own[item] for item in ("description", "title", "x-dimension") if item in own}
+            definition["properties"][name] = kept | quantity.json_type(unit)
         one = [{"required": [name]} for name in names]
         if key in required:
             required.discard(key)

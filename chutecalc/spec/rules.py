@@ -1,0 +1,136 @@
+"""What has to go together in a table of a spec, beyond what each of its keys says."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from chutecalc.spec.quantity import Rule
+
+GUIDED = ("straight", "curve", "hood", "plate")
+
+
+def one_of(*keys: str) -> Any:
+    """The rule that exactly one of some keys is given."""
+
+    def rule(table: dict[str, Any]) -> Iterator[Rule]:
+        given = [key for key in keys if key in table]
+        if len(given) != 1:
+            names = ", ".join(keys)
+            problem = f"is one too many: give only one of {names}" if given else f"is missing: give one of {names}"
+            yield Rule((given[-1] if given else keys[0],), problem, "remove the others" if given else f"add {keys[0]}")
+
+    return rule
+
+
+def some_friction(table: dict[str, Any]) -> Iterator[Rule]:
+    """What the pressure on the walls follows from."""
+    if "internal_friction_deg" not in table and "pressure_ratio" not in table:
+        problem = "internal_friction_deg or pressure_ratio is needed"
+        yield Rule(
+            ("internal_friction_deg",), problem, "add internal_friction_deg, the effective angle of internal friction"
+        )
+
+
+def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
+    """A yield locus has two rows at least; normal stress rises from row to row, shear stress does not fall."""
+    rows = table.get("yield_locus_kpa")
+    if not isinstance(rows, list) or not all(isinstance(row, list) and len(row) == 2 for row in rows):
+        return  # said already
+    if not all(isinstance(item, int | float | np.ndarray) for row in rows for item in row):
+        return
+    if len(rows) < 2:
+        yield Rule(("yield_locus_kpa",), "has to have two rows at least", "add a row [normal stress, shear stress]")
+    for number, (one, other) in enumerate(pairwise(rows), 2):
+        if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
+            problem = f"falls at row {number}: normal stress has to rise from row to row, and shear stress not to fall"
+            yield Rule(("yield_locus_kpa",), problem, "sort the rows")
+    if rows and np.any(np.less_equal(rows[0][0], 0.0)):
+        yield Rule(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "leave that row out")
+
+
+def one_inlet(table: dict[str, Any]) -> Iterator[Rule]:
+    """A velocity along a slope, or a belt."""
+    for key, twins in (("velocity_m_s", "velocity_m_s or velocity_fpm or velocity_ft_s"), ("slope_deg", "slope_deg")):
+        if "belt" in table and key in table:
+            yield Rule((key,), "is what the belt gives", "remove it, or the table [inlet.belt]")
+        elif "belt" not in table and key not in table:
+            yield Rule((key,), "is missing", f"add {twins}, or a table [inlet.belt]")
+
+
+def names(table: dict[str, Any]) -> Iterator[Rule]:
+    """Sections and liners are named where there are several, and defined where they are named; segments are unique."""
+    segments = table.get("segments")
+    seen: dict[str, int] = {}
+    for number, segment in enumerate(segments if isinstance(segments, list) else []):
+        if not isinstance(segment, dict):
+            continue
+        place = ("segments", number)
+        name = segment.get("name")
+        if isinstance(name, str):
+            if name in seen:
+                yield Rule((*place, "name"), f"is the name of segment {seen[name]} too", "choose another name")
+            seen.setdefault(name, number + 1)
+        if segment.get("kind") in GUIDED:
+            yield from _reference(table, segment, place, "section", "sections")
+            yield from _reference(table, segment, place, "liner", "liners")
+
+
+def _reference(
+    table: dict[str, Any], segment: dict[str, Any], place: tuple[str | int, ...], key: str, kinds: str
+) -> Iterator[Rule]:
+    """One reference of a segment to the sections or liners."""
+    defined, named = table.get(kinds), segment.get(key)
+    if not isinstance(defined, dict) or not defined:
+        return
+    known = ", ".join(defined)
+    if named is None and len(defined) > 1:
+        yield Rule((*place, key), "is missing, and there are several", f"name one of {known}")
+    for name in named if isinstance(named, list) else [named]:
+        if isinstance(name, str) and name not in defined:
+            problem = f"names {name}, which is not defined in [{kinds}]"
+            yield Rule((*place, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
+
+
+def placement(table: dict[str, Any]) -> Iterator[Rule]:
+    """A fall that goes onto the next segment, and where that segment is drawn from."""
+    segments = table.get("segments")
+    listed = [
+        segment if isinstance(segment, dict) else {} for segment in (segments if isinstance(segments, list) else [])
+    ]
+    for number, segment in enumerate(listed):
+        before = listed[number - 1] if number else {}
+        after = listed[number + 1] if number + 1 < len(listed) else {}
+        starts = [key for key in segment if str(key).startswith("start_")]
+        place = ("segments", number)
+        if segment.get("onto_next") is True and after.get("kind") not in GUIDED:
+            yield Rule(
+                (*place, "onto_next"), "needs a segment after it that guides the stream", "add one, or give drop_m"
+            )
+        if before.get("onto_next") is True and segment.get("kind") in GUIDED:
+            if not starts:
+                yield Rule((*place, "start_m"), "is missing: the fall before it goes onto_next", "add start_m = [x, z]")
+            if segment.get("kind") in ("curve", "hood") and not any(
+                str(key).startswith("from_slope_") for key in segment
+            ):
+                yield Rule(
+                    (*place, "from_slope_deg"), "is missing: the fall before it goes onto_next", "add from_slope_deg"
+                )
+        elif starts:
+            remedy = "put a fall with onto_next = true before it, or remove it"
+            yield Rule((*place, starts[0]), "goes with a fall that goes onto_next", remedy)
+
+
+def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
+    """What depends on the material's own strength needs that strength."""
+    material, liners = table.get("material"), table.get("liners")
+    if not isinstance(material, dict) or not isinstance(liners, dict):
+        return
+    if any(str(key).startswith("internal_friction_") for key in material):
+        return
+    for name, liner in liners.items():
+        for key in liner if isinstance(liner, dict) else ():
+            if key == "own_material" or str(key).startswith("yield_locus_"):
+                problem = "needs the material's effective angle of internal friction: no wall resists more than it does"
+                yield Rule(("liners", name, key), problem, "add material.internal_friction_deg")
