@@ -54,6 +54,20 @@ class Part(NamedTuple):
             return np.where(np.isfinite(self.leg.flight_time), Status.OK, Status.NOT_REACHED)
         return self.leg.status
 
+    def impact(self) -> Numbers:
+        """What each design's impact on the segment is, NaN where there is none; empty where no design strikes it."""
+        if self.contact is None or not (self.contact.arrival.incidence > 0.0).any():
+            return {}
+        arrival = self.contact.arrival
+        struck = arrival.incidence > 0.0
+        numbers = {
+            "incidence_deg": np.degrees(arrival.incidence),
+            "velocity_before_m_s": arrival.velocity,
+            "velocity_after_m_s": arrival.after,
+            "pressure_kpa": arrival.pressure / 1000.0,
+        }
+        return {name: np.where(struck, values, np.nan) for name, values in numbers.items()}
+
     def at(self, shares: Array) -> Numbers:
         """All columns at shares of the way, of shape (places,) for all designs or (places, designs) for each."""
         with np.errstate(all="ignore"):

@@ -1,5 +1,6 @@
 """What came out: the stream at every place of every design, by the names of the column catalogue."""
 
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -9,8 +10,9 @@ from chutecalc.along import LARGEST, LEAST, SAMPLES, Extreme, Numbers, Part, Wan
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status, Stream
 from chutecalc.errors import UsageError
-from chutecalc.findings import WORST, Finding, findings
+from chutecalc.findings import WARNING, WORST, Finding, findings, in_order
 from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.belt import discharge, loading
 from chutecalc.solver.chain import Leg
 
 MOST_STATIONS = 1_000_000
@@ -46,6 +48,8 @@ class SegmentResult(NamedTuple):
     maximum: Numbers
     duration: Array
     """s."""
+    impact: Numbers
+    """Where the stream strikes the segment: the angle of incidence, velocities and pressure; else empty."""
 
 
 class Solution:
@@ -80,6 +84,55 @@ class Solution:
         """The stream at the end of the chute, by column name, each of shape (designs,)."""
         last = self.segments[-1].exit
         return {name: np.where(self.codes == Status.OK, values, np.nan) for name, values in last.items()}
+
+    @cached_property
+    def receiver(self) -> Numbers:
+        """What the stream does to the belt that it goes to; empty where the spec has none.
+
+        Arrays by name with unit, each of shape (designs,), NaN for designs that fail. ``matching_slope_deg`` is the
+        exit slope, next to the one there is, at which the stream would have the belt's velocity along it, and
+        ``matching_velocity_m_s`` the exit velocity that would do so at the slope there is; infinite or NaN where there
+        is none.
+        """
+        belt, design = self.design.receiver, self.design
+        if belt is None:
+            return {}
+        velocity, slope = self.exit["velocity_m_s"], np.radians(self.exit["slope_deg"])
+        onto = loading(velocity, slope, *belt, design.density, design.mass_rate, design.gravity)
+        aside = np.cos(slope - belt.slope)
+        with np.errstate(all="ignore"):
+            turn = np.arccos(np.where(velocity >= belt.velocity, belt.velocity / velocity, np.nan))
+            return {
+                "velocity_along_m_s": onto.along,
+                "velocity_across_m_s": onto.across,
+                "velocity_ratio": onto.velocity_ratio,
+                "impact_pressure_kpa": onto.impact_pressure / 1000.0,
+                "wear_w_m2": onto.wear,
+                "acceleration_length_m": onto.acceleration_length,
+                "acceleration_power_kw": onto.acceleration_power / 1000.0,
+                "matching_slope_deg": np.degrees(belt.slope + np.where(slope >= belt.slope, turn, -turn)),
+                "matching_velocity_m_s": np.where(aside > 0.0, belt.velocity / aside, np.inf),
+            }
+
+    @cached_property
+    def inlet(self) -> Numbers:
+        """The stream where it enters, each of shape (designs,); from a belt also V²/(g r) and its lower edge."""
+        design = self.design
+        x, z = design.inlet_place
+        numbers = {
+            "x_m": x,
+            "z_m": z,
+            "slope_deg": np.degrees(design.inlet_slope),
+            "velocity_m_s": design.inlet_velocity,
+        }
+        if design.belt is not None:
+            belt = design.belt
+            middle = discharge(belt.velocity, belt.incline, belt.middle_radius, design.gravity)
+            reach = belt.lower_radius / belt.middle_radius
+            numbers["discharge_froude"] = middle.froude
+            numbers["lower_edge_x_m"] = belt.centre[0] + middle.x * reach
+            numbers["lower_edge_z_m"] = belt.centre[1] + middle.z * reach
+        return {name: np.broadcast_to(values, self.count) for name, values in numbers.items()}
 
     @cached_property
     def error_estimate(self) -> Array:
@@ -125,9 +178,41 @@ class Solution:
                 found[number] = _joined(found[number], way) if number in found else way
         return list(found.values())
 
+    @property
+    def flights(self) -> list[list[SegmentResult]]:
+        """For each segment of the spec the flights that lead to it; several where it is left and struck again."""
+        pairs = list(zip(self.parts, self.ways, strict=True))
+        return [
+            [way for part, way in pairs if part.leg.number == number and way.kind == "flight"]
+            for number in range(len(self.design.segments))
+        ]
+
     def findings(self) -> list[Finding]:
         """Failures, warnings and notes, each with a mask of the designs that it is about."""
-        return findings(self.parts, self.samples, self.extremes, self.count)
+        found = findings(self.parts, self.samples, self.extremes, self.count)
+        return found if self.design.receiver is None else in_order([*found, *self._not_accelerated()])
+
+    def _not_accelerated(self) -> Iterator[Finding]:
+        """The receiving belt cannot bring the stream to its velocity."""
+        assert self.design.receiver is not None
+        belt = self.receiver
+        numbers = {
+            "velocity_along_m_s": belt["velocity_along_m_s"],
+            "belt_velocity_m_s": np.broadcast_to(self.design.receiver.velocity, self.count),
+            "belt_slope_deg": np.broadcast_to(np.degrees(self.design.receiver.slope), self.count),
+        }
+        mask = np.isposinf(belt["acceleration_length_m"])
+        if mask.any():
+            yield Finding(
+                "not_accelerated",
+                WARNING,
+                self.segments[-1].name,
+                mask,
+                self.exit["s_m"],
+                "the belt never brings the stream from {velocity_along_m_s} to its own {belt_velocity_m_s}: friction on"
+                " it is too small for its slope of {belt_slope_deg}",
+                numbers,
+            )
 
     def stations(self, points: int | None = None, spacing: float | None = None) -> dict[str, Any]:
         """The stream along the chute.
@@ -180,6 +265,7 @@ class Solution:
             minimum={name: whole(found[name, LEAST].value) for name in EXTREMES},
             maximum={name: whole(found[name, LARGEST].value) for name in EXTREMES},
             duration=whole(sampled["time_s"][-1] - sampled["time_s"][0]),
+            impact={name: whole(values) for name, values in part.impact().items()},
         )
 
 
@@ -195,6 +281,7 @@ def _joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         minimum={name: np.fmin(again.minimum[name], values) for name, values in first.minimum.items()},
         maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
         duration=first.duration + np.where(there, again.duration, 0.0),
+        impact=first.impact or again.impact,
     )
 
 

@@ -36,6 +36,7 @@ TEXT = {
     "m2": "m²",
     "ft2": "ft²",
     "w_m2": "W/m²",
+    "kw": "kW",
 }
 """How people write a suffix; the others are written as they stand."""
 

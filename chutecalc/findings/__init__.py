@@ -9,7 +9,7 @@ from chutecalc.design import Contact, Status
 from chutecalc.findings import failures, warnings
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
 
-__all__ = ["WORST", "Finding", "findings"]
+__all__ = ["WARNING", "WORST", "Finding", "findings", "in_order"]
 
 CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
     failures.stall,
@@ -55,5 +55,10 @@ def findings(
             assert isinstance(segment, Contact)
             scene = Scene(part, part.contact, segment, sampled, worst, goes_on, part is guided[-1], designs)
             found += [finding for criterion in CRITERIA for finding in criterion(scene)]
+    return in_order(found)
+
+
+def in_order(found: list[Finding]) -> list[Finding]:
+    """Failures, then warnings, then notes."""
     order = {FAILURE: 0, WARNING: 1, NOTE: 2}
     return sorted(found, key=lambda finding: order[finding.severity])

@@ -8,7 +8,7 @@ from typing import IO, Any
 from chutecalc import __version__
 from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS
-from chutecalc.solution import Solution
+from chutecalc.solution import SegmentResult, Solution
 
 FORMAT = 1
 
@@ -28,25 +28,13 @@ def run_document(chute: Chute, solution: Solution, stations: Mapping[str, Any] |
         stations: what :meth:`chutecalc.Solution.stations` gave, where they are asked for.
     """
     segments = []
-    flight: dict[str, Any] | None = None
-    for part in solution.ways:
-        entry: dict[str, Any] = {
-            "name": part.name,
-            "kind": part.kind,
-            "status": str(part.status[0]),
-            "entry": _first(part.entry),
-            "exit": _first(part.exit),
-            "minimum": _first(part.minimum),
-            "maximum": _first(part.maximum),
-            "duration_s": _number(part.duration[0]),
-        }
-        if stations is not None:
-            entry["stations"] = _rows(stations, part.name)
-        if part.kind == "flight":
-            flight = entry
-            continue
-        if flight is not None:
-            entry["flight"], flight = flight, None
+    for segment, flights in zip(solution.segments, solution.flights, strict=True):
+        entry = _way(segment, stations)
+        if segment.impact:
+            entry["impact"] = _first(segment.impact)
+        if flights:
+            entry["flight"], *again = (_way(flight, stations) for flight in flights)
+            entry |= {"flights_again": again} if again else {}
         segments.append(entry)
     return {
         "chutecalc": __version__,
@@ -56,8 +44,10 @@ def run_document(chute: Chute, solution: Solution, stations: Mapping[str, Any] |
         "tolerance": solution.rtol,
         "error_estimate": _number(solution.error_estimate[0]),
         "status": str(solution.status[0]),
+        "inlet": _first(solution.inlet),
         "exit": _first(solution.exit),
         "segments": segments,
+        "receiver": _first(solution.receiver) or None,
         "findings": [
             {
                 "code": finding.code,
@@ -70,6 +60,21 @@ def run_document(chute: Chute, solution: Solution, stations: Mapping[str, Any] |
             for finding in solution.findings()
         ],
     }
+
+
+def _way(way: SegmentResult, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+    """A segment or a flight."""
+    entry = {
+        "name": way.name,
+        "kind": way.kind,
+        "status": str(way.status[0]),
+        "entry": _first(way.entry),
+        "exit": _first(way.exit),
+        "minimum": _first(way.minimum),
+        "maximum": _first(way.maximum),
+        "duration_s": _number(way.duration[0]),
+    }
+    return entry if stations is None else entry | {"stations": _rows(stations, way.name)}
 
 
 def _first(numbers: Mapping[str, Any]) -> dict[str, float | None]:

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from rich.console import Console
@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from chutecalc.chute import Chute
-from chutecalc.columns import COLUMNS
+from chutecalc.columns import COLUMNS, quantity_text
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
 from chutecalc.solution import SegmentResult, Solution
 from chutecalc.units import convert
@@ -75,6 +75,8 @@ class Printer:
         self.table(self._segments(solution.ways))
         self.text()
         self.text(self._outcome(solution))
+        for line in (*self._impacts(solution), *self._belts(chute, solution)):
+            self.text(line)
         self.findings(solution.findings())
 
     def findings(self, findings: Sequence[Finding]) -> None:
@@ -142,6 +144,40 @@ class Printer:
             table.add_column(f"{column.heading}\n{column.unit_text(self.units)}", justify="right", no_wrap=True)
         return table
 
+    def _impacts(self, solution: Solution) -> Iterator[str]:
+        """Each place at which the stream strikes a surface."""
+        for segment in solution.segments:
+            said = {name: quantity_text(name, float(values[0]), self.units) for name, values in segment.impact.items()}
+            if segment.impact and segment.impact["incidence_deg"][0] == segment.impact["incidence_deg"][0]:
+                yield (
+                    f"impact  {segment.name}: at {said['incidence_deg']}, {said['velocity_before_m_s']} before and"
+                    f" {said['velocity_after_m_s']} after, {said['pressure_kpa']}"
+                )
+
+    def _belts(self, chute: Chute, solution: Solution) -> Iterator[str]:
+        """The belt that the stream comes from, and the one that it goes to with what would suit it better."""
+
+        def said(numbers: Mapping[str, Any], name: str) -> str:
+            return quantity_text(name, float(numbers[name][0]), self.units)
+
+        inlet = solution.inlet
+        if "discharge_froude" in inlet:
+            x, z, low_x, low_z = (said(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
+            yield (
+                f"inlet  leaves the belt at {said(inlet, 'slope_deg')} (V²/gr {said(inlet, 'discharge_froude')}); its centre"
+                f" line from x {x}, z {z}, lower edge from x {low_x}, z {low_z}"
+            )
+        belt = solution.receiver
+        if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
+            return
+        yield (
+            f"receiver  {said(belt, 'velocity_along_m_s')} along the belt ({said(belt, 'velocity_ratio')} of its own),"
+            f" {said(belt, 'velocity_across_m_s')} into it ({said(belt, 'impact_pressure_kpa')}); belt wear"
+            f" {said(belt, 'wear_w_m2')}, at its speed after {said(belt, 'acceleration_length_m')} with"
+            f" {said(belt, 'acceleration_power_kw')}"
+        )
+        yield f"receiver  {_advice(solution, said)}"
+
     def _outcome(self, solution: Solution) -> Text:
         """Status and exit in a line."""
         status = str(solution.status[0])
@@ -153,6 +189,21 @@ class Printer:
             if value == value:
                 parts.append(f"{column.heading} {column.shown(value, self.units)} {column.unit_text(self.units)}")
         return Text(f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})")
+
+
+def _advice(solution: Solution, said: Callable[[Mapping[str, Any], str], str]) -> str:
+    """Which way the exit's velocity or slope is off the belt's."""
+    belt, exit_ = solution.receiver, solution.exit
+    ratio, slope = belt["velocity_ratio"][0], exit_["slope_deg"][0]
+    if abs(ratio - 1.0) < 0.005:
+        return "the stream has the belt's velocity along it"
+    off = f"the stream is too {'slow' if ratio < 1.0 else 'fast'} for the belt"
+    velocity = f"at this slope an exit velocity of {said(belt, 'matching_velocity_m_s')} would match"
+    match = belt["matching_slope_deg"][0]
+    if match != match:
+        return f"{off}, even along it; {velocity}"
+    way = "flatter" if match < slope else "steeper"
+    return f"{off}; {velocity}, or an exit {way}, at {said(belt, 'matching_slope_deg')}, which changes what strikes it"
 
 
 def _flow_line(chute: Chute, units: str) -> str:

@@ -6,15 +6,8 @@ from scipy.integrate import quad
 
 from chutecalc.physics.friction import equilibrium_friction, equivalent_friction
 from chutecalc.physics.pressure import greatest_wall_friction, pressure_ratio, vertical_pressure_ratio
-from chutecalc.physics.section import (
-    Polygon,
-    area_at_depth,
-    excess_friction,
-    facets,
-    take_facet,
-    wetted_facet,
-    wetting,
-)
+from chutecalc.physics.section import Polygon, facets, take_facet, wetted_facet
+from chutecalc.physics.wetting import area_at_depth, excess_friction, wetting
 
 OPEN = np.array([np.inf])
 

@@ -86,7 +86,7 @@ def test_a_panel_never_crosses_a_kink():
     facets = [int(piece.facet[0]) for piece in pieces]
     assert [facet for facet, _ in groupby(facets)] == [1, 0, 1]  # wall, chamfer, wall
     assert len(facets) <= 6  # and each in a panel or two
-    top = chutecalc.solve(kinked()).legs[0].contact.slide.facets.area[1, 0]
+    top = chutecalc.solve(kinked()).legs[0].contact.slide.drawn.area[1, 0]
     speed = 1000 / 3.6 / 800 / top  # of the stream that just fills the chamfers
     for before, after in pairwise(pieces):
         if before.facet[0] != after.facet[0]:
