@@ -18,6 +18,7 @@ from chutecalc.solver.profile import Profile, flight_profile, slide_profile
 
 Numbers = dict[str, Array]
 SAMPLES = np.linspace(0.0, 1.0, 65)
+LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
 ROUNDS, GRID = 3, np.linspace(0.0, 1.0, 9)  # each round leaves a quarter of the bracket around an extreme
 
 
@@ -37,7 +38,8 @@ class Part(NamedTuple):
         """From where to where each design travels on the part: m in flight, shares of the segment in contact."""
         if self.contact is None:
             flown = path_length(self.leg.path, self.leg.flight_time)
-            return np.zeros(flown.shape), flown
+            flown = np.where((self.leg.flight_time > 0.0) | (self.kind != "flight"), flown, np.nan)
+            return np.where(np.isnan(flown), np.nan, 0.0), flown
         begin = self.contact.arrival.place
         end = np.where(self.contact.arrival.status == Status.STALL, begin, np.nan)
         end[self.contact.rows] = self.contact.stretch.place
@@ -51,7 +53,7 @@ class Part(NamedTuple):
     def status(self) -> Index:
         """How the part ends for each design; a flight to a segment ends well where it lands."""
         if self.kind == "flight":
-            return np.where(np.isfinite(self.leg.flight_time), Status.OK, Status.NOT_REACHED)
+            return np.where(self.leg.flight_time > 0.0, Status.OK, Status.NOT_REACHED)
         return self.leg.status
 
     def impact(self) -> Numbers:
@@ -109,7 +111,11 @@ class Part(NamedTuple):
             "side_pressure_kpa": side / 1000.0,
             "side_wear_w_m2": slip * side,
             "wear_number": np.where(on_arc, at.normal / self.design.gravity, np.nan),
-            "froude": np.where(at.normal > 0.0, at.velocity / np.sqrt(at.normal * at.area / at.wet.width), np.nan),
+            "froude": np.where(
+                at.normal > LEAST_NORMAL * self.design.gravity,
+                at.velocity / np.sqrt(at.normal * at.area / at.wet.width),
+                np.nan,
+            ),
             "time_s": self.start_time + at.time,
             "thickness": at.wet.depth / at.wet.width,
             "missing_load": at.wet.missing,
@@ -149,18 +155,18 @@ def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted]) -> dict[Wan
 
     Returns:
         One for each. Inside, it is that of the parabola through three places 5e-4 of the way apart: for what varies
-        smoothly, right to about 1e-11 of its variation.
+        smoothly, right to about 1e-11 of its variation. What grows without bound towards a stop, as depth does, is
+        taken up to the last place before it.
     """
     shares = np.broadcast_to(SAMPLES[:, None], sampled["s_m"].shape)
     found = {item: _best(item[1] * sampled[item[0]], shares) for item in wanted}
-    inner = [item for item, (_, low, high) in found.items() if ((low > 0.0) & (high < 1.0)).any()]
-    for _ in range(ROUNDS if inner else 0):
-        low, high = (np.stack([found[item][side] for item in inner]) for side in (1, 2))
+    for _ in range(ROUNDS):
+        low, high = (np.stack([found[item][side] for item in wanted]) for side in (1, 2))
         grid = low + (high - low) * GRID[:, None, None]
         columns = part.at(grid.reshape(-1, grid.shape[2]))
-        for k, item in enumerate(inner):
+        for k, item in enumerate(wanted):
             found[item] = _best(item[1] * columns[item[0]].reshape(grid.shape)[:, k], grid[:, k])
-    return {item: best._replace(value=item[1] * best.value) for item, (best, _, _) in found.items()}
+    return {item: best._replace(value=item[1] * best.value + 0.0) for item, (best, _, _) in found.items()}
 
 
 def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
@@ -171,7 +177,9 @@ def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
     left, right = np.maximum(top - 1, 0), np.minimum(top + 1, len(values) - 1)
     x = [shares[row, columns] for row in (left, top, right)]
     f = [values[row, columns] for row in (left, top, right)]
-    bend = (f[2] - 2.0 * f[1] + f[0]) * ((left < top) & (top < right))  # equally spaced
+    inside = (left < top) & (top < right) & np.isfinite(f[0]) & np.isfinite(f[2])
+    f = [np.where(inside, side, f[1]) for side in f]
+    bend = f[2] - 2.0 * f[1] + f[0]  # equally spaced
     shift = np.where(bend < 0.0, 0.5 * (f[0] - f[2]) / np.where(bend < 0.0, bend, 1.0), 0.0)
     value = f[1] - 0.25 * (f[0] - f[2]) * shift
     return Extreme(value, x[1] + shift * (x[2] - x[1])), x[0], x[2]

@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from chutecalc.design import Design
+from chutecalc.design import Design, Fall
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import GeometryError, build
-from chutecalc.spec.faults import faults_of, located, value_text
+from chutecalc.spec.faults import faults_of, placed, value_text
 from chutecalc.spec.file import parse_text, read_text
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.spec.paths import with_values
@@ -44,13 +44,15 @@ class Chute:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
         self.data, self.source, self._text = data, source, text
+        self.count = _count(data, source)
+        """How many designs there are."""
         try:
             self.spec = ChuteSpec.model_validate(data)
             self.design: Design = build(self.spec, drawn_slopes)
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
         except GeometryError as error:
-            raise SpecError(located(error.faults, text), source) from None
+            raise SpecError(placed(error.faults, data, text), source) from None
 
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
         """Variants of this chute: parallel arrays put at spec paths, design k taking entry k of each.
@@ -72,12 +74,6 @@ class Chute:
         (2,)
         """
         arrays = {path: _as_array(path, value, self.source) for path, value in changes.items()}
-        lengths = {len(value) for value in arrays.values() if isinstance(value, np.ndarray) and len(value) != 1}
-        if len(lengths) > 1:
-            given = ", ".join(f"{path} {len(value)}" for path, value in arrays.items() if isinstance(value, np.ndarray))
-            raise SpecError(
-                [Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], self.source
-            )
         return Chute(with_values(self.data, arrays, self.source), self.source, self._text, self._drawn_slopes)
 
     def put(self, changes: Mapping[str, Any]) -> "Chute":
@@ -90,16 +86,36 @@ class Chute:
 
     @cached_property
     def _drawn_slopes(self) -> dict[int, Array]:
-        """Entry slopes that this chute's own stream fixes, by number of the segment."""
-        segments = self.design.segments
-        if not any(getattr(segment, "entry_slope", segment) is None for segment in segments):
-            return {}
+        """Entry slopes of the curves that begin tangent to a falling stream, by number of the segment."""
+        segments = list(enumerate(self.design.segments))
+        after_fall = [number for number, _ in segments[1:] if isinstance(segments[number - 1][1], Fall)]
+        if not any(getattr(segments[number][1], "entry_slope", 0.0) is None for number in after_fall):
+            slopes = {number: getattr(segments[number][1], "entry_slope", None) for number in after_fall}
+            return {number: slope for number, slope in slopes.items() if slope is not None}
         legs, _ = run_chain(self.design, 1e-10, complete=False)
         return {
             leg.number: leg.contact.surface.slope
             for leg in legs
-            if leg.contact and np.isfinite(leg.contact.surface.slope).all()
+            if leg.number in after_fall and leg.contact and np.isfinite(leg.contact.surface.slope).all()
         }
+
+
+def _count(data: Any, source: str) -> int:
+    """How many designs the arrays in a spec's data describe."""
+    lengths: dict[int, str] = {}
+
+    def look(item: Any, path: str) -> None:
+        if isinstance(item, np.ndarray) and item.ndim == 1 and item.size > 1:
+            lengths.setdefault(len(item), path)
+        elif isinstance(item, dict | list):
+            for key, value in item.items() if isinstance(item, dict) else enumerate(item, 1):
+                look(value, f"{path}.{key}".lstrip("."))
+
+    look(data, "")
+    if len(lengths) > 1:
+        given = ", ".join(f"{path} {length}" for length, path in lengths.items())
+        raise SpecError([Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], source)
+    return next(iter(lengths), 1)
 
 
 def load(path: str | Path) -> Chute:
@@ -124,6 +140,8 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec") -> Chute:
     """
     if isinstance(spec, str):
         return Chute(parse_text(spec, source), source, spec)
+    if not isinstance(spec, Mapping):
+        raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
     return Chute(dict(spec), source)
 
 
@@ -154,18 +172,19 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
         legs, final = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source) from None
-    return Solution(chute.design, tuple(legs), final, rtol)
+    return Solution(chute.design, tuple(legs), final, rtol, chute.count)
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:
     """A varied value as a 1-dimensional array of floats."""
     try:
-        array = np.asarray(value, dtype=np.float64)
+        array = np.asarray(value)
+        array = array.astype(np.float64) if array.dtype.kind in "fiu" else np.empty(0)
     except (TypeError, ValueError):
         array = np.empty(0)
     if array.ndim > 1:
         problem = f"is given as an array of {array.ndim} dimensions, and takes one: a value for each design"
         raise SpecError([Fault(path, problem, "flatten it")], source)
-    if array.size == 0 or isinstance(value, str | bool):
+    if array.size == 0:
         raise SpecError([Fault(path, "takes numbers", "give a number or a list of numbers", value_text(value))], source)
     return np.atleast_1d(array)

@@ -55,9 +55,8 @@ class SegmentResult(NamedTuple):
 class Solution:
     """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure."""
 
-    def __init__(self, design: Design, legs: tuple[Leg, ...], final: Stream, rtol: float) -> None:
-        self.design, self.legs, self.final, self.rtol = design, legs, final, rtol
-        self.count = max(len(leg.exit.status) for leg in legs)
+    def __init__(self, design: Design, legs: tuple[Leg, ...], final: Stream, rtol: float, count: int) -> None:
+        self.design, self.legs, self.final, self.rtol, self.count = design, legs, final, rtol, count
 
     @cached_property
     def codes(self) -> Index:
@@ -219,8 +218,8 @@ class Solution:
 
         Args:
             points: so many stations a segment, both ends included, on the part travelled; 101 where nothing is given.
-            spacing: instead, stations at multiples of so many metres from where the stream enters each segment, and
-            its end.
+            spacing: instead, stations at multiples of so many metres from each segment's drawn start (a flight's from
+            where it begins), and at both ends of the part travelled.
 
         Returns:
             Arrays by the names of the CSV's columns, each of shape (designs, stations); NaN where a design has no such
@@ -245,7 +244,7 @@ class Solution:
 
     def _stations(self, part: Part, points: int, spacing: float | None) -> dict[str, Any]:
         """The stations of one part, each of shape (designs, stations)."""
-        columns = part.at(np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part.length(), spacing))
+        columns = part.at(np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part, spacing))
         shape = (self.count, len(columns["s_m"]))
         table: dict[str, Any] = {"segment": np.full(shape, part.name), "kind": np.full(shape, part.kind)}
         return table | {name: np.broadcast_to(columns[name].T, shape) for name in COLUMNS if name in columns}
@@ -290,12 +289,17 @@ def _labels(codes: Index) -> Any:
     return np.array([status.label for status in Status])[codes]
 
 
-def _spaced(way: Array, spacing: float) -> Array:
-    """Shares of the way at multiples of a spacing, and its end, shape (places, designs); NaN past a design's end."""
-    longest = float(np.nan_to_num(way).max())
+def _spaced(part: Part, spacing: float) -> Array:
+    """Shares of the way at multiples of a spacing and at its ends, (places, designs); NaN past a design's end."""
+    begin, end = part.ends()
+    scale = 1.0 if part.contact is None else part.contact.surface.length
+    first, way = begin * scale, (end - begin) * scale
+    longest = float(np.nan_to_num(first + way).max())
     if longest / spacing >= MOST_STATIONS:
         raise UsageError(f"a spacing of {spacing:g} m makes more than {MOST_STATIONS} stations on {longest:.6g} m")
-    multiples = spacing * np.arange(int(longest / spacing) + 1)[:, None]
-    inside = np.where(multiples < way * (1.0 - 1e-12), multiples / way, np.nan)
-    inside[0] = np.where(np.isnan(way), np.nan, 0.0)
-    return np.concatenate([inside, np.where(np.isnan(way), np.nan, 1.0)[None]])
+    travelled = spacing * np.arange(int(longest / spacing) + 1)[:, None] - first
+    slack = 1e-12 * (first + way)
+    inside = (travelled > slack) & (travelled < way - slack)
+    shares = np.where(inside, travelled / np.where(way > 0.0, way, 1.0), np.nan)
+    ends = np.where(np.isnan(way), np.nan, np.array([[0.0], [1.0]]))
+    return np.concatenate([ends[:1], shares, ends[1:]])

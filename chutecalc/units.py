@@ -40,6 +40,8 @@ TEXT = {
 }
 """How people write a suffix; the others are written as they stand."""
 
+LARGEST_INTEGER = 10**300  # Python's integers know no bounds, floats do
+
 _SI = {"mass rate": (5, 18), "pressure": (1000, 1), "angle": (math.pi, 180)}
 """One of a dimension's first unit in SI, where that is another."""
 
@@ -53,6 +55,8 @@ def convert(value: Any, dimension: str, source: str, target: str) -> Any:
     if source == target:
         return value
     (up, down), (target_up, target_down) = UNITS[dimension][source], UNITS[dimension][target]
+    if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
+        value = math.copysign(math.inf, value)
     return value * (up * target_down) / (down * target_up)
 
 
@@ -79,3 +83,19 @@ def twins(key: str, dimension: str) -> dict[str, str]:
     """
     stem = key.removesuffix(first_unit(dimension))
     return {stem + unit: unit for unit in UNITS[dimension]}
+
+
+def same_quantity(key: str) -> list[str]:
+    """A key and all its unit twins, told from its ending alone.
+
+    >>> same_quantity("slope_rad"), same_quantity("name")
+    (['slope_deg', 'slope_rad'], ['name'])
+    """
+    endings = [
+        (unit, dimension) for dimension, units in UNITS.items() for unit in units if unit and key.endswith(f"_{unit}")
+    ]
+    if not endings:
+        return [key]
+    unit, dimension = max(endings, key=lambda ending: len(ending[0]))
+    stem = key.removesuffix(unit)
+    return [stem + other for other in UNITS[dimension]]

@@ -56,6 +56,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _speak_unicode()
     try:
         status = app(args=given, prog_name="chutecalc", standalone_mode=False)
+        if status == ExitStatus.INTERRUPTED:
+            raise KeyboardInterrupt  # Typer has caught it
         sys.stdout.flush()
         return int(status or ExitStatus.OK)
     except (BrokenPipeError, SystemExit):

@@ -69,7 +69,7 @@ def run(
 
             shown = tables if asked else [None] * len(runs)
             write_run(json_stream, [run_document(*pair, table) for pair, table in zip(runs, shown, strict=True)])
-        _print(runs, tables if asked else [], units, csv, json)
+    _print(runs, tables if asked else [], units, csv, json)
     return _status(runs, strict)
 
 

@@ -50,7 +50,7 @@ def choke(scene: Scene) -> Iterator[Finding]:
     leg, stretch = scene.part.leg, scene.contact.stretch
     choked = leg.status == Status.CHOKE
     beyond, place = scene.spread(stretch.beyond), scene.spread(stretch.place)
-    stops = beyond < 1.0
+    end = scene.spread(stretch.beyond_status.astype(np.float64))
     wall_height = scene.contact.slide.section_at(scene.contact_place(np.ones(1))).wall_height
     numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
     begin = (
@@ -58,10 +58,14 @@ def choke(scene: Scene) -> Iterator[Finding]:
     )
     s = leg.exit.distance
     further = (beyond - place) * scene.contact.surface.length
-    template = f"{begin} the stream would stop {{further_m}} further on"
-    yield from finding(scene, "choke", FAILURE, choked & stops, s, template, **numbers, further_m=further)
+    for status, fate in (
+        (Status.STALL, "the stream would stop {further_m} further on"),
+        (Status.CONTACT_LOST, "it would leave the surface {further_m} further on"),
+    ):
+        mask, template = choked & (end == status), f"{begin} {fate}"
+        yield from finding(scene, "choke", FAILURE, mask, s, template, **numbers, further_m=further)
     template = f"{begin} it would run on to the end of the segment"
-    yield from finding(scene, "choke", FAILURE, choked & ~stops, s, template, **numbers)
+    yield from finding(scene, "choke", FAILURE, choked & (end == Status.OK), s, template, **numbers)
 
 
 def contact_lost(scene: Scene) -> Iterator[Finding]:

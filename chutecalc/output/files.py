@@ -67,6 +67,8 @@ def _replacing(target: str) -> Iterator[IO[str]]:
                 os.fsync(stream.fileno())
             except OSError as error:
                 raise WriteError(f"{target} could not be written: {error.strerror}") from None
+        if path.exists():
+            os.chmod(part, path.stat().st_mode & 0o7777)
         os.replace(part, path)
     finally:
         with suppress(FileNotFoundError):

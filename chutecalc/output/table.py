@@ -164,7 +164,8 @@ class Printer:
         if "discharge_froude" in inlet:
             x, z, low_x, low_z = (said(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
             yield (
-                f"inlet  leaves the belt at {said(inlet, 'slope_deg')} (V²/gr {said(inlet, 'discharge_froude')}); its centre"
+                f"inlet  leaves the belt at {said(inlet, 'slope_deg')} (V²/gr"
+                f" {said(inlet, 'discharge_froude')}); its centre"
                 f" line from x {x}, z {z}, lower edge from x {low_x}, z {low_z}"
             )
         belt = solution.receiver

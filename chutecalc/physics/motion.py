@@ -12,32 +12,25 @@ from chutecalc.physics.arrays import Array, Values, real
 FLOOR, ROOF = 1.0, -1.0
 
 
-def normal_acceleration(side: float, gravity: Values, slope: Values, curvature: Values, velocity: Values) -> Array:
-    """What presses the stream on its guiding surface, n = σ (g cos a + κ v²).
+def normal_acceleration(
+    side: float, gravity: Values, slope: Values, curvature: Values, velocity_squared: Values
+) -> Array:
+    """What presses the stream on its guiding surface, n = σ (g cos a + κ y).
 
     Args:
         side: σ, ``FLOOR`` or ``ROOF``.
         gravity: g, m/s².
         slope: a, rad below horizontal.
         curvature: κ, 1/m, positive where the surface flattens.
-        velocity: v, m/s.
+        velocity_squared: y = v², m²/s².
 
     Returns:
         n, m/s², in the broadcast shape. Below 0 the stream has left the surface and the model does not hold.
 
-    >>> float(normal_acceleration(FLOOR, 9.81, 0.0, 1 / 3.0, 3.0))
+    >>> float(normal_acceleration(FLOOR, 9.81, 0.0, 1 / 3.0, 9.0))
     12.81
     """
-    return side * (real(gravity) * np.cos(real(slope)) + real(curvature) * real(velocity) ** 2)
-
-
-def acceleration(gravity: Values, slope: Values, friction: Values, normal: Values) -> Array:
-    """Growth of half the velocity's square along the flow, v dv/ds = g sin a - μ_e n (Paper Eq 1).
-
-    >>> float(acceleration(9.81, np.pi / 2, 0.5, 2.0))
-    8.81
-    """
-    return real(gravity) * np.sin(real(slope)) - real(friction) * real(normal)
+    return side * (real(gravity) * np.cos(real(slope)) + real(curvature) * real(velocity_squared))
 
 
 def arc_velocity_squared(

@@ -189,7 +189,7 @@ def take_row(field: Array, rows: Index) -> Array:
         only: Array = field[0]
         return only
     if rows.ndim == 1 and field.ndim == 2:
-        return np.atleast_1d(field[rows, np.arange(len(rows)) if field.shape[1] > 1 else 0])
+        return np.atleast_1d(field[rows, np.arange(len(rows)) if field.shape[1] != 1 else 0])
     field = with_axes(field, rows.ndim)
     wide = np.broadcast_to(field, (len(field), *np.broadcast_shapes(field.shape[1:], rows.shape)))
     taken: Array = np.take_along_axis(wide, np.broadcast_to(rows, wide.shape[1:])[None], axis=0)[0]

@@ -73,7 +73,7 @@ def wall_piece(wall: Wall, stress: Array) -> Index:
 
 def wall_friction(wall: Wall, stress: Array) -> Array:
     """μ_w = τ/σ at a normal stress, Pa, shape (..., designs); its limit where σ is 0."""
-    columns = np.arange(stress.shape[-1]) if wall.starts.shape[1] > 1 else 0
+    columns = np.arange(stress.shape[-1]) if wall.starts.shape[1] != 1 else 0
     piece = wall_piece(wall, stress)
     slope, intercept = wall.slopes[piece, columns], wall.intercepts[piece, columns]
     friction: Array = slope + intercept / np.where(stress > 0.0, stress, np.inf)

@@ -10,8 +10,8 @@ from chutecalc.physics.wall import wall_friction
 from chutecalc.physics.wetting import excess_friction
 from chutecalc.solver.slide import Slide
 
-SLOWEST, FASTEST = 1e-9, 1e4
-GRID = 200
+SLOWEST, FASTEST = 1e-9, 1e12
+GRID = 320
 """Velocities, evenly in their logarithm, between which balances are looked for."""
 BLOCK = 100_000
 

@@ -3,11 +3,12 @@
 Places are arrays of shape (places, designs), as the panels' own values are; what is returned has that shape too.
 """
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.roots import root_between
@@ -108,25 +109,52 @@ def _walk(contact: ContactLeg, places: Array, shares: Array | None) -> tuple[Arr
     end[contact.rows] = contact.stretch.place
     for piece in contact.stretch.pieces:
         rows = contact.rows[piece.rows]
-        clock = elapsed[rows] + _clock(contact.slide.rows(rows), piece)
         whole = np.zeros(len(rows), dtype=bool)
         if shares is not None and not piece.by_root:
             whole = (piece.start == arrival.place[rows]) & (piece.end == end[rows])
         if shares is not None and whole.any():
             matrix = interpolation(len(piece.knots) - 2, shares)
             y[:, rows[whole]] = product(matrix, piece.knots[:, whole])
-            time[:, rows[whole]] = product(matrix, clock[:, whole])
         if not whole.all():
-            part = Piece._make(field if isinstance(field, bool) else field[..., ~whole] for field in piece)
-            others = rows[~whole]
+            part, others = _some(piece, ~whole), rows[~whole]
             share = _share(part, places[:, others])
             root = part.start + share * (part.end - part.start)
             values = root**4 if piece.by_root else evaluate(part.knots, share)
-            met = ~np.isnan(share)
-            y[:, others] = np.where(met, values, y[:, others])
-            time[:, others] = np.where(met, evaluate(clock[:, ~whole], share), time[:, others])
-        elapsed[rows] = clock[-1]
+            y[:, others] = np.where(np.isnan(share), y[:, others], values)
+        for part in _timed(piece):
+            rows = contact.rows[part.rows]
+            clock = elapsed[rows] + _clock(contact.slide.rows(rows), part)
+            share = _share(part, places[:, rows])
+            time[:, rows] = np.where(np.isnan(share), time[:, rows], evaluate(clock, share))
+            elapsed[rows] = clock[-1]
     return y, time
+
+
+TIMED = 3.0
+"""Across how much growth of v² a panel's nodes resolve 1/v to rounding; more of it is divided."""
+
+
+def _timed(piece: Piece) -> Iterator[Piece]:
+    """The piece, divided in c until each part's own nodes resolve 1/v: a smooth v² does not make that smooth."""
+    if piece.by_root:
+        yield piece
+        return
+    steep = piece.knots.max(axis=0) > TIMED * piece.knots.min(axis=0)
+    steep &= piece.end - piece.start > 1e-15
+    if not steep.all():
+        yield _some(piece, ~steep)
+    if steep.any():
+        part = _some(piece, steep)
+        middle = 0.5 * (part.start + part.end)
+        knots = rule(len(part.knots) - 2).knots[:, None]
+        halves = [evaluate(part.knots, np.broadcast_to(0.5 * knots + at, part.knots.shape)) for at in (0.0, 0.5)]
+        yield from _timed(part._replace(end=middle, knots=halves[0]))
+        yield from _timed(part._replace(start=middle, knots=halves[1]))
+
+
+def _some(piece: Piece, chosen: Mask) -> Piece:
+    """A piece of some of its designs."""
+    return Piece._make(field if isinstance(field, bool) else field[..., chosen] for field in piece)
 
 
 def _clock(slide: Slide, piece: Piece) -> Array:

@@ -14,7 +14,7 @@ import numpy as np
 
 from chutecalc.design import select
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.motion import ROOF
+from chutecalc.physics.motion import ROOF, normal_acceleration
 from chutecalc.physics.section import Facets, Section, blend, facets, take_facet, take_row
 from chutecalc.physics.wall import Wall
 from chutecalc.physics.wetting import area_at_depth, depth_and_width, excess_friction
@@ -71,7 +71,7 @@ class Slide(NamedTuple):
     def normal(self, place: Array, velocity_squared: Array) -> Array:
         """Normal acceleration n at a place."""
         slope = self.entry_slope + self.turn * place
-        return self.side * self.gravity * np.cos(slope) + self.bend() * velocity_squared
+        return normal_acceleration(self.side, self.gravity, slope, -self.turn / self.length, velocity_squared)
 
     def stress(self, place: Array, velocity_squared: Array, facet: Facets) -> Array:
         """Pressure on the centre section that decides the wall friction, ρ n H, Pa."""

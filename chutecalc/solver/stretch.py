@@ -31,14 +31,16 @@ class Stretch(NamedTuple):
     error: Array
     """Relative, of v²; after a stall, of the place in c."""
     beyond: Array
-    """After a choke: c where the stream would stop, 1 where it would run on; NaN else."""
+    """After a choke: c where the stream would end on the segment between higher walls; NaN else."""
+    beyond_status: Index
+    """After a choke: how it would end there."""
     pieces: list[Piece]
 
     @classmethod
     def standing(cls, place: Array, velocity_squared: Array, error: Array) -> "Stretch":
         """Designs that go no way on the segment, and are well."""
         status = np.full(place.shape, Status.OK)
-        return cls(status, place, velocity_squared, error, np.full(place.shape, np.nan), [])
+        return cls(status, place, velocity_squared, error, np.full(place.shape, np.nan), status, [])
 
 
 def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Array, effort: Effort) -> Stretch:
@@ -57,6 +59,8 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     Raises:
         RuntimeError: a stretch took more than ``PASSES`` panels: a fault of the solver, not of the chute.
     """
+    if not place.size:
+        return Stretch.standing(place, velocity_squared, error)
     front = Front(slide, place, velocity_squared, error, effort)
     running = np.arange(len(place))
     if front.events:
@@ -195,5 +199,6 @@ def _result(front: Front) -> Stretch:
         np.where(choked, y, front.y),
         np.where(choked, error, front.error),
         np.where(choked, front.place, np.nan),
+        front.status,
         front.pieces,
     )

@@ -18,6 +18,7 @@ from chutecalc.spec.faults import PlacedFault
 from chutecalc.spec.file import Place
 from chutecalc.units import to_si
 
+LONGEST = 1e5  # m, as of every length
 VERTICAL = np.array([np.pi / 2])
 
 
@@ -145,7 +146,7 @@ class _Geometry:
                 built.append(Fall(name, segment.kind, drop, run))
                 slope = VERTICAL if vertical else None
                 continue
-            follows = self.drawn_slopes.get(number) if slope is None else slope
+            follows = self.drawn_slopes.get(number, slope)
             contact = self.contact(("segments", number), name, segment, follows, sections, tables, walls)
             built.append(contact)
             slope = None if segment.kind == "plate" else contact.exit_slope
@@ -226,6 +227,15 @@ class _Geometry:
 
     def straight_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
         """Length of a flat segment, from whichever of its three measures is given."""
+        length = self._flat_length(place, segment, slope)
+        if (length > LONGEST).any():
+            key = "drop_m" if segment.drop_m is not None else "run_m"
+            problem = f"makes the segment {float(length.max()):.3g} m long: more than {LONGEST:g} m"
+            self.fault((*place, key), getattr(segment, key), problem, "change it, or the slope")
+        return np.minimum(length, LONGEST)
+
+    def _flat_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
+        """The same, however long."""
         if segment.length_m is not None:
             return _array(segment.length_m, "length")
         if segment.drop_m is not None:
@@ -238,7 +248,7 @@ class _Geometry:
             self.fault(
                 (*place, "run_m"), segment.run_m, "gives a vertical segment no length", "give length_m or drop_m"
             )
-        return _array(segment.run_m, "length") / np.cos(slope)
+        return _array(segment.run_m, "length") / np.where(slope != np.pi / 2, np.cos(slope), 1.0)
 
     def check_turn(self, place: Place, segment: model.Arc, entry: Array | None, exit_: Array) -> None:
         """A hood has to steepen, a curve to turn; what begins tangent to a falling stream is known only when solved."""

@@ -7,6 +7,7 @@ from pydantic import ValidationError
 
 from chutecalc.errors import Fault
 from chutecalc.spec.file import Place, key_lines
+from chutecalc.units import same_quantity
 
 
 class PlacedFault(NamedTuple):
@@ -30,6 +31,20 @@ def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
     for item in error.errors(include_url=False):
         place, value = _as_written(tuple(item["loc"]), data)
         found.append(PlacedFault(place, item["msg"], (item.get("ctx") or {}).get("remedy", ""), value))
+    return located(found, text)
+
+
+def placed(faults: Iterable[PlacedFault], data: Any, text: str) -> list[Fault]:
+    """Faults that name documented keys, at the keys and with the values that the user wrote."""
+    found = []
+    for fault in faults:
+        *above, key = fault.place
+        here = data
+        for item in above:
+            here = here[item]
+        given = next((twin for twin in same_quantity(str(key)) if isinstance(here, dict) and twin in here), key)
+        value = here[given] if isinstance(here, dict) and given in here else fault.value
+        found.append(fault._replace(place=(*above, given), value=value))
     return located(found, text)
 
 
@@ -62,6 +77,8 @@ def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
     place: Place = ()
     here = data
     for item in loc:
+        if item == "[key]":  # pydantic's name for a key itself
+            continue
         if isinstance(here, dict):
             if item not in here and item in (here.get("kind"), here.get("shape")):
                 continue

@@ -62,6 +62,10 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
         else:
             fault = Fault("", problem, "see https://toml.io")
         raise SpecError([fault], source) from None
+    except RecursionError:
+        raise SpecError([Fault("", "is nested too deeply", "a spec has three levels")], source) from None
+    except ValueError as error:  # what tomllib lets through: an integer of thousands of digits
+        raise SpecError([Fault("", f"is not TOML: {error}", "see https://toml.io")], source) from None
 
 
 def key_lines(text: str) -> dict[Place, int]:
@@ -70,7 +74,7 @@ def key_lines(text: str) -> dict[Place, int]:
     counts: dict[Place, int] = {}
     table: Place = ()
     quote = ""
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(text.split("\n"), 1):
         if quote:
             quote = "" if quote in line else quote
             continue

@@ -7,6 +7,7 @@ from pydantic import Field
 from chutecalc.spec.quantity import Number, Quantity, Table
 from chutecalc.spec.rules import (
     GUIDED,
+    known_format,
     known_strength,
     locus_rows,
     names,
@@ -16,8 +17,8 @@ from chutecalc.spec.rules import (
     some_friction,
 )
 
-Length = Annotated[Number, Quantity("length", gt=0)]
-Depth = Annotated[Number, Quantity("length", ge=0)]
+Length = Annotated[Number, Quantity("length", gt=0, le=1e5)]
+Depth = Annotated[Number, Quantity("length", ge=0, le=1e5)]
 FloorSlope = Annotated[Number, Quantity("angle", ge=0, le=90)]
 Slope = Annotated[Number, Quantity("angle", gt=-90, le=90)]
 FrictionAngle = Annotated[Number, Quantity("angle", ge=0, lt=90)]
@@ -28,15 +29,17 @@ Name = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_-]*$")]
 class Flow(Table):
     """How much flows."""
 
-    rate_t_h: Annotated[Number, Quantity("mass rate", gt=0)] = Field(description="mass rate of the stream")
-    gravity_m_s2: Annotated[Number, Quantity("acceleration", gt=0)] = Field(9.80665, description="gravity")
+    rate_t_h: Annotated[Number, Quantity("mass rate", gt=0, le=1e9)] = Field(description="mass rate of the stream")
+    gravity_m_s2: Annotated[Number, Quantity("acceleration", gt=0, le=1e4)] = Field(9.80665, description="gravity")
 
 
 class Material(Table):
     """What flows."""
 
     name: str | None = Field(None, description="for people")
-    density_kg_m3: Annotated[Number, Quantity("density", gt=0)] = Field(description="bulk density in the stream")
+    density_kg_m3: Annotated[Number, Quantity("density", gt=0, le=1e5)] = Field(
+        description="bulk density in the stream"
+    )
     internal_friction_deg: FrictionAngle = Field(None, description="effective angle of internal friction, δ")
     pressure_ratio: Annotated[Number, Quantity("number", gt=0, le=1)] = Field(
         None, description="K_v, pressure on a vertical wall over that on the centre section, instead of what δ gives"
@@ -48,7 +51,7 @@ class Liner(Table):
     """What the stream slides on."""
 
     friction_deg: FrictionAngle = Field(None, description="wall friction angle")
-    yield_locus_kpa: Annotated[Any, Quantity("pressure", ge=0, shape=(None, 2))] = Field(
+    yield_locus_kpa: Annotated[Any, Quantity("pressure", ge=0, le=1e6, shape=(None, 2))] = Field(
         None, description="measured instead: rows of normal and shear stress; beyond them the end slopes go on"
     )
     own_material: Literal[True] | None = Field(
@@ -119,7 +122,7 @@ AnySection = Annotated[Rectangular | Chamfered | Vee | Circular | Faceted, Field
 class Belt(Table):
     """The belt that the stream comes from."""
 
-    velocity_m_s: Annotated[Number, Quantity("velocity", gt=0)] = Field(description="of the belt")
+    velocity_m_s: Annotated[Number, Quantity("velocity", gt=0, le=1e4)] = Field(description="of the belt")
     incline_deg: Annotated[Number, Quantity("angle", gt=-90, lt=90)] = Field(0.0, description="positive uphill")
     pulley_radius_m: Length = Field(description="of the head pulley")
     belt_thickness_m: Depth = Field(0.0, description="of the belt")
@@ -129,12 +132,12 @@ class Belt(Table):
 class Inlet(Table):
     """How the stream enters."""
 
-    velocity_m_s: Annotated[Number, Quantity("velocity", ge=0)] = Field(
+    velocity_m_s: Annotated[Number, Quantity("velocity", ge=0, le=1e4)] = Field(
         None, description="of the stream, along slope_deg"
     )
     slope_deg: Slope = Field(None, description="of the stream below horizontal; 90 falls straight down")
     belt: Belt | None = Field(None, description="instead: the belt that it comes from")
-    at_m: Annotated[Any, Quantity("length", shape=(2,))] = Field(
+    at_m: Annotated[Any, Quantity("length", ge=-1e5, le=1e5, shape=(2,))] = Field(
         [0.0, 0.0], description="x and z of where it enters, or of the pulley's centre"
     )
     rules: ClassVar = (one_inlet,)
@@ -143,7 +146,7 @@ class Inlet(Table):
 class Receiver(Table):
     """The belt that the stream goes to."""
 
-    velocity_m_s: Annotated[Number, Quantity("velocity", gt=0)] = Field(description="of the belt")
+    velocity_m_s: Annotated[Number, Quantity("velocity", gt=0, le=1e4)] = Field(description="of the belt")
     slope_deg: Annotated[Number, Quantity("angle", gt=-90, lt=90)] = Field(0.0, description="of the belt, downhill")
     friction_deg: FrictionAngle = Field(description="of the material on the belt")
 
@@ -172,7 +175,7 @@ class Guided(Segment):
         None, description="its cross-section, or that at its start and at its end; not needed where there is one only"
     )
     liner: str | None = Field(None, description="its liner; not needed where there is one only")
-    start_m: Annotated[Any, Quantity("length", shape=(2,))] = Field(
+    start_m: Annotated[Any, Quantity("length", ge=-1e5, le=1e5, shape=(2,))] = Field(
         None, description="x and z of where it is drawn from, after a fall that goes onto_next"
     )
 
@@ -248,7 +251,7 @@ class ChuteSpec(Table):
     model: Model = Field(Model(), description="optional")
     receiver: Receiver | None = Field(None, description="optional")
     segments: list[AnySegment] = Field(min_length=1, description="in the order in which the stream meets them")
-    rules: ClassVar = (names, placement, known_strength)
+    rules: ClassVar = (known_format, names, placement, known_strength)
     choices: ClassVar = {
         "kind": (*GUIDED, "fall"),
         "shape": ("rectangular", "chamfered", "vee", "circular", "facets"),

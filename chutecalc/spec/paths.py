@@ -5,7 +5,10 @@ from typing import Any
 
 from chutecalc.errors import Fault, SpecError
 from chutecalc.spec.faults import value_text
-from chutecalc.units import UNITS
+from chutecalc.units import same_quantity
+
+OPTIONAL_TABLES = ("model", "receiver", "belt")
+"""Tables that a path may lead to before they are written; the check that follows refuses them elsewhere."""
 
 
 def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> dict[str, Any]:
@@ -20,14 +23,15 @@ def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> d
         SpecError: paths that lead nowhere, all of them. Whether a key is known is for the check that follows.
     """
     changed = copy.deepcopy(data)
-    faults = [fault for path, value in changes.items() if (fault := _put(changed, path, value))]
+    done: dict[tuple[int, str], str] = {}
+    faults = [fault for path, value in changes.items() if (fault := _put(changed, path, value, done))]
     if faults:
         raise SpecError(faults, source)
     return changed
 
 
-def _put(data: dict[str, Any], path: str, value: Any) -> Fault | None:
-    """Puts one value; the fault where there is no such table."""
+def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str], str]) -> Fault | None:
+    """Puts one value; the fault where there is no such table, or where an earlier path has put the same quantity."""
     *tables, key = path.split(".")
     here: Any = data
     done: list[str] = []
@@ -39,12 +43,16 @@ def _put(data: dict[str, Any], path: str, value: Any) -> Fault | None:
             return Fault(path, f"leads nowhere: {where} has no {item}", remedy, value_text(value))
         here = below
         done.append(item)
-    if isinstance(here, list) and key.isdigit() and 1 <= int(key) <= len(here):
+    quantity = (id(here), min(same_quantity(key)))
+    if quantity in put:
+        return Fault(path, f"is given twice, as {put[quantity]} too", "keep one of them", value_text(value))
+    put[quantity] = path
+    if isinstance(here, list) and _is_number(key) and 1 <= int(key) <= len(here):
         here[int(key) - 1] = value
         return None
     if not isinstance(here, dict) or not key:
         return Fault(path, "names no key", "use a path such as segments.1.drop_m", value_text(value))
-    for name in _same_quantity(key):
+    for name in same_quantity(key):
         here.pop(name, None)
     here[key] = value
     return None
@@ -53,23 +61,17 @@ def _put(data: dict[str, Any], path: str, value: Any) -> Fault | None:
 def _step(here: Any, item: str) -> tuple[Any, list[str]]:
     """The table below, and what there is to choose from. A table of the spec that is not written yet is made."""
     if isinstance(here, dict):
+        if item in OPTIONAL_TABLES and item not in here:
+            here[item] = {}
         return here.get(item), [key for key, value in here.items() if isinstance(value, dict | list)]
     if isinstance(here, list):
         named = [table.get("name") if isinstance(table, dict) else None for table in here]
         names = [name or str(number) for number, name in enumerate(named, 1)]
-        if item.isdigit() and 1 <= int(item) <= len(here):
+        if _is_number(item) and 1 <= int(item) <= len(here):
             return here[int(item) - 1], names
         return (here[named.index(item)] if item in named else None), names
     return None, []
 
 
-def _same_quantity(key: str) -> list[str]:
-    """The key and its unit twins."""
-    endings = [
-        (unit, dimension) for dimension, units in UNITS.items() for unit in units if unit and key.endswith(f"_{unit}")
-    ]
-    if not endings:
-        return [key]
-    unit, dimension = max(endings, key=lambda ending: len(ending[0]))
-    stem = key.removesuffix(unit)
-    return [stem + other for other in UNITS[dimension]]
+def _is_number(item: str) -> bool:
+    return item.isascii() and item.isdecimal()

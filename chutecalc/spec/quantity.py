@@ -73,8 +73,10 @@ class Quantity:
 
     def _number(self, value: Any) -> Any:
         if isinstance(value, np.ndarray):
+            if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
+                raise PydanticCustomError("quantity", "has to be a number, or one for each design in one dimension,")
             smallest, largest = float(value.min()), float(value.max())
-        elif isinstance(value, bool) or not isinstance(value, int | float):
+        elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
             raise PydanticCustomError("quantity", "has to be a number")
         else:
             try:
@@ -104,7 +106,7 @@ def _converted(value: Any, dimension: str, unit: str) -> Any:
     """Numbers, also in lists, in the dimension's first unit; what is none stays for the check to find."""
     if isinstance(value, list | tuple):
         return [_converted(item, dimension, unit) for item in value]
-    number = isinstance(value, int | float | np.ndarray) and not isinstance(value, bool)
+    number = isinstance(value, int | float | np.number | np.ndarray) and not isinstance(value, bool)
     return convert(value, dimension, unit, first_unit(dimension)) if number else value
 
 
@@ -160,7 +162,7 @@ class Table(BaseModel):
         table, written, meant = cls._in_first_units(data, broken)
         for rule in cls.rules:
             broken += [item for item in rule(table) if not (item.place[0] in meant and "missing" in item.problem)]
-        details = [_detail(*rule) for rule in broken]
+        details = [_detail((written.get(str(place[0]), place[0]), *place[1:]), *said) for place, *said in broken]
         try:
             model = handler(table)
         except ValidationError as error:

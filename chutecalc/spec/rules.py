@@ -24,6 +24,12 @@ def one_of(*keys: str) -> Any:
     return rule
 
 
+def known_format(table: dict[str, Any]) -> Iterator[Rule]:
+    """The number of the format is an integer; pydantic takes true and 1.0 for 1."""
+    if "format" in table and type(table["format"]) is not int:
+        yield Rule(("format",), "has to be 1", "change the value")
+
+
 def some_friction(table: dict[str, Any]) -> Iterator[Rule]:
     """What the pressure on the walls follows from."""
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:

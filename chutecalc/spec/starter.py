@@ -3,6 +3,7 @@
 STARTER = """\
 # A chute for chutecalc. Run it:  chutecalc run chute.toml
 # A number's unit is the end of its key; radius_mm = 3000 or radius_ft = 9.84 would do as well.
+format = 1
 title = "Fall and spoon, coal"
 
 [flow]
