@@ -90,7 +90,8 @@ def blend(first: Section, last: Section, share: Array) -> Section:
         if isinstance(one, tuple):
             return tuple(between(*pair) for pair in zip(one, other, strict=True))
         endless = np.isinf(one)
-        return np.where(endless, one, one + share * (other - np.where(endless, 0.0, one)))
+        rise = np.where(endless, 0.0, other) - np.where(endless, 0.0, one)
+        return np.where(endless, one, one + share * rise)
 
     return type(first)(*between(tuple(first), tuple(last)))
 

@@ -134,7 +134,8 @@ def area_at_depth(table: Facets, depth: Array) -> Array:
     flat = facet.area + (facet.width + wetted * facet.cosine) * wetted * facet.sine
     r = np.where(facet.radius > 0.0, facet.radius, 1.0)
     angle = 2.0 * np.arcsin(np.sqrt(np.minimum(0.5 * depth / r, 0.5)))
-    return np.where(facet.radius > 0.0, r**2 * angle_area(angle), flat)
+    area = np.where(facet.radius > 0.0, r**2 * angle_area(angle), flat)
+    return np.where(np.isinf(depth), np.inf, area)
 
 
 def _arc(facet: Facets, area: Array) -> Arc:

@@ -1,0 +1,312 @@
+"""Flights to where they land: placed segments, hoods struck again, segments flown past, plates, belts."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import chutecalc
+from tests.conftest import chute, vee
+
+G = 9.80665
+ONTO = {"kind": "fall", "name": "throw", "onto_next": True}
+
+
+def parabola(velocity, slope_deg, x0=0.0, z0=0.0):
+    u, w = velocity * np.cos(np.radians(slope_deg)), velocity * np.sin(np.radians(slope_deg))
+    return lambda t: (x0 + u * t, z0 - w * t - 0.5 * G * t * t)
+
+
+@pytest.mark.parametrize(("slope", "length"), [(20.0, 6.0), (45.0, 6.0), (70.0, 30.0)])
+def test_onto_a_placed_straight(slope, length):
+    start = (0.3, -1.0)
+    fly = parabola(4.0, 10.0)
+
+    def above(t):
+        x, z = fly(t)
+        return (z - start[1]) * np.cos(np.radians(slope)) + (x - start[0]) * np.sin(np.radians(slope))
+
+    time = brentq(above, 0.0, 5.0, xtol=1e-15)
+    x, z = fly(time)
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 4.0, "slope_deg": 10.0},
+            segments=[ONTO, {"kind": "straight", "slope_deg": slope, "length_m": length, "start_m": list(start)}],
+        )
+    )
+    throw, landed = solution.segments
+    assert throw.status[0] == "ok"
+    assert landed.entry["x_m"][0] == pytest.approx(x, abs=1e-13)
+    assert landed.entry["z_m"][0] == pytest.approx(z, abs=1e-13)
+    assert throw.duration[0] == pytest.approx(time, rel=1e-13)
+    assert throw.exit["velocity_m_s"][0] == pytest.approx(np.sqrt(16 - 2 * G * z), rel=1e-13)
+    assert landed.exit["x_m"][0] == pytest.approx(start[0] + length * np.cos(np.radians(slope)), rel=1e-13)
+    # only what lies after the landing is computed
+    way = landed.exit["s_m"][0] - landed.entry["s_m"][0]
+    assert way == pytest.approx(length - np.hypot(x - start[0], z - start[1]), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("kind", "radius", "slopes", "start"),
+    [
+        ("curve", 1.5, (80.0, -20.0), (1.0, -0.6)),
+        ("hood", 1.5, (5.0, 85.0), (0.3, 0.12)),
+        ("curve", 6.0, (5.0, 40.0), (0.3, -0.15)),
+    ],
+)
+def test_onto_a_placed_arc(kind, radius, slopes, start):
+    fly = parabola(4.0, -5.0)
+    first, last = np.radians(slopes)
+    sign = 1.0 if last < first else -1.0  # centre of a spoon above it, of a crest and a hood below
+    centre = np.array(start) + sign * radius * np.array([np.sin(first), np.cos(first)])
+
+    def outside(t):
+        return np.hypot(*(np.array(fly(t)) - centre)) - radius
+
+    times = np.linspace(1e-6, 2.0, 4001)
+    crossings = []
+    for low, high in pairwise(times):
+        if outside(low) * outside(high) < 0:
+            time = brentq(outside, low, high, xtol=1e-15)
+            x, z = np.array(fly(time)) - centre
+            slope = np.arctan2(-sign * x, -sign * z)  # of the tangent there
+            if min(slopes) <= np.degrees(slope) <= max(slopes):
+                crossings.append((time, slope))
+    time, slope = crossings[0]
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 4.0, "slope_deg": -5.0},
+            sections=vee(),
+            segments=[
+                ONTO,
+                {
+                    "kind": kind,
+                    "radius_m": radius,
+                    "from_slope_deg": slopes[0],
+                    "to_slope_deg": slopes[1],
+                    "start_m": list(start),
+                },
+            ],
+        )
+    )
+    landed = solution.segments[1]
+    assert solution.segments[0].duration[0] == pytest.approx(time, rel=1e-11)
+    assert landed.entry["slope_deg"][0] == pytest.approx(np.degrees(slope), rel=1e-11)
+    assert (landed.entry["x_m"][0], landed.entry["z_m"][0]) == pytest.approx(fly(time), rel=1e-11)
+
+
+def test_a_placed_segment_that_is_missed_says_by_how_much():
+    # straight down from (0.5, 0) at 60°, 1 m long; the stream passes the normal through its end 1 m above it or so
+    fly = parabola(6.0, 0.0)
+    slope = np.radians(60.0)
+    end = np.array([0.2, -0.3]) + np.array([np.cos(slope), -np.sin(slope)])
+
+    def along(t):
+        x, z = np.array(fly(t)) - end
+        return x * np.cos(slope) - z * np.sin(slope)
+
+    time = brentq(along, 0.0, 3.0)
+    x, z = np.array(fly(time)) - end
+    gap = x * np.sin(slope) + z * np.cos(slope)
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 6.0, "slope_deg": 0.0},
+            segments=[ONTO, {"kind": "straight", "slope_deg": 60.0, "length_m": 1.0, "start_m": [0.2, -0.3]}],
+        )
+    )
+    (finding,) = [item for item in solution.findings() if item.severity == "failure"]
+    assert (solution.status[0], finding.code) == ("missed", "missed")
+    assert finding.numbers["gap_m"][0] == pytest.approx(gap, rel=1e-11)
+    assert "beyond its end" in finding.message()
+
+
+def test_a_stream_that_falls_short_is_told_so():
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 1.0, "slope_deg": 0.0},
+            segments=[ONTO, {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [2.0, -0.5]}],
+        )
+    )
+    (finding,) = [item for item in solution.findings() if item.severity == "failure"]
+    assert solution.status[0] == "missed"
+    assert "falls short" in finding.message()
+
+
+def test_a_short_segment_is_flown_past_onto_the_one_after_it():
+    short = {"name": "short", "kind": "straight", "slope_deg": 60.0, "length_m": 0.05}
+    long = {"name": "long", "kind": "straight", "slope_deg": 60.0, "length_m": 5.0}
+    inlet = {"velocity_m_s": 3.0, "slope_deg": 20.0}
+    both = chutecalc.solve(chute(inlet=inlet, segments=[short, long]))
+    one = chutecalc.solve(chute(inlet=inlet, segments=[long | {"length_m": 5.05}]))
+    assert [way.status[0] for way in both.segments] == ["passed", "ok"]
+    assert "flown_past" in [item.code for item in both.findings()]
+    assert both.exit_velocity[0] == pytest.approx(one.exit_velocity[0], rel=1e-13)
+    assert both.exit["s_m"][0] == pytest.approx(one.exit["s_m"][0], rel=1e-13)
+    assert both.exit["time_s"][0] == pytest.approx(one.exit["time_s"][0], rel=1e-12)
+
+
+def test_a_flight_that_misses_a_segment_and_has_a_fall_after_it_falls_on():
+    short = {"name": "short", "kind": "straight", "slope_deg": 60.0, "length_m": 0.05}
+    solution = chutecalc.solve(
+        chute(inlet={"velocity_m_s": 3.0, "slope_deg": 20.0}, segments=[short, {"kind": "fall", "drop_m": 2.0}])
+    )
+    drop = 0.05 * np.sin(np.radians(60.0)) + 2.0
+    assert solution.exit_velocity[0] == pytest.approx(np.sqrt(9 + 2 * G * drop), rel=1e-13)
+
+
+def test_a_stream_that_lifts_off_a_crest_lands_on_what_follows():
+    # v² = R g cos a at 0°: it flies from the start, with the parabola of a stone
+    crest = {"kind": "curve", "radius_m": 0.5, "to_slope_deg": 50.0}
+    after = {"kind": "straight", "slope_deg": 50.0, "length_m": 8.0}
+    velocity = np.sqrt(0.5 * G) * 1.2
+    solution = chutecalc.solve(
+        chute(inlet={"velocity_m_s": velocity, "slope_deg": 0.0}, sections=vee(), segments=[crest, after])
+    )
+    turn = np.radians(50.0)
+    start = np.array([0.5 * np.sin(turn), -0.5 * (1 - np.cos(turn))])
+    fly = parabola(velocity, 0.0)
+
+    def above(t):
+        x, z = np.array(fly(t)) - start
+        return z * np.cos(turn) + x * np.sin(turn)
+
+    time = brentq(above, 0.2, 5.0, xtol=1e-15)
+    assert [way.status[0] for way in solution.segments] == ["contact_lost", "ok"]
+    assert [way.name for way in solution.ways] == ["curve", "straight:flight", "straight"]
+    assert (solution.segments[1].entry["x_m"][0], solution.segments[1].entry["z_m"][0]) == pytest.approx(fly(time))
+    (lost,) = [item for item in solution.findings() if item.code == "contact_lost"]
+    assert lost.severity == "warning"
+
+
+def test_a_hood_that_the_stream_drops_off_is_struck_again():
+    radius, first, velocity = 1.2, np.radians(5.0), 3.0
+    fly = parabola(velocity, 5.0)
+    centre = -radius * np.array([np.sin(first), np.cos(first)])
+
+    def outside(t):
+        return np.hypot(*(np.array(fly(t)) - centre)) - radius
+
+    time = brentq(outside, 0.1, 1.0, xtol=1e-15)
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": velocity, "slope_deg": 5.0},
+            sections=vee(),
+            segments=[{"kind": "hood", "radius_m": radius, "to_slope_deg": 80.0}],
+        )
+    )
+    assert [way.name for way in solution.ways] == ["hood", "hood:flight", "hood"]
+    flight, again = solution.ways[1:]
+    assert flight.duration[0] == pytest.approx(time, rel=1e-11)
+    assert (again.entry["x_m"][0], again.entry["z_m"][0]) == pytest.approx(fly(time), rel=1e-11)
+    (hood,) = solution.segments
+    assert (hood.status[0], solution.status[0]) == ("ok", "ok")
+    assert hood.exit["s_m"][0] == again.exit["s_m"][0]
+    assert hood.minimum["velocity_m_s"][0] == pytest.approx(3.0)
+    # a batch in which one drops off and one does not: neither disturbs the other
+    both = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": velocity, "slope_deg": 5.0},
+            sections=vee(),
+            segments=[{"kind": "hood", "radius_m": radius, "to_slope_deg": 80.0}],
+        ).vary({"inlet.velocity_m_s": [3.0, 6.0]})
+    )
+    alone = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 6.0, "slope_deg": 5.0},
+            sections=vee(),
+            segments=[{"kind": "hood", "radius_m": radius, "to_slope_deg": 80.0}],
+        )
+    )
+    assert both.exit_velocity.tolist() == [solution.exit_velocity[0], alone.exit_velocity[0]]
+    assert both.segments[0].exit["time_s"].tolist() == [
+        hood.exit["time_s"][0],
+        alone.segments[0].exit["time_s"][0],
+    ]
+
+
+def test_a_plate_is_struck_and_left():
+    plate = {"kind": "plate", "slope_deg": 50.0, "length_m": 1.0, "start_m": [0.3, 0.3]}
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 5.0, "slope_deg": 10.0},
+            sections=vee(),
+            segments=[ONTO, plate, {"kind": "fall", "drop_m": 3.0}],
+        )
+    )
+    struck, fall = solution.segments[1:]
+    mu = struck.entry["equivalent_friction"][0]
+    before, angle = struck.impact["velocity_before_m_s"][0], np.radians(struck.impact["incidence_deg"][0])
+    after = before * (np.cos(angle) - mu * np.sin(angle))
+    assert struck.status[0] == "ok"
+    assert struck.exit["s_m"][0] == struck.entry["s_m"][0]
+    assert struck.exit["velocity_m_s"][0] == pytest.approx(after, rel=1e-13)
+    assert fall.entry["slope_deg"][0] == pytest.approx(50.0, rel=1e-13)
+    # down to 3 m below the plate's drawn end
+    level = 0.3 - np.sin(np.radians(50.0)) - 3.0
+    drop = struck.exit["z_m"][0] - level
+    assert fall.exit["velocity_m_s"][0] == pytest.approx(np.sqrt(after**2 + 2 * G * drop), rel=1e-13)
+    assert "contact_lost" not in [item.code for item in solution.findings()]
+
+
+def test_a_fall_by_its_run():
+    solution = chutecalc.solve(
+        chute(inlet={"velocity_m_s": 4.0, "slope_deg": -20.0}, segments=[{"kind": "fall", "run_m": 2.5}])
+    )
+    time = 2.5 / (4 * np.cos(np.radians(20.0)))
+    fall = solution.segments[0]
+    assert fall.duration[0] == pytest.approx(time, rel=1e-14)
+    assert fall.exit["x_m"][0] == pytest.approx(2.5, rel=1e-14)
+    assert fall.exit["z_m"][0] == pytest.approx(parabola(4.0, -20.0)(time)[1], rel=1e-13)
+
+
+@pytest.mark.parametrize("velocity", [1.2, 4.0])
+def test_discharge_from_a_belt(velocity):
+    belt = {
+        "velocity_m_s": velocity,
+        "incline_deg": 12.0,
+        "pulley_radius_m": 0.4,
+        "belt_thickness_m": 0.02,
+        "material_depth_m": 0.2,
+    }
+    data = {"belt": belt, "at_m": [10.0, 20.0]}
+    base = chute(segments=[{"kind": "fall", "drop_m": 1.0}])
+    tables = base.data | {"inlet": data}
+    solution = chutecalc.solve(chutecalc.parse(tables))
+    radius = 0.4 + 0.02 + 0.1
+    froude = velocity**2 / (G * radius)
+    slope = np.arccos(froude) if froude < np.cos(np.radians(12.0)) else -np.radians(12.0)
+    entry, inlet = solution.segments[0].entry, solution.inlet
+    assert entry["velocity_m_s"][0] == velocity
+    assert entry["slope_deg"][0] == pytest.approx(np.degrees(slope), rel=1e-13)
+    assert entry["x_m"][0] == pytest.approx(10 + radius * np.sin(slope), rel=1e-14)
+    assert entry["z_m"][0] == pytest.approx(20 + radius * np.cos(slope), rel=1e-14)
+    assert inlet["lower_edge_x_m"][0] == pytest.approx(10 + 0.42 * np.sin(slope), rel=1e-14)
+    assert inlet["lower_edge_z_m"][0] == pytest.approx(20 + 0.42 * np.cos(slope), rel=1e-14)
+
+
+def test_the_receiving_belt():
+    receiver = {"velocity_m_s": 4.0, "slope_deg": -5.0, "friction_deg": 30.0}
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 3.0, "slope_deg": 35.0},
+            liners={"wall": {"friction_deg": 0.0}},
+            segments=[{"kind": "straight", "slope_deg": 35.0, "length_m": 1.0}],
+            receiver=receiver,
+        )
+    )
+    belt, v = solution.receiver, np.sqrt(9 + 2 * G * np.sin(np.radians(35.0)))
+    angle, mu = np.radians(40.0), np.tan(np.radians(30.0))
+    along, across = v * np.cos(angle), v * np.sin(angle)
+    pull = mu * np.cos(np.radians(-5.0)) + np.sin(np.radians(-5.0))
+    assert belt["velocity_along_m_s"][0] == pytest.approx(along, rel=1e-13)
+    assert belt["velocity_across_m_s"][0] == pytest.approx(across, rel=1e-13)
+    assert belt["velocity_ratio"][0] == pytest.approx(along / 4, rel=1e-13)
+    assert belt["impact_pressure_kpa"][0] == pytest.approx(0.8 * across**2, rel=1e-13)
+    assert belt["wear_w_m2"][0] == pytest.approx(mu * 800 * across**2 * (4 - along), rel=1e-12)
+    assert belt["acceleration_length_m"][0] == pytest.approx((16 - along**2) / (2 * G * pull), rel=1e-12)
+    assert belt["acceleration_power_kw"][0] == pytest.approx(1 / 3.6 * 4 * (4 - along), rel=1e-12)
+    # what would match does match
+    match = np.radians(belt["matching_slope_deg"][0] + 5.0)
+    assert v * np.cos(match) == pytest.approx(4.0, rel=1e-12)
+    assert belt["matching_velocity_m_s"][0] * np.cos(angle) == pytest.approx(4.0, rel=1e-12)

@@ -1,0 +1,257 @@
+"""Circular and faceted sections, pressures on all walls, tapers: each against a second way."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+import chutecalc
+from chutecalc.physics.pressure import pressure_ratio
+from chutecalc.physics.section import Circle, Polygon, blend, facets, take_facet, wetted_facet
+from chutecalc.physics.wear import wall_pressures
+from chutecalc.physics.wetting import area_at_depth, excess_friction, wetting
+from tests.conftest import chute
+
+OPEN = np.array([np.inf])
+
+
+def wet(section, ratio, depth):
+    table = facets(section, np.array([ratio]))
+    area = area_at_depth(table, np.array([depth]))
+    facet = take_facet(table, wetted_facet(table, area))
+    return table, area, facet, wetting(facet, area)
+
+
+def ring(radius, sides):
+    """A polygon around the lower half circle, drawn through points at equal angles."""
+    angles = np.linspace(0.0, np.pi / 2, sides + 1)
+    slopes = 0.5 * (angles[1:] + angles[:-1])
+    length = 2.0 * radius * np.sin(0.25 * np.pi / sides)
+    return Polygon(np.zeros(1), (np.array([length]),) * sides, tuple(np.array([slope]) for slope in slopes), OPEN)
+
+
+@pytest.mark.parametrize("depth", [0.02, 0.2, 0.4, 0.7])
+def test_a_circle_is_the_limit_of_polygons(depth):
+    errors = []
+    for sides in (40, 80):
+        _, area, _, circle = wet(Circle(np.array([0.4]), OPEN), 0.25, depth)
+        _, close, _, polygon = wet(ring(0.4, sides), 0.25, depth)
+        errors.append(
+            [
+                abs(close[0] / area[0] - 1),
+                abs(polygon.excess[0] / circle.excess[0] - 1),
+                abs(polygon.chamfer[0] / circle.chamfer[0] - 1),
+            ]
+        )
+    coarse, fine = np.array(errors)
+    assert (fine < 0.5 * coarse).all() or (fine < 1e-3).all()  # second order where the depth meets a corner
+    assert (fine < (0.02 if depth < 0.1 else 2e-3)).all()
+
+
+def test_a_liquid_in_a_half_pipe_and_above_it():
+    # K = 1: χ = (1/A) ∫ (1 - cos ψ) ζ dl; half full it is 4/π - 1
+    table, area, facet, _ = wet(Circle(np.array([0.5]), OPEN), 1.0, 0.5)
+    below = take_facet(table, np.array([0]))
+    for one in (facet, below):
+        assert excess_friction(one, area)[0][0] == pytest.approx(4 / np.pi - 1, rel=1e-14)
+    # h above it: walls add h² and every element of the arc h more
+    h = 0.3
+    _, area, facet, _ = wet(Circle(np.array([0.5]), OPEN), 1.0, 0.5 + h)
+    half = 0.5 * np.pi * 0.25
+    exact = ((4 / np.pi - 1) * half + 2 * h * 0.5 * (np.pi / 2 - 1) + h * h) / (half + h)
+    assert area[0] == pytest.approx(half + h, rel=1e-14)
+    assert excess_friction(facet, area)[0][0] == pytest.approx(exact, rel=1e-13)
+
+
+@pytest.mark.parametrize("depth", [1e-6, 0.01, 0.15, 0.299, 0.3, 0.31, 0.9])
+def test_a_circle_by_integration(depth):
+    radius, ratio = 0.3, 0.22
+    _, area, facet, found = wet(Circle(np.array([radius]), OPEN), ratio, depth)
+    top = min(depth, radius)
+    angle = 2 * np.arcsin(np.sqrt(0.5 * top / radius))
+    above = depth - top
+
+    def zeta(psi):
+        return 2 * radius * np.sin(0.5 * (angle + psi)) * np.sin(0.5 * (angle - psi)) + above
+
+    def load(weight):
+        return 2 * radius * quad(lambda psi: pressure_ratio(psi, ratio) * weight(psi) * zeta(psi), 0, angle)[0]
+
+    drawn = radius**2 * 2 * quad(lambda psi: np.sin(psi) ** 2, 0, angle)[0] + 2 * radius * above
+    excess = load(lambda psi: 2 * np.sin(psi / 2) ** 2) + ratio * above**2
+    carried = load(np.cos)
+    # quad gives 1e-14 of what it integrates
+    assert area[0] == pytest.approx(drawn, rel=1e-11)
+    assert found.depth[0] == pytest.approx(depth, rel=1e-12)
+    assert found.chamfer[0] == pytest.approx(radius * angle, rel=1e-12)
+    assert found.width[0] == pytest.approx(2 * radius * np.sin(angle), rel=1e-11)
+    assert excess_friction(facet, area)[0][0] == pytest.approx(excess / drawn, rel=1e-10)
+    assert found.missing[0] == pytest.approx(1 - carried / drawn, abs=1e-11)
+
+
+def test_facets_are_chamfer_vee_and_rectangle():
+    common = {"inlet": {"velocity_m_s": 2.0, "slope_deg": 50.0}, "segments": [STRAIGHT]}
+    pairs = [
+        (
+            {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 40.0, "chamfer_m": 0.1},
+            [{"length_m": 0.25, "slope_deg": 0.0}, {"length_m": 0.1, "slope_deg": 40.0}],
+        ),
+        ({"shape": "vee", "chamfer_deg": 40.0, "chamfer_m": 0.2}, [{"length_m": 0.2, "slope_deg": 40.0}]),
+        (
+            {"shape": "rectangular", "width_m": 0.5},
+            [{"length_m": 0.25, "slope_deg": 0.0}, {"length_m": 0.1, "slope_deg": 90.0}],
+        ),
+    ]
+    for section, sides in pairs:
+        one = chutecalc.solve(chute(sections={"body": section}, **common))
+        same = chutecalc.solve(chute(sections={"body": {"shape": "facets", "facets": sides}}, **common))
+        assert same.exit_velocity[0] == pytest.approx(one.exit_velocity[0], rel=1e-13)
+        assert same.exit_depth[0] == pytest.approx(one.exit_depth[0], rel=1e-12)
+
+
+STRAIGHT = {"kind": "straight", "slope_deg": 50.0, "length_m": 6.0}
+
+
+def test_a_facet_cut_in_two_changes_nothing():
+    whole = [{"length_m": 0.2, "slope_deg": 0.0}, {"length_m": 0.3, "slope_deg": 35.0}]
+    cut = [whole[0], {"length_m": 0.04, "slope_deg": 35.0}, {"length_m": 0.26, "slope_deg": 35.0}]
+    inlet = {"velocity_m_s": 1.0, "slope_deg": 50.0}
+    ends = [
+        chutecalc.solve(
+            chute(sections={"body": {"shape": "facets", "facets": sides}}, inlet=inlet, segments=[STRAIGHT])
+        )
+        for sides in (whole, cut)
+    ]
+    assert ends[0].exit_velocity[0] == pytest.approx(ends[1].exit_velocity[0], rel=2e-12)  # cut where no kink is
+
+
+SECTIONS = {
+    "rectangle": Polygon(np.array([0.5]), (), (), OPEN),
+    "chamfer": Polygon(np.array([0.5]), (np.array([0.15]),), (np.radians([45.0]),), OPEN),
+    "steep": Polygon(np.array([0.3]), (np.array([0.2]),), (np.radians([89.0]),), OPEN),
+    "facets": Polygon(
+        np.array([0.2]), (np.array([0.1]), np.array([0.1])), (np.radians([20.0]), np.radians([60.0])), OPEN
+    ),
+    "vee": Polygon(np.zeros(1), (np.array([0.3]),), (np.radians([50.0]),), OPEN),
+    "circle": Circle(np.array([0.3]), OPEN),
+}
+
+
+@pytest.mark.parametrize("equilibrium", [False, True])
+@pytest.mark.parametrize("depth", [0.01, 0.1, 0.5])
+@pytest.mark.parametrize("name", SECTIONS)
+def test_the_books_close(name, depth, equilibrium):
+    """∫ μ p v dl over the wetted walls is μ_e ρ n A v: with p as told for the floor, K ρ n ζ on the walls."""
+    section, ratio, weight = SECTIONS[name], 0.3, 1.0
+    table, area, facet, found = wet(section, ratio, depth)
+    floor, _, _ = wall_pressures(section, table, wetting(facet, area[None]), area[None], np.ones((1, 1)), equilibrium)
+    excess, _ = excess_friction(facet, area, equilibrium)
+    raised = 1 / (1 - found.missing[0]) if equilibrium else 1.0
+    if isinstance(section, Circle):
+        angle = float(found.chamfer[0] / section.radius[0])
+        above = max(depth - section.radius[0], 0.0)
+        wall = (
+            2
+            * section.radius[0]
+            * quad(
+                lambda psi: pressure_ratio(psi, ratio) * (section.radius[0] * (np.cos(psi) - np.cos(angle)) + above),
+                0,
+                angle,
+            )[0]
+            + ratio * above**2
+        )
+        base = 0.0
+    else:
+        base, foot, wall = float(section.base[0]), 0.0, 0.0
+        for length, psi in (
+            *zip(section.lengths, section.inclinations, strict=True),
+            (np.array([9.0]), np.array([np.pi / 2])),
+        ):
+            top = min(foot + float(length[0] * np.sin(psi[0])), depth)
+            if top > foot:
+                k = pressure_ratio(psi, ratio)[0]
+                wall += 2 * k * ((depth - foot) ** 2 - (depth - top) ** 2) / 2 / np.sin(psi[0])
+            foot += float(length[0] * np.sin(psi[0]))
+    # a load that is missing where there is no floor has no width to lie on: it is a line load
+    line = found.missing[0] * area[0] if base == 0.0 and not equilibrium else 0.0
+    borne = base * floor.item() / weight + wall * raised + line
+    assert borne == pytest.approx((1 + excess[0]) * area[0], rel=1e-10)
+
+
+def test_equilibrium_in_a_vee_is_one_over_cosine():
+    sections = {"body": {"shape": "vee", "chamfer_deg": 45.0}}
+    inlet = {"velocity_m_s": 4.0, "slope_deg": 50.0}
+    model = {"friction_law": "equilibrium"}
+    solution = chutecalc.solve(chute(sections=sections, model=model, inlet=inlet, segments=[STRAIGHT]))
+    exact = np.tan(np.radians(25.0)) / np.cos(np.radians(45.0))
+    assert solution.exit["equivalent_friction"][0] == pytest.approx(exact, rel=1e-14)
+    pull = 9.80665 * (np.sin(np.radians(50.0)) - exact * np.cos(np.radians(50.0)))
+    assert solution.exit_velocity[0] == pytest.approx(np.sqrt(16.0 + 2 * pull * 6.0), rel=1e-13)
+
+
+def tapered(pieces, **more):
+    """A taper, or the same as constant sections each of its piece's middle."""
+    wide = {"base_m": 0.8, "chamfer_deg": 40.0, "chamfer_m": 0.10}
+    narrow = {"base_m": 0.3, "chamfer_deg": 60.0, "chamfer_m": 0.20}
+    shape = {"shape": "chamfered"}
+    inlet = {"velocity_m_s": 3.0, "slope_deg": 50.0}
+    if not pieces:
+        sections = {"wide": shape | wide, "narrow": shape | narrow}
+        segments = [STRAIGHT | {"section": ["wide", "narrow"]}]
+        return chute(sections=sections, inlet=inlet, segments=segments, **more)
+    shares = (np.arange(pieces) + 0.5) / pieces
+    sections = {
+        f"s{k}": shape | {key: wide[key] + share * (narrow[key] - wide[key]) for key in wide}
+        for k, share in enumerate(shares)
+    }
+    segments = [STRAIGHT | {"length_m": 6.0 / pieces, "section": name} for name in sections]
+    return chute(sections=sections, inlet=inlet, segments=segments, **more)
+
+
+@pytest.mark.parametrize("rate", [300.0, 3000.0])
+def test_a_taper_is_the_limit_of_many_constant_pieces(rate):
+    flow = {"rate_t_h": rate}
+    taper = chutecalc.solve(tapered(0, flow=flow)).exit_velocity[0]
+    errors = [abs(chutecalc.solve(tapered(n, flow=flow)).exit_velocity[0] / taper - 1) for n in (8, 16, 32)]
+    assert errors[-1] < 2e-4
+    # the midpoint rule is of second order, but for the pieces in which the depth passes a chamfer's top
+    assert errors[0] / errors[-1] > 8.0
+    extrapolated = (4 * errors[2] - errors[1]) / 3
+    assert extrapolated < 1e-5
+
+
+def test_a_taper_between_equal_sections_is_no_taper():
+    same = {"shape": "circular", "radius_m": 0.4}
+    segments = [STRAIGHT | {"section": ["one", "two"]}]
+    taper = chutecalc.solve(chute(sections={"one": same, "two": dict(same)}, segments=segments))
+    plain = chutecalc.solve(chute(sections={"one": same}, segments=[STRAIGHT]))
+    assert taper.exit_velocity[0] == pytest.approx(plain.exit_velocity[0], rel=1e-13)
+
+
+def test_the_depth_along_a_taper_is_that_of_the_section_there():
+    solution = chutecalc.solve(tapered(0))
+    for share, depth in zip(np.linspace(0, 1, 5), solution.stations(points=5)["depth_m"][0], strict=True):
+        area = solution.stations(points=5)["area_m2"][0][round(share * 4)]
+        section = blend(*(solution.design.segments[0][k] for k in (8, 9)), np.array([share]))
+        table = facets(section, solution.design.vertical_ratio)
+        assert area_at_depth(table, np.array([depth]))[0] == pytest.approx(area, rel=1e-12)
+
+
+def test_a_taper_chokes_where_its_falling_wall_is_passed():
+    sections = {
+        "high": {"shape": "rectangular", "width_m": 0.5, "wall_height_m": 0.5},
+        "low": {"shape": "rectangular", "width_m": 0.5, "wall_height_m": 0.1},
+    }
+    # a vee-free case with constant friction: no wall friction at all, v² = v0² + 2 g sin a s
+    solution = chutecalc.solve(
+        chute(
+            sections=sections,
+            liners={"wall": {"friction_deg": 0.0}},
+            inlet={"velocity_m_s": 3.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 4.0, "section": ["high", "low"]}],
+        )
+    )
+    s = solution.findings()[0].s_m[0]
+    flow = 1000 / 3.6 / 800
+    velocity = np.sqrt(9 + 2 * 9.80665 * np.sin(np.radians(5.0)) * s)
+    assert solution.status[0] == "choke"
+    assert flow / velocity / 0.5 == pytest.approx(0.5 - 0.4 * s / 4.0, rel=1e-9)
