@@ -45,10 +45,10 @@ def time_to_drop(path: Flight, drop: Array) -> Array:
 
     Args:
         path: the flight.
-        drop: h, m, 0 or more.
+        drop: h, m, negative where it rises.
 
     Returns:
-        t, s.
+        t, s; NaN where it never is there.
 
     >>> one = np.ones(1)
     >>> float(time_to_drop(flight(0 * one, 0 * one, 0 * one, one, 9.81 * one), 4.905 * one)[0])
@@ -58,7 +58,8 @@ def time_to_drop(path: Flight, drop: Array) -> Array:
     root = np.sqrt(w**2 + 2.0 * path.gravity * drop)
     rising = w < 0.0
     quick = 2.0 * drop / np.where(rising | (root == 0.0), 1.0, w + root)
-    return np.where(rising, (root - w) / path.gravity, quick)
+    time = np.where(rising, (root - w) / path.gravity, quick)
+    return np.where(time >= 0.0, time, np.nan)
 
 
 def time_to_run(path: Flight, run: Array) -> Array:

@@ -123,7 +123,7 @@ def _flat_rows(section: Polygon, vertical_ratio: Array) -> list[Facets]:
     lengths, inclinations = list(section.lengths), list(section.inclinations)
     zero, one = np.zeros(1), np.ones(1)
     drawn = [one] * len(lengths)
-    if not lengths or np.isfinite(lengths[-1]).all():
+    if not lengths or not np.isinf(lengths[-1]).any():
         lengths.append(np.array([np.inf]))
         inclinations.append(np.array([np.pi / 2]))
         drawn.append(zero)

@@ -91,6 +91,8 @@ class Front:
         """Panels in r failed since the last one in c."""
         self.stride = np.ones(y.shape)
         """Share of the way to its goal that a panel in r takes."""
+        self.crossed = np.full(y.shape, np.nan)
+        """Where the friction law's branch last changed."""
         self.choke = np.full((3, *y.shape), np.nan)
         """Place, y and error where the stream choked."""
         self.pieces: list[Piece] = []
@@ -159,6 +161,14 @@ class Front:
         else:
             self.reach[rows] = 0.5 * step
 
+    def chatter(self, rows: Index, by_root: bool, step: Array) -> None:
+        """Designs that a panel takes back over the boundary that they have just crossed: a shorter one will tell.
+
+        Next to a balance that does not hold, a long one lets rounding grow until it decides.
+        """
+        self.reach[rows] = 0.25 * (self.reach[rows] if by_root else step)
+        self.tired[rows] |= by_root
+
     def accept(self, trial: Trial, chosen: Index) -> None:
         """Moves designs to the ends of their panels; ``chosen`` are columns of the trial."""
         rows, panel = trial.rows[chosen], trial.panel
@@ -200,6 +210,8 @@ class Front:
         self.choke[:, choked] = self.place[choked], self.y[choked], self.error[choked]
         if not self.effort.complete:
             self.status[choked] = Status.CHOKE
+        crossing = rows[(event != CONTACT) & (event != CHOKE) & (event != END)]
+        self.crossed[crossing] = self.place[crossing]
         self._cross(rows[event == DEEPER], rows[event == SHALLOWER], rows[event == FIRMER], rows[event == LOOSER])
         ended = rows[event == END]
         self.place[ended] = self.limit[ended]

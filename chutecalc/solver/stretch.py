@@ -18,6 +18,8 @@ from chutecalc.solver.panel import panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, rates
 
 PASSES = 2000  # a bound, so that no input can hang; the hardest stretch of 12,000 random chutes took 300
+AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
+CREEP, PATIENCE = 1e-5, 300  # m/s below which a stream that needs more panels than that counts as stalled
 BLOCK = {8: 2048, 12: 1680, 16: 960, 24: 432}  # designs whose matrix products stay in cache and on one core
 
 
@@ -68,8 +70,12 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
         running = np.flatnonzero(front.status == RUNNING)
     _advance(front, running, False, front.limit[running], effort.first, effort.tolerance, True)
     front.reach = front.limit - front.place  # the finer rules may yet do it in one
-    for _ in range(PASSES):
+    for passes in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
+        if passes > PATIENCE:  # it clings to a balance next to rest, where no place of a stall can be told
+            creeping = running[front.y[running] < CREEP**2]
+            front.status[creeping], front.error[creeping] = Status.STALL, 1.0 - front.place[creeping]
+            running = np.flatnonzero(front.status == RUNNING)
         if not running.size:
             return _result(front)
         change = _change(front, running)
@@ -99,8 +105,14 @@ def _change(front: Front, rows: Index) -> Array:
 
 
 def _cross_boundaries(front: Front, rows: Index, change: Array) -> bool:
-    """Takes designs that stand at an event, on their way into it, beyond it."""
-    if not front.events:
+    """Takes designs that stand at an event, on their way into it, beyond it.
+
+    Not those that have just come over one there: where a stream clings to a balance, which way it goes in the first
+    instant is noise, and only a panel tells.
+    """
+    fresh = front.place[rows] != front.crossed[rows]
+    rows, change = rows[fresh], change[fresh]
+    if not (front.events and rows.size):
         return False
     place, y, step = front.place[rows], front.y[rows], 1e-6
     here = front.margins(rows, place, y, False)
@@ -177,10 +189,14 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     events = np.array([*front.events, END])
     crossings = np.stack([first_crossing(margin)[:count] for margin in margins])
     cut, event = crossings.min(axis=0), events[crossings.argmin(axis=0)]
+    near = AT_END + ROUNDING * np.abs(end / (end - start))
+    cut = np.where((cut > 1.0 - near) & (cut < 1.0), np.inf, cut)  # found before, and aimed at
     inside = good & (cut < 1.0) & (cut > 0.0)
     front.aim[rows[inside]] = (start + cut * (end - start))[inside]
     front.aim_by_root[rows[inside]] = trial.by_root
     at_once = good & (cut == 0.0)
+    back = at_once & (front.place[rows] == front.crossed[rows])
+    front.chatter(rows[back], trial.by_root, (end - start)[back])
     front.happen(rows[at_once], event[at_once])
     whole = np.flatnonzero(good & (cut > 1.0))
     front.accept(trial, whole)
