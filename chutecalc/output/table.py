@@ -121,9 +121,17 @@ class Printer:
                 table.add_row(way.name, way.kind, str(way.status[0]).replace("_", " "), end_section=True)
                 continue
             rows = [("in", way.entry), ("out", way.exit)]
-            if any(way.minimum[name][0] < min(way.entry[name][0], way.exit[name][0]) for name in way.minimum):
+            if any(
+                _exceeds(-way.minimum[name][0], -way.entry[name][0], -way.exit[name][0])
+                for name in way.minimum
+                if name in SHOWN
+            ):
                 rows.append(("min", way.minimum))
-            if any(way.maximum[name][0] > max(way.entry[name][0], way.exit[name][0]) for name in way.maximum):
+            if any(
+                _exceeds(way.maximum[name][0], way.entry[name][0], way.exit[name][0])
+                for name in way.maximum
+                if name in SHOWN
+            ):
                 rows.append(("max", way.maximum))
             for row, (label, numbers) in enumerate(rows):
                 names = (way.name, way.kind) if row == 0 else ("", "")
@@ -190,6 +198,11 @@ class Printer:
             if value == value:
                 parts.append(f"{column.heading} {column.shown(value, self.units)} {column.unit_text(self.units)}")
         return Text(f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})")
+
+
+def _exceeds(extreme: float, *ends: float) -> bool:
+    """Whether an extreme lies visibly above both ends."""
+    return extreme - max(ends) > 1e-6 * abs(extreme)
 
 
 def _advice(solution: Solution, said: Callable[[Mapping[str, Any], str], str]) -> str:

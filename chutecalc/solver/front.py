@@ -14,6 +14,7 @@ from chutecalc.solver.panel import PLACE_ROUNDING, Panel
 from chutecalc.solver.slide import Course, Slide
 
 RUNNING = -1
+LEAST_STEP = 1e-14  # of the segment, so that every step is one
 CLEAR = 4.0 * LEVEL  # beyond an event by more than it is found within
 
 CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
@@ -159,14 +160,14 @@ class Front:
             self.stride[rows] *= 0.5
             self.tired[rows] = self.stride[rows] < 0.1
         else:
-            self.reach[rows] = 0.5 * step
+            self.reach[rows] = np.maximum(0.5 * step, LEAST_STEP)
 
     def chatter(self, rows: Index, by_root: bool, step: Array) -> None:
         """Designs that a panel takes back over the boundary that they have just crossed: a shorter one will tell.
 
         Next to a balance that does not hold, a long one lets rounding grow until it decides.
         """
-        self.reach[rows] = 0.25 * (self.reach[rows] if by_root else step)
+        self.reach[rows] = np.maximum(0.25 * (self.reach[rows] if by_root else step), LEAST_STEP)
         self.tired[rows] |= by_root
 
     def accept(self, trial: Trial, chosen: Index) -> None:
@@ -187,7 +188,7 @@ class Front:
         else:
             self.error[rows] = np.abs(growth) * self.error[rows] * self.y[rows] / knots[-1] + error
             self.place[rows], self.y[rows] = end, knots[-1]
-            self.reach[rows] = 4.0 * (end - start)
+            self.reach[rows] = np.maximum(4.0 * (end - start), LEAST_STEP)
             self.stride[rows] = np.where(self.tired[rows], 0.5, self.stride[rows])
             self.tired[rows] = False
             self.arrive(rows[end >= self.limit[rows]])

@@ -191,8 +191,10 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     cut, event = crossings.min(axis=0), events[crossings.argmin(axis=0)]
     near = AT_END + ROUNDING * np.abs(end / (end - start))
     cut = np.where((cut > 1.0 - near) & (cut < 1.0), np.inf, cut)  # found before, and aimed at
+    aim = start + cut * (end - start)
+    cut = np.where((cut < 1.0) & (np.abs(aim - start) <= ROUNDING * np.abs(start)), 0.0, cut)
     inside = good & (cut < 1.0) & (cut > 0.0)
-    front.aim[rows[inside]] = (start + cut * (end - start))[inside]
+    front.aim[rows[inside]] = aim[inside]
     front.aim_by_root[rows[inside]] = trial.by_root
     at_once = good & (cut == 0.0)
     back = at_once & (front.place[rows] == front.crossed[rows])
