@@ -56,7 +56,7 @@ def convert(value: Any, dimension: str, source: str, target: str) -> Any:
         return value
     (up, down), (target_up, target_down) = UNITS[dimension][source], UNITS[dimension][target]
     if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
-        value = math.copysign(math.inf, value)
+        value = math.inf if value > 0 else -math.inf
     return value * (up * target_down) / (down * target_up)
 
 

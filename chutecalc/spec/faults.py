@@ -75,15 +75,16 @@ def value_text(value: Any) -> str:
 def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
     """The place without the tags that pydantic puts in for kinds and shapes, and what stands there."""
     place: Place = ()
-    here = data
+    here, tagged = data, False
     for item in loc:
         if item == "[key]":  # pydantic's name for a key itself
             continue
         if isinstance(here, dict):
-            if item not in here and item in (here.get("kind"), here.get("shape")):
+            if not tagged and item in (here.get("kind"), here.get("shape")):
+                tagged = True
                 continue
             here = here.get(item)
         else:
             here = here[item] if isinstance(here, list) and isinstance(item, int) and item < len(here) else None
-        place = (*place, item)
+        place, tagged = (*place, item), False
     return place, here

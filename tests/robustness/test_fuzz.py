@@ -133,7 +133,7 @@ chutes = st.fixed_dictionaries(
 )
 
 
-@settings(SETTINGS, max_examples=600)
+@settings(SETTINGS, max_examples=150)
 @given(chutes)
 def test_any_admissible_chute(data):
     solution = check(data)

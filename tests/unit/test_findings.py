@@ -274,3 +274,74 @@ def test_a_finding_masks_the_designs_it_is_about():
     assert (stall.mask == (solution.status == "stall")).all()
     assert stall.mask.any()
     assert not stall.mask.all()
+
+
+@pytest.mark.parametrize("off", [-0.001, 0.001])
+def test_steep_impact(off):
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 5.0, "slope_deg": 60.0},
+            segments=[{"kind": "straight", "slope_deg": 40.0 - off, "length_m": 1.0}],
+        )
+    )
+    assert ("steep_impact" in codes(solution)) == (off > 0)
+
+
+def test_flown_past():
+    segments = [
+        {"name": "short", "kind": "straight", "slope_deg": 60.0, "length_m": 0.05},
+        {"name": "long", "kind": "straight", "slope_deg": 60.0, "length_m": 5.0},
+    ]
+    leaves = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 20.0}, segments=segments))
+    follows = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 60.0}, segments=segments))
+    assert found(leaves, "flown_past").segment == "short"
+    assert "flown_past" not in codes(follows)
+
+
+@pytest.mark.parametrize("off", [-0.001, 0.001])
+def test_not_accelerated(off):
+    # a belt uphill at ε lifts material by friction only if μ_b cos ε > sin ε: up to its friction angle
+    solution = chutecalc.solve(chute(receiver={"velocity_m_s": 9.0, "slope_deg": -(20.0 + off), "friction_deg": 20.0}))
+    assert ("not_accelerated" in codes(solution)) == (off > 0)
+    assert np.isinf(solution.receiver["acceleration_length_m"][0]) == (off > 0)
+
+
+@pytest.mark.parametrize("share", [0.999, 1.001])
+def test_inadmissible_friction_where_the_bound_on_a_locus_binds(share):
+    # one slope through the origin: the locus is the material's own at share 1
+    slope = float(np.sin(np.radians(50.0)) * share)
+    rows = [[1.0, slope], [2.0, 2 * slope]]
+    solution = chutecalc.solve(
+        chute(
+            liners={"wall": {"yield_locus_kpa": rows}},
+            inlet={"velocity_m_s": 4.0, "slope_deg": 60.0},
+            segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}],
+        )
+    )
+    assert ("inadmissible_friction" in codes(solution)) == (share > 1)
+
+
+def test_no_missing_load_under_the_equilibrium_law():
+    sections = vee(50.0)
+    assert "missing_load" in codes(chutecalc.solve(chute(sections=sections)))
+    assert "missing_load" not in codes(chutecalc.solve(chute(sections=sections, model={"friction_law": "equilibrium"})))
+
+
+@pytest.mark.parametrize("factor", [0.9999, 1.0001])
+def test_above_the_half_circle(factor):
+    depth = 1000 / 3.6 / 800 / 4.0 / (0.5 * np.pi)  # r such that the half circle is just full: A = π r²/2
+    radius = float(np.sqrt(depth) * factor)
+    solution = chutecalc.solve(chute(sections={"body": {"shape": "circular", "radius_m": radius}}))
+    assert ("above_chamfer" in codes(solution)) == (factor < 1)
+
+
+def test_a_stalled_stream_is_told_what_else_strains_it():
+    # Fr is 0.84 where it enters, and the stream only slows down
+    solution = chutecalc.solve(
+        chute(
+            sections=rectangular(0.3),
+            inlet={"velocity_m_s": 2.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}],
+        )
+    )
+    assert {"stall", "thick_stream", "slow_stream"} <= set(codes(solution))

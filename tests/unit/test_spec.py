@@ -296,3 +296,156 @@ def test_rtol_has_its_bounds():
     for wrong in (0.0, 1e-14, 0.1, float("nan")):
         with pytest.raises(chutecalc.UsageError, match="1e-13"):
             chutecalc.solve(chutecalc.parse(STARTER), rtol=wrong)
+
+
+def with_tables(**tables):
+    data = tomllib.loads(chutecalc.STARTER)
+    return data | tables
+
+
+@pytest.mark.parametrize(
+    ("tables", "path", "words"),
+    [
+        ({"liners": {"a": {"yield_locus_kpa": [[1, 0.5]]}}}, "liners.a.yield_locus_kpa", "two rows"),
+        ({"liners": {"a": {"yield_locus_kpa": [[1, 0.5], [1, 0.6]]}}}, "liners.a.yield_locus_kpa", "row 2"),
+        ({"liners": {"a": {"yield_locus_kpa": [[1, 0.5], [2, 0.4]]}}}, "liners.a.yield_locus_kpa", "row 2"),
+        ({"liners": {"a": {"yield_locus_kpa": [[0, 0.5], [2, 0.6]]}}}, "liners.a.yield_locus_kpa", "0 or less"),
+        ({"liners": {"a": {"yield_locus_kpa": [1, 2]}}}, "liners.a.yield_locus_kpa", "rows of two numbers"),
+        ({"liners": {"a": {"yield_locus_kpa": [[1, "x"], [2, 3]]}}}, "liners.a.yield_locus_kpa", "a number"),
+        ({"liners": {"a": {"friction_deg": 20, "own_material": True}}}, "liners.a.own_material", "only one of"),
+        ({"liners": {"a": {}}}, "liners.a.friction_deg", "is missing"),
+        ({"liners": {"a": {"friction_deg": 20, "slip_ratio": 1.5}}}, "liners.a.slip_ratio", "at most 1"),
+        ({"sections": {"s": {"shape": "circular"}}}, "sections.s.radius_m", "is missing"),
+        ({"sections": {"s": {"shape": "facets", "facets": []}}}, "sections.s.facets", "one table at least"),
+        (
+            {"sections": {"s": {"shape": "facets", "facets": [{"length_m": 1, "slope_deg": 0}]}}},
+            "sections.s.facets",
+            "all level",
+        ),
+        (
+            {"sections": {"s": {"shape": "facets", "facets": [{"length_m": 1, "slope_deg": a} for a in (40, 30)]}}},
+            "sections.s.facets.2.slope_deg",
+            "flatter than the facet before",
+        ),
+        (
+            {"sections": {"s": {"shape": "facets", "facets": [{"length_m": 1, "slope_deg": 90}]}}},
+            "sections.s.facets.1.slope_deg",
+            "no width",
+        ),
+        ({"inlet": {"belt": {"velocity_m_s": 3, "pulley_radius_m": 0.4}, "slope_deg": 3}}, "inlet.slope_deg", "belt"),
+        ({"inlet": {"velocity_m_s": 3}}, "inlet.slope_deg", "is missing"),
+        ({"inlet": {"velocity_m_s": 3, "slope_deg": 9, "at_m": [1]}}, "inlet.at_m", "two numbers"),
+        ({"model": {"friction_law": "mine"}}, "model.friction_law", "'paper' or 'equilibrium'"),
+        ({"receiver": {"velocity_m_s": 0, "friction_deg": 30}}, "receiver.velocity_m_s", "greater than 0"),
+        ({"segments": [{"kind": "fall"}]}, "segments.1.drop_m", "is missing"),
+        ({"segments": [{"kind": "fall", "onto_next": True}]}, "segments.1.onto_next", "needs a segment after it"),
+        (
+            {
+                "segments": [
+                    {"kind": "fall", "drop_m": 1},
+                    {"kind": "straight", "slope_deg": 9, "length_m": 1, "start_m": [0, 0]},
+                ]
+            },
+            "segments.2.start_m",
+            "onto_next",
+        ),
+        (
+            {"segments": [{"kind": "fall", "onto_next": True}, {"kind": "curve", "radius_m": 1, "to_slope_deg": 9}]},
+            "segments.2.start_m",
+            "is missing",
+        ),
+        ({"segments": [{"kind": "fall", "run_m": 1}]}, "segments.1.run_m", "straight down"),
+        (
+            {"material": {"density_kg_m3": 800, "pressure_ratio": 0.4}, "liners": {"a": {"own_material": True}}},
+            "liners.a.own_material",
+            "internal friction",
+        ),
+    ],
+)
+def test_faults_of_what_real_chutes_have(tables, path, words):
+    with pytest.raises(chutecalc.SpecError) as caught:
+        chutecalc.parse(with_tables(**tables))
+    faults = [fault for fault in caught.value.faults if fault.path == path]
+    assert faults, [fault.text("x") for fault in caught.value.faults]
+    assert any(words in fault.problem for fault in faults), faults
+    assert all(fault.remedy for fault in faults)
+
+
+def test_sections_of_a_taper_have_to_be_alike():
+    sections = {
+        "one": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45},
+        "two": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45, "chamfer_m": 0.1},
+    }
+    spoon = {"kind": "curve", "radius_m": 3, "to_slope_deg": 0, "section": ["one", "two"]}
+    with pytest.raises(chutecalc.SpecError, match="differ in more than numbers"):
+        chutecalc.parse(with_tables(sections=sections, segments=[{"kind": "fall", "drop_m": 2}, spoon]))
+
+
+def test_lists_take_units_and_paths_lead_into_them():
+    locus = [[0.5, 0.3], [1.0, 0.5]]
+    pascal = [[500.0, 300.0], [1000.0, 500.0]]
+    ends = [
+        chutecalc.solve(chutecalc.parse(with_tables(liners={"a": {key: rows}}))).exit_velocity[0]
+        for key, rows in (("yield_locus_kpa", locus), ("yield_locus_pa", pascal))
+    ]
+    assert ends[0] == pytest.approx(ends[1], rel=1e-13)
+    base = chutecalc.parse(with_tables(liners={"a": {"yield_locus_kpa": locus}}))
+    varied = chutecalc.solve(base.vary({"liners.a.yield_locus_kpa.2.2": [0.5, 0.6]})).exit_velocity
+    assert varied[0] == ends[0]
+    assert varied[1] != ends[0]
+
+
+def test_a_setting_may_make_an_optional_table():
+    chute = chutecalc.parse(chutecalc.STARTER).put({"model.friction_law": "equilibrium"})
+    assert chute.design.equilibrium
+    with pytest.raises(chutecalc.SpecError, match=r"inlet\.model|model is not known"):
+        chutecalc.parse(chutecalc.STARTER).put({"inlet.model.friction_law": "equilibrium"})
+
+
+def test_designs_are_counted_over_the_whole_spec():
+    base = chutecalc.parse(chutecalc.STARTER)
+    unused = base.put({"sections.body.base_m": 0.5})
+    many = unused.vary({"material.pressure_ratio": 0.4, "material.internal_friction_deg": [20, 30, 40]})
+    solution = chutecalc.solve(many)
+    assert solution.exit_velocity.shape == (3,)
+    assert all(finding.mask.shape == (3,) for finding in solution.findings())
+    with pytest.raises(chutecalc.SpecError, match="differ in length"):
+        base.vary({"flow.rate_t_h": [1, 2]}).vary({"material.density_kg_m3": [1, 2, 3]})
+    with pytest.raises(chutecalc.SpecError, match="given twice"):
+        base.vary({"segments.2.radius_m": [1, 2], "segments.spoon.radius_mm": [3000, 3000]})
+
+
+def test_a_batch_that_nobody_carries_on():
+    sections = {"b": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45, "chamfer_m": 0.1}}
+    flat = {"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}
+    base = chutecalc.parse(
+        with_tables(sections=sections, inlet={"velocity_m_s": 1.0, "slope_deg": 5.0}, segments=[flat, dict(flat)])
+    )
+    solution = chutecalc.solve(base.vary({"sections.b.base_m": [0.4, 0.5]}))
+    assert solution.status.tolist() == ["stall", "stall"]
+    assert next(finding.code for finding in solution.findings()) == "stall"
+
+
+def test_a_sweep_keeps_the_slope_of_a_curve_below_a_vertical_fall():
+    base = chutecalc.parse(
+        with_tables(
+            inlet={"velocity_m_s": 2.0, "slope_deg": 90.0},
+            segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
+        )
+    )
+    entry = chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]})).legs[1].contact.surface.slope
+    assert np.degrees(np.broadcast_to(entry, 2)).tolist() == [90.0, 90.0]
+
+
+@pytest.mark.parametrize(
+    "text", ["title = " + "[" * 3000, "[flow]\nrate_t_h = " + "9" * 5000, "[flow]\nrate_kg_s = 1" + "0" * 400]
+)
+def test_texts_that_overwhelm_a_parser_are_faults(text):
+    with pytest.raises(chutecalc.SpecError):
+        chutecalc.parse(text)
+
+
+@pytest.mark.parametrize("junk", [None, [1], b"", 3])
+def test_what_is_no_spec_at_all(junk):
+    with pytest.raises(chutecalc.SpecError, match="Give TOML text"):
+        chutecalc.parse(junk)
