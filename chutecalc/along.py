@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.design import Contact, Design, Status
-from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
 from chutecalc.physics.wear import wall_pressures
@@ -19,7 +19,7 @@ from chutecalc.solver.profile import Profile, flight_profile, slide_profile
 Numbers = dict[str, Array]
 SAMPLES = np.linspace(0.0, 1.0, 65)
 LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
-ROUNDS, GRID = 3, np.linspace(0.0, 1.0, 9)  # each round leaves a quarter of the bracket around an extreme
+ROUNDS, GRID = 2, np.linspace(0.0, 1.0, 17)  # each round leaves an eighth of the bracket around an extreme
 
 
 class Part(NamedTuple):
@@ -158,27 +158,48 @@ def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted]) -> dict[Wan
         smoothly, right to about 1e-11 of its variation. What grows without bound towards a stop, as depth does, is
         taken up to the last place before it.
     """
-    shares = np.broadcast_to(SAMPLES[:, None], sampled["s_m"].shape)
-    found = {item: _best(item[1] * sampled[item[0]], shares) for item in wanted}
-    for _ in range(ROUNDS):
-        low, high = (np.stack([found[item][side] for item in wanted]) for side in (1, 2))
-        grid = low + (high - low) * GRID[:, None, None]
+    signs = np.array([sign for _, sign in wanted])[:, None]
+    values = np.stack([sampled[name] for name, _ in wanted], axis=1) * signs  # (places, wanted, designs)
+    best, low, high = _best(values, np.broadcast_to(SAMPLES[:, None, None], values.shape))
+    settled = _at_an_end(values)
+    open_ = np.flatnonzero(~settled.all(axis=1)).tolist()
+    for _ in range(ROUNDS if open_ else 0):
+        grid = low[open_] + (high - low)[open_] * GRID[:, None, None]
         columns = part.at(grid.reshape(-1, grid.shape[2]))
-        for k, item in enumerate(wanted):
-            found[item] = _best(item[1] * columns[item[0]].reshape(grid.shape)[:, k], grid[:, k])
-    return {item: best._replace(value=item[1] * best.value + 0.0) for item, (best, _, _) in found.items()}
+        finer = [columns[wanted[item][0]].reshape(grid.shape)[:, k] for k, item in enumerate(open_)]
+        found, low[open_], high[open_] = _best(np.stack(finer, axis=1) * signs[open_], grid)
+        for field, new in zip(best, found, strict=True):
+            field[open_] = np.where(settled[open_], field[open_], new)
+    return {
+        item: Extreme(item[1] * best.value[k] + 0.0, best.share[k])  # + 0: no -0
+        for k, item in enumerate(wanted)
+    }
+
+
+def _at_an_end(values: Array) -> Mask:
+    """Whether the largest value along the first axis is plainly at an end: the parabola there has its top beyond it.
+
+    Also where there are no values at all.
+    """
+    top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
+    inward = np.where(top == 0, 1, -1)
+    last = len(values) - 1
+    near = np.stack([np.clip(top + k * inward, 0, last) for k in range(3)])
+    first, second, third = np.take_along_axis(values, near, axis=0)
+    slope, bend = second - first, third - 2.0 * second + first
+    plain = (slope < 0.0) & (slope - 0.5 * bend <= 0.25 * slope)  # down from the end on, and not by the bend alone
+    settled: Mask = ((top == 0) | (top == last)) & plain | np.isnan(values).all(axis=0)
+    return settled
 
 
 def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
-    """The largest of some values, by the parabola through it and its neighbours, and the bracket between those."""
-    filled = np.where(np.isnan(values), -np.inf, values)
-    top = filled.argmax(axis=0)
-    columns = np.arange(values.shape[1])
+    """The largest along the first axis, by the parabola through it and its neighbours, and the bracket of those."""
+    top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
     left, right = np.maximum(top - 1, 0), np.minimum(top + 1, len(values) - 1)
-    x = [shares[row, columns] for row in (left, top, right)]
-    f = [values[row, columns] for row in (left, top, right)]
+    near = np.stack([left, top, right])
+    x, f = np.take_along_axis(shares, near, axis=0), np.take_along_axis(values, near, axis=0)
     inside = (left < top) & (top < right) & np.isfinite(f[0]) & np.isfinite(f[2])
-    f = [np.where(inside, side, f[1]) for side in f]
+    f = np.where(inside, f, f[1])
     bend = f[2] - 2.0 * f[1] + f[0]  # equally spaced
     shift = np.where(bend < 0.0, 0.5 * (f[0] - f[2]) / np.where(bend < 0.0, bend, 1.0), 0.0)
     value = f[1] - 0.25 * (f[0] - f[2]) * shift

@@ -9,7 +9,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import chebyshev, legendre
 
 from chutecalc.physics.arrays import Array
 
@@ -73,6 +72,8 @@ def angle_area(angle: Array) -> Array:
 @lru_cache(maxsize=1)
 def _series() -> tuple[Array, Array]:
     """Coefficients, shape (TERMS, functions): of ψ0/√u and of the three loads; and of the loads' slopes in u."""
+    from numpy.polynomial import chebyshev, legendre  # not loaded by NumPy itself, nor needed without a circle
+
     nodes = chebyshev.chebpts1(TERMS)
     u = LARGEST * (1.0 + nodes) / 2.0
     angle = np.sqrt(u) / 2.0
