@@ -21,6 +21,12 @@ SAFETY = 3.0
 ROUNDING = 1e-15  # of a panel, relative
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
 
+WHOLE, PLACE, CLINGING = range(3)
+"""Ways to a panel in c: the attempt at a whole stretch, which most need no more than; a panel of several; one along
+which a stream clings to a balance."""
+WAYS = {WHOLE: (newton, 2), PLACE: (newton, 3), CLINGING: (stiff_newton, 4)}
+"""The step of each, and how often it is taken on the coarse rule."""
+
 
 class Panel(NamedTuple):
     """A solved panel of m designs."""
@@ -35,14 +41,14 @@ class Panel(NamedTuple):
     """The same of the polynomial through the knots."""
 
 
-def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: tuple[int, int], quick: bool) -> Panel:
-    """Solves y = v² over a panel in c; ``quick`` for the attempt at a whole stretch, which most need no more than."""
-    step, iterations = (newton, 2) if quick else (stiff_newton, 4)
+def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: tuple[int, int], way: int) -> Panel:
+    """Solves y = v² over a panel in c, in one of three ways: ``WHOLE``, ``PLACE`` or ``CLINGING``."""
+    step, iterations = WAYS[way]
     slide, coarse, fine = course.slide, rule(pair[0]), rule(pair[1])
     at = field(course, start + width * coarse.nodes[:, None], width)
     y = np.repeat(y0[None], pair[0], axis=0)
     # From a balance that clings, freezing friction leads far astray; towards one the linearised equation leads well.
-    ends, _ = step(coarse, *(frozen_rates(slide, at, y0, y) if quick else rates(slide, at, y)), y, y0)
+    ends, _ = step(coarse, *(rates(slide, at, y) if way == CLINGING else frozen_rates(slide, at, y0, y)), y, y0)
     for _ in range(iterations):
         y = ends[:-1]
         ends, _ = step(coarse, *rates(slide, at, y), y, y0)

@@ -14,8 +14,12 @@ from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.solver.collocation import rule
 from chutecalc.solver.crossing import LEVEL, first_crossing
 from chutecalc.solver.front import CHOKE, END, RUNNING, Effort, Front, Piece, Trial
-from chutecalc.solver.panel import panel_by_place, panel_by_root
+from chutecalc.solver.panel import CLINGING, PLACE, WHOLE, panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, rates
+
+ROOT = -1
+"""A panel in r, beside the ways in c that :mod:`chutecalc.solver.panel` names."""
+STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
 
 PASSES = 2000  # a bound, so that no input can hang; the hardest stretch of 12,000 random chutes took 300
 AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
@@ -68,7 +72,7 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     if front.events:
         _start_events(front, running)
         running = np.flatnonzero(front.status == RUNNING)
-    _advance(front, running, False, front.limit[running], effort.first, effort.tolerance, True)
+    _advance(front, running, WHOLE, front.limit[running], effort.first, effort.tolerance)
     front.reach = front.limit - front.place  # the finer rules may yet do it in one
     for passes in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
@@ -78,13 +82,13 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
             running = np.flatnonzero(front.status == RUNNING)
         if not running.size:
             return _result(front)
-        change = _change(front, running)
+        change, growth = _change(front, running)
         if _cross_boundaries(front, running, change):
             continue
         by_root, target = _choose(front, running, change)
-        for mode in (False, True):
-            chosen = by_root == mode
-            _advance(front, running[chosen], mode, target[chosen], effort.later, effort.share, False)
+        stiff = growth * (target - front.place[running]) < STIFF
+        for way, chosen in ((ROOT, by_root), (PLACE, ~by_root & ~stiff), (CLINGING, ~by_root & stiff)):
+            _advance(front, running[chosen], way, target[chosen], effort.later, effort.share)
     raise RuntimeError(f"a contact segment was not solved in {PASSES} panels")
 
 
@@ -97,11 +101,10 @@ def _start_events(front: Front, rows: Index) -> None:
     front.status[lost] = Status.CONTACT_LOST
 
 
-def _change(front: Front, rows: Index) -> Array:
-    """dy/dc where the designs stand."""
+def _change(front: Front, rows: Index) -> tuple[Array, Array]:
+    """dy/dc where the designs stand, and its derivative to y."""
     course = front.course(rows)
-    change, _ = rates(course.slide, field(course, front.place[rows], np.ones(1)), front.y[rows])
-    return change
+    return rates(course.slide, field(course, front.place[rows], np.ones(1)), front.y[rows])
 
 
 def _cross_boundaries(front: Front, rows: Index, change: Array) -> bool:
@@ -150,11 +153,9 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
     return np.where(aimed, front.aim_by_root[rows], by_root), np.where(aimed, front.aim[rows], target)
 
 
-def _advance(
-    front: Front, rows: Index, by_root: bool, target: Array, pair: tuple[int, int], tolerance: float, whole: bool
-) -> None:
+def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int, int], tolerance: float) -> None:
     """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
-    block = BLOCK[pair[1]]
+    block, by_root = BLOCK[pair[1]], way == ROOT
     for first in range(0, len(rows), block):
         chunk = rows[first : first + block]
         pad = np.minimum(np.arange(-(-len(chunk) // 8) * 8), len(chunk) - 1)
@@ -166,7 +167,7 @@ def _advance(
             panel = panel_by_root(course, start, end - start, place, pair)
         else:
             start = place
-            panel = panel_by_place(course, start, end - start, y, pair, whole)
+            panel = panel_by_place(course, start, end - start, y, pair, way)
         good = panel.error <= tolerance
         if front.effort.complete:
             good &= panel.inner_error <= front.effort.inner_tolerance
