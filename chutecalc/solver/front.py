@@ -24,10 +24,10 @@ CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
 class Effort(NamedTuple):
     """How hard to work."""
 
-    first: tuple[int, int]
-    """Pair of rules for the whole stretch in one panel."""
+    whole: tuple[tuple[int, int], ...]
+    """Pairs of rules for the whole stretch in one panel, each for the designs that the one before does not solve."""
     later: tuple[int, int]
-    """For designs that the first pair does not solve."""
+    """For panels of those that none solves."""
     tolerance: float
     """Error that one panel over the whole stretch may have, relative in v²."""
     share: float
@@ -40,9 +40,9 @@ class Effort(NamedTuple):
 
 def effort(rtol: float, complete: bool) -> Effort:
     """What it takes to have velocities right within a relative error."""
-    later = (8, 24) if complete else (8, 16)
-    first = (6, 12) if rtol >= 1e-9 and not complete else later
-    return Effort(first, later, 0.2 * rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
+    quick = ((6, 12), (12, 16), (16, 24)) if rtol >= 1e-11 else ((8, 16), (16, 24))
+    whole, later = (((8, 24), (16, 24)), (8, 24)) if complete else (quick, (8, 16))
+    return Effort(whole, later, 0.2 * rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
 
 
 class Piece(NamedTuple):
@@ -88,6 +88,8 @@ class Front:
         self.aim = np.full(y.shape, np.nan)
         """Where an event has fixed the end of the next panel, in c or in r."""
         self.aim_by_root = np.zeros(y.shape, dtype=bool)
+        self.hopeful = np.ones(y.shape, dtype=bool)
+        """The last panel was a solution, if not a good one: finer rules may make it one."""
         self.tired = np.zeros(y.shape, dtype=bool)
         """Panels in r failed since the last one in c."""
         self.stride = np.ones(y.shape)

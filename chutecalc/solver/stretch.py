@@ -72,8 +72,9 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     if front.events:
         _start_events(front, running)
         running = np.flatnonzero(front.status == RUNNING)
-    _advance(front, running, WHOLE, front.limit[running], effort.first, effort.tolerance)
-    front.reach = front.limit - front.place  # the finer rules may yet do it in one
+    for pair in effort.whole:
+        _advance(front, running, WHOLE, front.limit[running], pair, effort.tolerance)
+        running = running[front.hopeful[running]]
     for passes in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
         if passes > PATIENCE:  # it clings to a balance next to rest, where no place of a stall can be told
@@ -178,6 +179,7 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     """Takes each panel, or sets what to try instead: a shorter one, or one that ends where an event lies inside it."""
     rows, start, end = trial.rows[:count], trial.start[:count], trial.end[:count]
     good = trial.good[:count]
+    front.hopeful[rows] = ~good & np.isfinite(trial.panel.error[:count])
     if not good.all():
         front.retreat(rows[~good], trial.by_root, (end - start)[~good])
     if not (front.events or trial.by_root):
