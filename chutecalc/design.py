@@ -141,18 +141,22 @@ Record = TypeVar("Record", bound=tuple[Any, ...])
 """A named tuple whose fields are arrays, such tuples, or values that all designs share."""
 
 
-def take(array: Array, rows: Index) -> Array:
+def take(array: Array, rows: Index | slice) -> Array:
     """The entries of some designs, along the last axis; where one entry serves them all it is returned as it is."""
     return array if array.shape[-1] == 1 else np.ascontiguousarray(array[..., rows])
 
 
 def select(record: Record, rows: Index) -> Record:
     """A record of some of the designs."""
+    neighbours = len(rows) > 1 and rows[-1] - rows[0] == len(rows) - 1 and bool((np.diff(rows) == 1).all())
+    return _select(record, slice(int(rows[0]), int(rows[-1]) + 1) if neighbours else rows)  # a copy, not a search
 
+
+def _select(record: Record, rows: Index | slice) -> Record:
     def chosen(field: Any) -> Any:
         if isinstance(field, np.ndarray):
             return take(field, rows)
-        return select(field, rows) if isinstance(field, tuple) else field
+        return _select(field, rows) if isinstance(field, tuple) else field
 
     fields = [chosen(field) for field in record]
     return type(record)(*fields) if hasattr(record, "_fields") else type(record)(fields)
