@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.design import select
-from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.arrays import Array, Index, sine_and_cosine
 from chutecalc.physics.motion import ROOF, normal_acceleration
 from chutecalc.physics.section import Facets, Section, blend, facets, take_facet, take_row
 from chutecalc.physics.wall import Wall
@@ -128,12 +128,12 @@ class Field(NamedTuple):
 def field(course: Course, place: Array, width: Array) -> Field:
     """The field at places, shape (nodes, designs) or (nodes, 1), of panels of a width in c."""
     slide, branch = course.slide, course.at(place)
-    slope = slide.entry_slope + slide.turn * place
+    sine, cosine = sine_and_cosine(slide.entry_slope + slide.turn * place)
     doubled = 2.0 * width * slide.length
     return Field(
         branch,
-        doubled * slide.gravity * np.sin(slope),
-        branch.slope * slide.side * slide.gravity * np.cos(slope),
+        doubled * slide.gravity * sine,
+        branch.slope * slide.side * slide.gravity * cosine,
         doubled,
         branch.slope * slide.bend(),
     )
@@ -189,7 +189,7 @@ def _pull(course: Course, place: Array, y: Array) -> tuple[Array, Array]:
     area = slide.area(y)
     chi, _ = excess_friction(branch.facet, area, slide.equilibrium)
     drag = branch.slope * (1.0 + chi)
-    sine, cosine = np.sin(slope), np.cos(slope)
+    sine, cosine = sine_and_cosine(slope)
     doubled = 2.0 * slide.length * slide.gravity
     press = slide.side * cosine + slide.bend() / slide.gravity * y
     pull = sine - drag * press
