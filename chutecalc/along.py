@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Status
+from chutecalc.design import Contact, Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
@@ -75,7 +75,13 @@ class Part(NamedTuple):
         with np.errstate(all="ignore"):
             columns = self._columns(self._profile(shares))
         shape = np.broadcast_shapes(*(values.shape for values in columns.values()))
-        return {name: np.broadcast_to(values, shape) for name, values in columns.items()}
+        return {name: stretched(values, shape) for name, values in columns.items()}
+
+    def end_time(self) -> Array:
+        """Time since the inlet at the end of the part, s, shape (designs,); NaN where a design does not get there."""
+        with np.errstate(all="ignore"):
+            time: Array = self.start_time + self._profile(np.ones(1)).time[0]
+        return time
 
     def _profile(self, shares: Array) -> Profile:
         alike, each = (shares, shares[:, None]) if shares.ndim == 1 else (None, shares)

@@ -141,6 +141,11 @@ Record = TypeVar("Record", bound=tuple[Any, ...])
 """A named tuple whose fields are arrays, such tuples, or values that all designs share."""
 
 
+def stretched(array: Any, shape: tuple[int, ...]) -> Any:
+    """The array broadcast to a shape; NumPy's own broadcasting takes ten times a multiplication, also for nothing."""
+    return array if array.shape == shape else np.broadcast_to(array, shape)
+
+
 def take(array: Array, rows: Index | slice) -> Array:
     """The entries of some designs, along the last axis; where one entry serves them all it is returned as it is."""
     return array if array.shape[-1] == 1 else np.ascontiguousarray(array[..., rows])

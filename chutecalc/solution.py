@@ -8,7 +8,7 @@ import numpy as np
 
 from chutecalc.along import LARGEST, LEAST, SAMPLES, Extreme, Numbers, Part, Wanted, extremes
 from chutecalc.columns import COLUMNS
-from chutecalc.design import Design, Status, Stream
+from chutecalc.design import Design, Status, Stream, stretched
 from chutecalc.errors import UsageError
 from chutecalc.findings import WARNING, WORST, Finding, findings, in_order
 from chutecalc.physics.arrays import Array, Index
@@ -148,7 +148,7 @@ class Solution:
             if leg.contact is not None and (leg.flight_time > 0.0).any():
                 parts.append(Part(f"{name}:flight", "flight", leg, None, elapsed, self.design))
             parts.append(Part(name, kind, leg, leg.contact, elapsed, self.design))
-            time = parts[-1].at(np.ones(1))["time_s"][0]
+            time = parts[-1].end_time()
             elapsed = np.where(np.isfinite(time), time, elapsed)
         return parts
 
@@ -247,13 +247,13 @@ class Solution:
         columns = part.at(np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part, spacing))
         shape = (self.count, len(columns["s_m"]))
         table: dict[str, Any] = {"segment": np.full(shape, part.name), "kind": np.full(shape, part.kind)}
-        return table | {name: np.broadcast_to(columns[name].T, shape) for name in COLUMNS if name in columns}
+        return table | {name: stretched(columns[name].T, shape) for name in COLUMNS if name in columns}
 
     def _result(self, part: Part, sampled: Numbers, found: dict[Wanted, Extreme]) -> SegmentResult:
         """A part's ends and extremes."""
 
         def whole(values: Any) -> Any:
-            return np.broadcast_to(values, self.count)
+            return stretched(values, (self.count,))
 
         return SegmentResult(
             name=part.name,

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread
+from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
@@ -167,8 +167,7 @@ class _Chain:
             design.equilibrium,
         )
         n = max(length(stream), length(surface), length(slide))
-        numbers = (np.broadcast_to(field, n) for field in stream[:6])
-        return _stream(numbers, np.broadcast_to(stream.status, n), np.broadcast_to(stream.airborne, n)), surface, slide
+        return Stream._make(stretched(field, (n,)) for field in stream), surface, slide
 
     def along(self, number: int, contact: Contact, start: Stream | None = None, known: int = 0) -> Leg:
         """A contact segment: onto it, along it, and where each design leaves it."""

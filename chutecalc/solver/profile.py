@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.design import stretched
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
@@ -79,7 +80,7 @@ def slide_profile(leg: Leg, contact: ContactLeg, places: Array, shares: Array | 
     wall = np.where(np.isnan(y), np.nan, wall_friction(slide.wall, slide.density * np.maximum(normal, 0.0) * wet.depth))
     friction = equivalent_friction(wall, excess)
     clock = leg.flight_time + time
-    finite = [np.broadcast_to(np.where(np.isfinite(row), row, np.nan), y.shape) for row in (area, wall, friction, *wet)]
+    finite = [stretched(np.where(np.isfinite(row), row, np.nan), y.shape) for row in (area, wall, friction, *wet)]
     area, wall, friction, *wet_fields = finite
     distance = leg.entry.distance + along
     return Profile(distance, x, z, slope, velocity, clock, area, places, Wetting(*wet_fields), wall, friction, normal)
@@ -92,10 +93,14 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
     push = np.where(whole > 0.0, 2.0 * (total - start * whole) / np.where(whole > 0.0, whole, 1.0) ** 2, 0.0)
     divisor = start + np.sqrt(np.maximum(start**2 + 2.0 * push * distances, 0.0))
     time = np.where(divisor > 0.0, 2.0 * distances / np.where(divisor > 0.0, divisor, 1.0), 0.0)
+    done = np.isnan(time)
     for _ in range(6):
         velocity, _ = motion(leg.path, time)
         step = (path_length(leg.path, time) - distances) / np.where(velocity > 0.0, velocity, np.inf)
-        time = np.clip(time - step, 0.0, whole)
+        time = np.where(done, time, np.clip(time - step, 0.0, whole))  # each as if it were alone
+        done |= ~(np.abs(step) > 1e-15 * whole)
+        if done.all():
+            break
     return time
 
 
