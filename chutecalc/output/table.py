@@ -50,8 +50,11 @@ class Printer:
         )
 
     def text(self, text: str | Text = "") -> None:
-        """A line, wrapped to the terminal only."""
-        self.console.print(text)
+        """A line, wrapped and coloured on a terminal only."""
+        if self.console.is_terminal:
+            self.console.print(text)
+        else:
+            self.stream.write(f"{text}\n")
 
     def table(self, table: Table) -> None:
         """A table at its own width: numbers are never cut or folded."""
