@@ -168,11 +168,10 @@ class _Geometry:
         radius: Array | None = None
         length: Array | None = None
         entry: Array | None
-        if isinstance(segment, model.Straight | model.Plate):
+        if isinstance(segment, model.Flat):
             entry = exit_ = _array(segment.slope_deg, "angle")
             length = self.straight_length(place, segment, exit_)
         else:
-            assert isinstance(segment, model.Arc)
             radius = _array(segment.radius_m, "length")
             exit_ = _array(segment.to_slope_deg, "angle")
             entry = slope if segment.from_slope_deg is None else _array(segment.from_slope_deg, "angle")
@@ -255,7 +254,7 @@ class _Geometry:
         if entry is None:
             return
         key, start = (*place, "to_slope_deg"), f"{np.degrees(entry.flat[0]):.6g}°"
-        if isinstance(segment, model.Hood) and (exit_ <= entry).any():
+        if segment.kind == "hood" and (exit_ <= entry).any():
             problem = (
                 f"has to be steeper than where the hood begins, {start}: only a roof that steepens guides a stream"
             )

@@ -7,6 +7,7 @@ from pydantic import Field
 from chutecalc.spec.quantity import Number, Quantity, Table
 from chutecalc.spec.rules import (
     GUIDED,
+    downhill,
     known_format,
     known_strength,
     locus_rows,
@@ -19,10 +20,10 @@ from chutecalc.spec.rules import (
 
 Length = Annotated[Number, Quantity("length", gt=0, le=1e5)]
 Depth = Annotated[Number, Quantity("length", ge=0, le=1e5)]
-FloorSlope = Annotated[Number, Quantity("angle", ge=0, le=90)]
 Slope = Annotated[Number, Quantity("angle", gt=-90, le=90)]
 FrictionAngle = Annotated[Number, Quantity("angle", ge=0, lt=90)]
 ChamferAngle = Annotated[Number, Quantity("angle", gt=0, le=90)]
+NAMED = "how paths, tables and findings call it; its kind without it"
 Name = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_-]*$")]
 
 
@@ -161,16 +162,10 @@ class Model(Table):
     )
 
 
-class Segment(Table):
-    """What all segments have."""
-
-    kind: str
-    name: Name | None = Field(None, description="how paths, tables and findings call it; its kind without it")
-
-
-class Guided(Segment):
+class Guided(Table):
     """A segment that guides the stream."""
 
+    name: Name | None = Field(None, description=NAMED)
     section: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = Field(
         None, description="its cross-section, or that at its start and at its end; not needed where there is one only"
     )
@@ -181,52 +176,30 @@ class Guided(Segment):
 
 
 class Flat(Guided):
-    """A flat guiding surface."""
+    """A straight, which is an inclined floor, or a plate, which is a flat roof that is struck and left."""
 
+    kind: Literal["straight", "plate"]
+    slope_deg: Slope = Field(description="below horizontal; of a straight from 0 on")
     length_m: Length = Field(None, description="along it")
     drop_m: Length = Field(None, description="its height, instead of its length")
     run_m: Length = Field(None, description="its horizontal length, instead of its length")
-    rules: ClassVar = (one_of("length_m", "drop_m", "run_m"),)
-
-
-class Straight(Flat):
-    """An inclined chute."""
-
-    kind: Literal["straight"]
-    slope_deg: FloorSlope = Field(description="below horizontal")
-
-
-class Plate(Flat):
-    """A flat roof that is struck and left."""
-
-    kind: Literal["plate"]
-    slope_deg: Slope = Field(description="below horizontal")
+    rules: ClassVar = (one_of("length_m", "drop_m", "run_m"), downhill)
 
 
 class Arc(Guided):
-    """A circular arc."""
+    """A curve, which is a floor (a spoon where it flattens, a crest where it steepens), or a hood, which is a roof."""
 
+    kind: Literal["curve", "hood"]
     radius_m: Length = Field(description="of the guiding surface")
-    to_slope_deg: Slope = Field(description="slope at its end, below horizontal")
+    to_slope_deg: Slope = Field(description="slope at its end, below horizontal; a hood has to steepen")
     from_slope_deg: Slope = Field(None, description="slope at its start; tangent to the flow without it")
 
 
-class Curve(Arc):
-    """A curved floor: a spoon where it flattens, a crest where it steepens."""
-
-    kind: Literal["curve"]
-
-
-class Hood(Arc):
-    """A curved roof that the stream is pressed under; it has to steepen."""
-
-    kind: Literal["hood"]
-
-
-class Fall(Segment):
+class Fall(Table):
     """Free flight."""
 
     kind: Literal["fall"]
+    name: Name | None = Field(None, description=NAMED)
     drop_m: Length = Field(None, description="from the drawn end of the segment before it, or the inlet, to its own")
     run_m: Length = Field(None, description="its horizontal length, instead of its height")
     onto_next: Literal[True] | None = Field(
@@ -235,7 +208,7 @@ class Fall(Segment):
     rules: ClassVar = (one_of("drop_m", "run_m", "onto_next"),)
 
 
-AnySegment = Annotated[Straight | Curve | Hood | Plate | Fall, Field(discriminator="kind")]
+AnySegment = Annotated[Flat | Arc | Fall, Field(discriminator="kind")]
 
 
 class ChuteSpec(Table):

@@ -99,6 +99,14 @@ def _reference(
             yield Rule((*place, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
 
 
+def downhill(table: dict[str, Any]) -> Iterator[Rule]:
+    """A straight floor does not rise."""
+    slope = table.get("slope_deg")
+    number = isinstance(slope, int | float | np.ndarray) and not isinstance(slope, bool)
+    if table.get("kind") == "straight" and number and np.any(np.less(np.asarray(slope), 0.0)):
+        yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")
+
+
 def placement(table: dict[str, Any]) -> Iterator[Rule]:
     """A fall that goes onto the next segment, and where that segment is drawn from."""
     segments = table.get("segments")
