@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
 
-from chutecalc.design import Design, Fall
+from chutecalc.design import Contact, Design, Fall
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
@@ -87,16 +88,19 @@ class Chute:
     @cached_property
     def _drawn_slopes(self) -> dict[int, Array]:
         """Entry slopes of the curves that begin tangent to a falling stream, by number of the segment."""
-        segments = list(enumerate(self.design.segments))
-        after_fall = [number for number, _ in segments[1:] if isinstance(segments[number - 1][1], Fall)]
-        if not any(getattr(segments[number][1], "entry_slope", 0.0) is None for number in after_fall):
-            slopes = {number: getattr(segments[number][1], "entry_slope", None) for number in after_fall}
-            return {number: slope for number, slope in slopes.items() if slope is not None}
+        slopes = {
+            number: segment.entry_slope
+            for number, (before, segment) in enumerate(pairwise(self.design.segments), 1)
+            if isinstance(before, Fall) and isinstance(segment, Contact)
+        }
+        known = {number: slope for number, slope in slopes.items() if slope is not None}
+        if len(known) == len(slopes):
+            return known
         legs, _ = run_chain(self.design, 1e-10, complete=False)
         return {
             leg.number: leg.contact.surface.slope
             for leg in legs
-            if leg.number in after_fall and leg.contact and np.isfinite(leg.contact.surface.slope).all()
+            if leg.number in slopes and leg.contact and np.isfinite(leg.contact.surface.slope).all()
         }
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.circle import arc
+from chutecalc.physics.intervals import interval_of, take_row
 from chutecalc.physics.pressure import pressure_shortfall
 
 
@@ -175,29 +176,9 @@ def wetted_facet(table: Facets, area: Array) -> Index:
         Numbers of facets, in the broadcast shape. A surface exactly at a joint counts to the facet above, and so no
         facet without height is ever told.
     """
-    rows: Index = (area >= with_axes(table.area[1:], np.ndim(area))).sum(axis=0)
-    return rows
+    return interval_of(table.area, area)
 
 
 def take_facet(table: Facets, rows: Index) -> Facets:
     """One facet for each design, or for each place and design; of a table of one facet, that for all of them."""
     return Facets(*(take_row(field, rows) for field in table))
-
-
-def take_row(field: Array, rows: Index) -> Array:
-    """Entries ``field[rows[i], ..., i]``; what one row or one column holds for all is broadcast."""
-    if len(field) == 1:
-        only: Array = field[0]
-        return only
-    if rows.ndim == 1 and field.ndim == 2:
-        return np.atleast_1d(field[rows, np.arange(len(rows)) if field.shape[1] != 1 else 0])
-    field = with_axes(field, rows.ndim)
-    wide = np.broadcast_to(field, (len(field), *np.broadcast_shapes(field.shape[1:], rows.shape)))
-    taken: Array = np.take_along_axis(wide, np.broadcast_to(rows, wide.shape[1:])[None], axis=0)[0]
-    return taken
-
-
-def with_axes(field: Array, dimensions: int) -> Array:
-    """A field of facets with room for as many axes as each of its rows is to have."""
-    missing = dimensions - (field.ndim - 1)
-    return field if missing <= 0 else field.reshape(len(field), *[1] * missing, *field.shape[1:])

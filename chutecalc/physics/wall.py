@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.intervals import interval_of, take_row
 
 
 class Wall(NamedTuple):
@@ -67,23 +68,20 @@ def yield_locus(normal: Array, shear: Array, bound: Array) -> Wall:
 
 def wall_piece(wall: Wall, stress: Array) -> Index:
     """The piece that holds at a normal stress, Pa, shape (..., designs); empty pieces are never told."""
-    pieces: Index = (stress >= wall.starts[1:].reshape(-1, *[1] * (stress.ndim - 1), wall.starts.shape[1])).sum(axis=0)
-    return pieces
+    return interval_of(wall.starts, stress)
 
 
 def wall_friction(wall: Wall, stress: Array) -> Array:
     """μ_w = τ/σ at a normal stress, Pa, shape (..., designs); its limit where σ is 0."""
-    columns = np.arange(stress.shape[-1]) if wall.starts.shape[1] != 1 else 0
     piece = wall_piece(wall, stress)
-    slope, intercept = wall.slopes[piece, columns], wall.intercepts[piece, columns]
-    friction: Array = slope + intercept / np.where(stress > 0.0, stress, np.inf)
-    return friction
+    slope, intercept = take_row(wall.slopes, piece), take_row(wall.intercepts, piece)
+    return slope + intercept / np.where(stress > 0.0, stress, np.inf)
 
 
 def _holding(stress: Array, normal: Array, slopes: Array, intercepts: Array, bound: Array) -> Index:
     """Which of the pieces of the locus, zero and the bound holds at stresses, shape (pieces, designs)."""
     count = len(slopes)
-    row = (stress >= normal[1:-1, None]).sum(axis=0)
+    row = interval_of(normal[:-1], stress)
     measured = np.take_along_axis(intercepts, row, axis=0) + np.take_along_axis(slopes, row, axis=0) * stress
     row = np.where(measured < 0.0, count, row)
     chosen: Index = np.where(measured > bound * stress, count + 1, row)

@@ -3,7 +3,8 @@
 import numpy as np
 
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.section import Circle, Facets, Section, with_axes
+from chutecalc.physics.intervals import with_axes
+from chutecalc.physics.section import Circle, Facets, Section
 from chutecalc.physics.wetting import Wetting
 
 

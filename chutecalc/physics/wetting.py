@@ -10,6 +10,7 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.circle import Arc, angle_area, arc
+from chutecalc.physics.intervals import interval_of
 from chutecalc.physics.section import Facets, take_facet
 
 
@@ -23,7 +24,7 @@ class Wetting(NamedTuple):
     width: Array
     """Of the free surface, m."""
     excess: Array
-    """χ = (1/A) ∫ K (1 - cos ψ) ζ dl, with hydrostatic wall pressures."""
+    """χ of the friction law."""
     missing: Array
     """m = 1 - (1/A) ∫ K cos ψ ζ dl, the share of the weight that hydrostatic wall pressures do not carry."""
 
@@ -79,9 +80,8 @@ def excess_friction(facet: Facets, area: Array, equilibrium: bool = False) -> tu
         excess, growth = np.where(curved, bend.excess, excess), np.where(curved, bend.excess_growth, growth)
     if not equilibrium:
         return excess, growth
-    own = facet.own_shortfall * wetted
-    missing = (facet.shortfall + wetted * facet.sine * (facet.shortfall_rise + own)) / area
-    missing_growth = (facet.shortfall_rise + 2.0 * own) / width - missing
+    missing = _missing(facet, area, wetted)
+    missing_growth = (facet.shortfall_rise + 2.0 * facet.own_shortfall * wetted) / width - missing
     if bend:
         missing = np.where(curved, bend.missing, missing)
         missing_growth = np.where(curved, bend.missing_growth, missing_growth)
@@ -101,21 +101,19 @@ def depth_and_width(facet: Facets, area: Array) -> tuple[Array, Array]:
     return depth, width
 
 
-def wetting(facet: Facets, area: Array) -> Wetting:
+def wetting(facet: Facets, area: Array, equilibrium: bool = False) -> Wetting:
     """Depth, wetted chamfer, surface width, χ and missing load of a flow area.
 
     Arguments as in :func:`excess_friction`, shapes likewise. The walls above a drawn top do not count as chamfer.
     """
     wetted, _ = wetted_length(facet, area)
-    rise = wetted * facet.sine
-    excess, _ = excess_friction(facet, area)
-    missing = (facet.shortfall + rise * (facet.shortfall_rise + facet.own_shortfall * wetted)) / area
-    chamfer = facet.chamfer + facet.drawn * wetted
+    missing, chamfer = _missing(facet, area, wetted), facet.chamfer + facet.drawn * wetted
     curved = facet.radius > 0.0
     if curved.any():
         bend = _arc(facet, area)
         missing, chamfer = np.where(curved, bend.missing, missing), np.where(curved, facet.radius * bend.angle, chamfer)
     depth, width = depth_and_width(facet, area)
+    excess, _ = excess_friction(facet, area, equilibrium)
     return Wetting(depth, chamfer, width, excess, missing)
 
 
@@ -129,13 +127,18 @@ def area_at_depth(table: Facets, depth: Array) -> Array:
     Returns:
         Area, m², in the broadcast shape.
     """
-    facet = take_facet(table, (np.asarray(depth) >= table.height[1:]).sum(axis=0))
+    facet = take_facet(table, interval_of(table.height, depth))
     wetted = (depth - facet.height) / facet.sine
     flat = facet.area + (facet.width + wetted * facet.cosine) * wetted * facet.sine
     r = np.where(facet.radius > 0.0, facet.radius, 1.0)
     angle = 2.0 * np.arcsin(np.sqrt(np.minimum(0.5 * depth / r, 0.5)))
     area = np.where(facet.radius > 0.0, r**2 * angle_area(angle), flat)
     return np.where(np.isinf(depth), np.inf, area)
+
+
+def _missing(facet: Facets, area: Array, wetted: Array) -> Array:
+    """Missing load m on a flat facet of a wetted length."""
+    return (facet.shortfall + wetted * facet.sine * (facet.shortfall_rise + facet.own_shortfall * wetted)) / area
 
 
 def _arc(facet: Facets, area: Array) -> Arc:

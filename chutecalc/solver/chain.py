@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched
+from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched, take
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
@@ -107,17 +107,14 @@ class _Chain:
 
     def strike_again(self, number: int, hood: Contact, leg: Leg) -> None:
         """A stream that dropped off a hood may strike it again further on."""
-        drawn = self.drawn
         for _ in range(STRIKES):
             lost = leg.status == Status.CONTACT_LOST
             if not lost.any():
                 return
             status = np.where(lost, Status.OK, Status.NOT_REACHED)
             start = leg.exit._replace(status=status, airborne=lost)
-            self.drawn = drawn
             again = self.along(number, hood, start, known=2)
-            caught = (again.status != Status.NOT_REACHED) & (again.status != Status.MISSED)
-            caught &= again.status != Status.PASSED
+            caught = ~np.isin(again.status, (Status.NOT_REACHED, Status.MISSED, Status.PASSED))
             if not caught.any():
                 return
             leg = again._replace(status=np.where(caught, again.status, Status.NOT_REACHED))
@@ -129,9 +126,7 @@ class _Chain:
         contact = self.design.segments[number + 1]
         assert isinstance(contact, Contact)  # a rule of the spec
         start, surface, slide = self.meet(number + 1, contact, self.stream._replace(airborne=np.ones(1, dtype=bool)))
-        alive = np.flatnonzero(start.status == Status.OK)
-        n = len(start.status)
-        arrival = spread(arrive(_some(start, alive), select(surface, alive), slide.rows(alive)), alive, n)
+        arrival = _arrivals(start, surface, slide, 0)
         landed = (arrival.status == Status.OK) | (arrival.status == Status.STALL)
         time = np.where(landed, arrival.time, np.nan)
         x, z = position(arrival.path, time)
@@ -140,9 +135,8 @@ class _Chain:
         error = start.error * (start.velocity / velocity) ** 2
         end = _stream((distance, x, z, slope, velocity, error), start.status, landed)
         self.stream = _merge(landed, end, start)
-        none = np.zeros(n)
-        self.arrival = arrival._replace(
-            time=np.where(landed, none, arrival.time), distance=np.where(landed, none, arrival.distance)
+        self.arrival = arrival._replace(  # flown already
+            time=np.where(landed, 0.0, arrival.time), distance=np.where(landed, 0.0, arrival.distance)
         )
         status = np.where((start.status == Status.OK) & landed, Status.OK, Status.NOT_REACHED)
         return Leg(number, fall, start, arrival.path, time, end, end, status, None)
@@ -173,10 +167,8 @@ class _Chain:
         """A contact segment: onto it, along it, and where each design leaves it."""
         start, surface, slide = self.meet(number, contact, self.stream if start is None else start)
         arrival, self.arrival = self.arrival, None
-        n = len(start.status)
         if arrival is None:
-            alive = np.flatnonzero(start.status == Status.OK)
-            arrival = spread(arrive(_some(start, alive), select(surface, alive), slide.rows(alive), known), alive, n)
+            arrival = _arrivals(start, surface, slide, known)
         if number + 1 == len(self.design.segments):  # none that could catch what flies past
             arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
         entry = _entry(start, surface, arrival)
@@ -187,11 +179,11 @@ class _Chain:
         else:
             stretch = solve_stretch(slide.rows(rows), place, here.velocity**2, 2.0 * here.error, self.work)
         x, z, slope = point(select(surface, rows), stretch.place)
-        distance = here.distance + np.broadcast_to(surface.length, n)[rows] * (stretch.place - place)
+        distance = here.distance + take(surface.length, rows) * (stretch.place - place)
         error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
         numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), error)
         moved = _stream(numbers, stretch.status, here.airborne)
-        end = moved if len(rows) == n else _overwrite(entry, moved, rows)
+        end = moved if len(rows) == len(start.status) else _overwrite(entry, moved, rows)
         status = np.where(start.status == Status.OK, end.status, Status.NOT_REACHED)
         contact_leg = ContactLeg(surface, slide, arrival, stretch, rows)
         return Leg(number, contact, start, arrival.path, arrival.time, entry, end, status, contact_leg)
@@ -243,6 +235,13 @@ def _fall(number: int, fall: Fall, start: Stream, drawn: Place, design: Design) 
     end = _stream(numbers, np.where(alive, flown, start.status), np.zeros(alive.shape, dtype=bool))
     status = np.where(alive, flown, Status.NOT_REACHED)
     return Leg(number, fall, start, path, np.where(alive, time, np.nan), end, end, status, None)
+
+
+def _arrivals(start: Stream, surface: Surface, slide: Slide, known: int) -> Arrival:
+    """How the streams that are still on their way meet a segment."""
+    alive = np.flatnonzero(start.status == Status.OK)
+    met = arrive(_some(start, alive), select(surface, alive), slide.rows(alive), known)
+    return spread(met, alive, len(start.status))
 
 
 def _entry(start: Stream, surface: Surface, arrival: Arrival) -> Stream:

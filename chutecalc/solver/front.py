@@ -6,8 +6,9 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.physics.intervals import take_row
 from chutecalc.physics.motion import ROOF
-from chutecalc.physics.section import Facets, take_facet, take_row, wetted_facet
+from chutecalc.physics.section import take_facet, wetted_facet
 from chutecalc.physics.wall import wall_piece
 from chutecalc.solver.crossing import LEVEL, slope_at
 from chutecalc.solver.panel import PLACE_ROUNDING, Panel
@@ -119,7 +120,7 @@ class Front:
         slide, facet = self.slide.rows(rows), self.facet[rows]
         if slide.end_section is not None:
             return np.zeros(len(rows)), np.full(len(rows), np.inf)
-        foot, top = _feet(slide.drawn, facet)
+        foot, top = _ends(slide.drawn.area, facet)
         choke = np.where(np.isfinite(self.choke[0, rows]), np.inf, slide.choke_area(self.place[rows]))
         return slide.flow / np.minimum(top, choke), slide.flow / foot
 
@@ -136,24 +137,23 @@ class Front:
         """
         slide, facet, velocity = self.slide.rows(rows), self.facet[rows], np.sqrt(y)
         table = slide.facets_at(place)
-        margins = np.ones((len(self.events) + by_root, *y.shape))
-        for number, event in enumerate(self.events):
-            if event == CONTACT:
-                margins[number] = slide.normal(place, y) / slide.gravity
-            elif event == CHOKE:
-                most = slide.choke_area(place)
-                margins[number] = np.where(np.isnan(self.choke[0, rows]), _closeness(velocity * most, slide.flow), 1.0)
-            elif event == DEEPER:
-                margins[number] = _closeness(velocity * _feet(table, facet)[1], slide.flow)
-            elif event == SHALLOWER:
-                margins[number] = 1.0 - velocity * _feet(table, facet)[0] / slide.flow
-            else:
-                stress = slide.stress(place, y, take_facet(table, facet))
-                least, most = _ends(slide.wall.starts, self.piece[rows])
-                margins[number] = _balance(most, stress) if event == FIRMER else _balance(stress, least)
+        found: dict[int, Array] = {}
+        if CONTACT in self.events:
+            found[CONTACT] = slide.normal(place, y) / slide.gravity
+        if CHOKE in self.events:
+            near = _closeness(velocity * slide.choke_area(place), slide.flow)
+            found[CHOKE] = np.where(np.isnan(self.choke[0, rows]), near, 1.0)
+        if DEEPER in self.events:
+            foot, top = _ends(table.area, facet)
+            found[DEEPER] = _closeness(velocity * top, slide.flow)
+            found[SHALLOWER] = 1.0 - velocity * foot / slide.flow
+        if FIRMER in self.events:
+            stress = slide.stress(place, y, take_facet(table, facet))
+            least, most = _ends(slide.wall.starts, self.piece[rows])
+            found[FIRMER], found[LOOSER] = _balance(most, stress), _balance(stress, least)
         if by_root:
-            margins[-1] = self.limit[rows] - place
-        return margins
+            found[END] = self.limit[rows] - place
+        return np.stack([np.broadcast_to(margin, y.shape) for margin in found.values()])
 
     def retreat(self, rows: Index, by_root: bool, step: Array) -> None:
         """After a panel that was too long: a step in c instead of one in r, or half the step."""
@@ -227,19 +227,20 @@ class Front:
                 slide = self.slide.rows(rows)
                 area = slide.area(self.y[rows]) * (1.0 + side * CLEAR)
                 there = wetted_facet(slide.facets_at(self.place[rows]), area)
-                self.facet[rows] = side * np.maximum(side * there, side * self.facet[rows] + 1)
+                self.facet[rows] = _beyond(self.facet[rows], there, side)
         for rows, side in ((firmer, 1), (looser, -1)):
             if rows.size:
                 slide, place = self.slide.rows(rows), self.place[rows]
                 facet = take_facet(slide.facets_at(place), self.facet[rows])
                 stress = slide.stress(place, self.y[rows], facet) * (1.0 + side * CLEAR)
                 there = wall_piece(slide.wall, stress)
-                self.piece[rows] = side * np.maximum(side * there, side * self.piece[rows] + 1)
+                self.piece[rows] = _beyond(self.piece[rows], there, side)
 
 
-def _feet(table: Facets, facet: Index) -> tuple[Array, Array]:
-    """Areas at the foot and at the top of facets."""
-    return _ends(table.area, facet)
+def _beyond(number: Index, there: Index, side: int) -> Index:
+    """The interval found on a side of the one left, and the next one at least."""
+    further: Index = side * np.maximum(side * there, side * number + 1)
+    return further
 
 
 def _ends(starts: Array, number: Index) -> tuple[Array, Array]:

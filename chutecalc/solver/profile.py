@@ -16,7 +16,7 @@ from chutecalc.physics.roots import root_between
 from chutecalc.physics.section import take_facet, wetted_facet
 from chutecalc.physics.surface import point
 from chutecalc.physics.wall import wall_friction
-from chutecalc.physics.wetting import Wetting, excess_friction, wetting
+from chutecalc.physics.wetting import Wetting, wetting
 from chutecalc.solver.chain import ContactLeg, Leg
 from chutecalc.solver.collocation import interpolation, product, rule
 from chutecalc.solver.crossing import evaluate
@@ -74,11 +74,10 @@ def slide_profile(leg: Leg, contact: ContactLeg, places: Array, shares: Array | 
     area = slide.area(y)
     table = slide.facets_at(places)
     facet = take_facet(table, wetted_facet(table, area))
-    wet = wetting(facet, area)
-    excess, _ = excess_friction(facet, area, slide.equilibrium)
+    wet = wetting(facet, area, slide.equilibrium)
     normal = np.where(np.isnan(y), np.nan, slide.normal(places, y))
     wall = np.where(np.isnan(y), np.nan, wall_friction(slide.wall, slide.density * np.maximum(normal, 0.0) * wet.depth))
-    friction = equivalent_friction(wall, excess)
+    friction = equivalent_friction(wall, wet.excess)
     clock = leg.flight_time + time
     finite = [stretched(np.where(np.isfinite(row), row, np.nan), y.shape) for row in (area, wall, friction, *wet)]
     area, wall, friction, *wet_fields = finite

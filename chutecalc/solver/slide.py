@@ -14,8 +14,9 @@ import numpy as np
 
 from chutecalc.design import select
 from chutecalc.physics.arrays import Array, Index, sine_and_cosine
+from chutecalc.physics.intervals import take_row
 from chutecalc.physics.motion import ROOF, normal_acceleration
-from chutecalc.physics.section import Facets, Section, blend, facets, take_facet, take_row
+from chutecalc.physics.section import Facets, Section, blend, facets, take_facet
 from chutecalc.physics.wall import Wall
 from chutecalc.physics.wetting import area_at_depth, depth_and_width, excess_friction
 
@@ -98,7 +99,7 @@ class Course:
     """The branches that n designs follow on a panel, at whatever place they are asked for."""
 
     def __init__(self, slide: Slide, facet: Index, piece: Index) -> None:
-        self.slide, self.rows = slide, facet
+        self.slide, self.facet = slide, facet
         self.slope = take_row(slide.wall.slopes, piece)
         sticky = slide.wall.intercepts.any()
         self.adhesion = take_row(slide.wall.intercepts, piece) / slide.density if sticky else None
@@ -108,7 +109,7 @@ class Course:
         """The branches at places, shape (..., designs)."""
         if self.slide.end_section is None:
             return self.fixed
-        return Branch(take_facet(self.slide.facets_at(place), self.rows), self.slope, self.adhesion)
+        return Branch(take_facet(self.slide.facets_at(place), self.facet), self.slope, self.adhesion)
 
 
 class Field(NamedTuple):

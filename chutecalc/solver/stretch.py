@@ -2,7 +2,7 @@
 
 Each design first tries the whole way in one panel. Where the two rules disagree it goes on in its own steps: in c while
 the velocity changes gently, in r = √v towards a stop or away from rest. A panel never crosses a kink of the friction
-law (the top of a facet): it is cut where the depth passes it, as it is cut where the stream chokes or loses contact.
+law (the top of a facet, a row of a yield locus): it is cut there, as where the stream chokes or loses contact.
 """
 
 from functools import cache
@@ -22,7 +22,7 @@ ROOT = -1
 """A panel in r, beside the ways in c that :mod:`chutecalc.solver.panel` names."""
 STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
 
-PASSES = 2000  # a bound, so that no input can hang; the hardest stretch of 12,000 random chutes took 300
+PASSES = 2000  # a bound, so that no input can hang
 AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
 CREEP, PATIENCE = 1e-5, 300  # m/s below which a stream that needs more panels than that counts as stalled
 BLOCK = {8: 2048, 12: 1680, 16: 960, 24: 432}  # designs whose matrix products stay in cache and on one core
@@ -100,8 +100,8 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
 def _keep_memory() -> None:
     """Has the C library keep freed memory for the next array instead of giving it back to the system each time.
 
-    glibc learns from the largest block freed so far (up to 32 MiB) what to keep; page faults of temporary arrays were
-    half the time of a batch. Elsewhere it does nothing. The block is never touched, so it takes no memory.
+    glibc learns from the largest block freed so far (up to 32 MiB) what to keep; page faults of temporary arrays took
+    longer than the arithmetic on them. Elsewhere it does nothing. The block is never touched, so it takes no memory.
     """
     block = np.empty(2**22 - 2**10)
     del block

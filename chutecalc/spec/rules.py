@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.spec.quantity import Rule
+from chutecalc.units import twins
 
 GUIDED = ("straight", "curve", "hood", "plate")
 
@@ -58,11 +59,11 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
 
 def one_inlet(table: dict[str, Any]) -> Iterator[Rule]:
     """A velocity along a slope, or a belt."""
-    for key, twins in (("velocity_m_s", "velocity_m_s or velocity_fpm or velocity_ft_s"), ("slope_deg", "slope_deg")):
+    for key, names in (("velocity_m_s", " or ".join(twins("velocity_m_s", "velocity"))), ("slope_deg", "slope_deg")):
         if "belt" in table and key in table:
             yield Rule((key,), "is what the belt gives", "remove it, or the table [inlet.belt]")
         elif "belt" not in table and key not in table:
-            yield Rule((key,), "is missing", f"add {twins}, or a table [inlet.belt]")
+            yield Rule((key,), "is missing", f"add {names}, or a table [inlet.belt]")
 
 
 def names(table: dict[str, Any]) -> Iterator[Rule]:

@@ -66,7 +66,7 @@ def travel(case: dict[str, Any]) -> tuple[str, float, float]:
     def leaves(s: float, y: np.ndarray) -> float:
         return normal(s, y[0])
 
-    leaves.terminal, leaves.direction = True, -1.0  # type: ignore[attr-defined]
+    leaves.terminal, leaves.direction = True, -1.0
     if case["kind"] in {"crest", "hood"} and normal(0.0, case["velocity"] ** 2) < 0:
         return "contact_lost", 0.0, case["velocity"]
     watch = [leaves] if case["kind"] in {"crest", "hood"} else []
@@ -75,7 +75,7 @@ def travel(case: dict[str, Any]) -> tuple[str, float, float]:
     def crawls(s: float, y: np.ndarray) -> float:
         return y[0] - slow
 
-    crawls.terminal, crawls.direction = True, -1.0  # type: ignore[attr-defined]
+    crawls.terminal, crawls.direction = True, -1.0
     found = solve_ivp(
         slope, (0.0, length), [case["velocity"] ** 2], method="DOP853", rtol=3e-14, atol=1e-16, events=[*watch, crawls]
     )
