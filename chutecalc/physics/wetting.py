@@ -66,27 +66,81 @@ def excess_friction(facet: Facets, area: Array, equilibrium: bool = False) -> tu
     >>> vee = Polygon(np.array([0.0]), (np.array([np.inf]),), (np.radians([60.0]),), np.array([np.inf]))
     >>> flank, area = take_facet(facets(vee, np.array([0.2])), np.array([0])), np.array([0.1])
     >>> for equilibrium in (False, True):  # K (1 - cos β)/cos β, and 1/cos β - 1, at any depth
-    ...     print([(value + 0.0).round(14).item() for value in excess_friction(flank, area, equilibrium)])
+    ...     print([(value.round(14) + 0.0).item() for value in excess_friction(flank, area, equilibrium)])
     [0.4, 0.0]
     [1.0, 0.0]
     """
-    wetted, width = wetted_length(facet, area)
-    own = facet.own_excess * wetted
-    excess = (facet.excess + wetted * facet.sine * (facet.excess_rise + own)) / area
-    growth = (facet.excess_rise + 2.0 * own) / width - excess
-    curved = facet.radius > 0.0
-    bend = _arc(facet, area) if curved.any() else None
-    if bend:
-        excess, growth = np.where(curved, bend.excess, excess), np.where(curved, bend.excess_growth, growth)
-    if not equilibrium:
-        return excess, growth
-    missing = _missing(facet, area, wetted)
-    missing_growth = (facet.shortfall_rise + 2.0 * facet.own_shortfall * wetted) / width - missing
-    if bend:
-        missing = np.where(curved, bend.missing, missing)
-        missing_growth = np.where(curved, bend.missing_growth, missing_growth)
-    carried = 1.0 - missing
-    return excess / carried, (growth + excess * missing_growth / carried) / carried
+    return Excess(facet, equilibrium).at(area)
+
+
+class Excess:
+    """:func:`excess_friction` of one facet a design for many areas: what the area does not change is worked out once.
+
+    Per area there are two square roots and divisions and some twelve products and sums, in place where that is
+    possible: most of the solver's time is spent here.
+    """
+
+    def __init__(self, facet: Facets, equilibrium: bool) -> None:
+        self.facet, self.equilibrium = facet, equilibrium
+        self.stacked = bool(facet.area.any())
+        """Whether any facet stands on others; what is 0 on the first need not be added."""
+        self.arcs = bool(facet.radius.any())
+        self.twice = 2.0 / facet.sine
+        self.spread = 2.0 * facet.cosine * self.twice
+        self.foot = self.twice * facet.area
+        self.apex = facet.width**2 - self.spread * facet.area  # of the surface's width², where its flanks would meet
+        self.excess = _Load(facet.excess, facet.excess_rise, facet.own_excess, facet.sine * facet.own_excess)
+        own, rise = facet.own_shortfall, facet.shortfall_rise
+        self.shortfall = _Load(facet.shortfall, rise, own, facet.sine * own)
+
+    def at(self, area: Array) -> tuple[Array, Array]:
+        """χ and A dχ/dA at areas, shape (..., designs)."""
+        width = self.spread * area
+        width += self.apex
+        np.sqrt(width, out=width)
+        wetted = self.twice * area
+        if self.stacked:
+            wetted -= self.foot
+        wetted /= width + self.facet.width
+        excess, growth = self._share(self.excess, area, wetted, width)
+        curved = self.facet.radius > 0.0
+        bend = _arc(self.facet, area) if self.arcs else None
+        if bend:
+            excess, growth = np.where(curved, bend.excess, excess), np.where(curved, bend.excess_growth, growth)
+        if not self.equilibrium:
+            return excess, growth
+        missing, missing_growth = self._share(self.shortfall, area, wetted, width)
+        if bend:
+            missing = np.where(curved, bend.missing, missing)
+            missing_growth = np.where(curved, bend.missing_growth, missing_growth)
+        carried = 1.0 - missing
+        return excess / carried, (growth + excess * missing_growth / carried) / carried
+
+    def _share(self, load: "_Load", area: Array, wetted: Array, width: Array) -> tuple[Array, Array]:
+        """A load over the area, and its logarithmic growth with it."""
+        share = load.bend * wetted
+        if self.stacked:
+            share += self.facet.sine * load.rise
+        share *= wetted
+        if self.stacked:
+            share += load.foot
+        share /= area
+        growth = (load.own + load.own) * wetted
+        if self.stacked:
+            growth += load.rise
+        growth /= width
+        growth -= share
+        return share, growth
+
+
+class _Load(NamedTuple):
+    """A load that grows with the wetted length C of a facet as foot + C sin β (rise + own C)."""
+
+    foot: Array
+    rise: Array
+    own: Array
+    bend: Array
+    """own sin β."""
 
 
 def depth_and_width(facet: Facets, area: Array) -> tuple[Array, Array]:

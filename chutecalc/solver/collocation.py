@@ -179,8 +179,13 @@ def newton(own: Rule, rates: Array, growth_rates: Array, unknown: Array, start: 
     picard: Array = own.integral @ rates
     picard += start
     growth = np.exp(own.integral @ growth_rates)
-    gap = (picard[:-1] - unknown) * growth_rates / growth[:-1]
-    return picard + growth * (own.integral @ gap), growth
+    gap = picard[:-1] - unknown
+    gap *= growth_rates
+    gap /= growth[:-1]
+    correction: Array = own.integral @ gap
+    correction *= growth
+    correction += picard
+    return correction, growth
 
 
 def stiff_newton(own: Rule, rates: Array, growth_rates: Array, unknown: Array, start: Array) -> tuple[Array, Array]:

@@ -41,7 +41,8 @@ class Effort(NamedTuple):
 
 def effort(rtol: float, complete: bool) -> Effort:
     """What it takes to have velocities right within a relative error."""
-    quick = ((6, 12), (12, 16), (16, 24)) if rtol >= 1e-11 else ((8, 16), (16, 24))
+    first = (4, 8) if rtol >= 1e-7 else (6, 12) if rtol >= 1e-11 else (8, 16)
+    quick = (first, (8, 16), (16, 24)) if rtol >= 1e-11 else (first, (16, 24))
     whole, later = (((8, 24), (16, 24)), (8, 24)) if complete else (quick, (8, 16))
     return Effort(whole, later, 0.2 * rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
 
@@ -176,7 +177,8 @@ class Front:
         """Moves designs to the ends of their panels; ``chosen`` are columns of the trial."""
         rows, panel = trial.rows[chosen], trial.panel
         start, end = trial.start[chosen], trial.end[chosen]
-        growth, error, knots = panel.growth[chosen], panel.error[chosen], panel.knots[:, chosen]
+        growth, knots = panel.growth[chosen], panel.knots[:, chosen]
+        error = panel.error[chosen] + panel.rounding[chosen]
         if trial.by_root:
             first, last = np.abs(slope_at(knots, 0)), np.abs(slope_at(knots, -1))  # dc over the panel's width in r
             width = np.abs(end - start)

@@ -18,7 +18,7 @@ from chutecalc.physics.intervals import take_row
 from chutecalc.physics.motion import ROOF, normal_acceleration
 from chutecalc.physics.section import Facets, Section, blend, facets, take_facet
 from chutecalc.physics.wall import Wall
-from chutecalc.physics.wetting import area_at_depth, depth_and_width, excess_friction
+from chutecalc.physics.wetting import Excess, area_at_depth, depth_and_width
 
 
 class Slide(NamedTuple):
@@ -89,6 +89,8 @@ class Branch(NamedTuple):
     """One smooth branch of the friction law, at places: a facet of the section and a piece of the wall's friction."""
 
     facet: Facets
+    excess: Excess
+    """χ on that facet."""
     slope: Array
     """dτ/dσ of the piece."""
     adhesion: Array | None
@@ -103,69 +105,89 @@ class Course:
         self.slope = take_row(slide.wall.slopes, piece)
         sticky = slide.wall.intercepts.any()
         self.adhesion = take_row(slide.wall.intercepts, piece) / slide.density if sticky else None
-        self.fixed = Branch(take_facet(slide.drawn, facet), self.slope, self.adhesion)
+        self.fixed = self._branch(take_facet(slide.drawn, facet))
+        self.arcs = self.fixed.excess.arcs
 
     def at(self, place: Array) -> Branch:
         """The branches at places, shape (..., designs)."""
         if self.slide.end_section is None:
             return self.fixed
-        return Branch(take_facet(self.slide.facets_at(place), self.facet), self.slope, self.adhesion)
+        return self._branch(take_facet(self.slide.facets_at(place), self.facet))
+
+    def _branch(self, facet: Facets) -> Branch:
+        return Branch(facet, Excess(facet, self.slide.equilibrium), self.slope, self.adhesion)
 
 
 class Field(NamedTuple):
-    """What the equation needs at given places of a panel, whatever the velocity there."""
+    """What the equation needs at given places of a panel, whatever the velocity there.
+
+    Velocities are in the unit √(2 g h), with h the panel's length in m: the equation over the panel is then
+    dY/dx = sin a - (1 + χ) (μ σ cos a + 2 h μ σ κ Y), and what designs differ in is in few of its terms.
+    """
 
     branch: Branch
-    drive: Array
-    """2 h g sin a, with h the panel's length in m."""
+    unit: Array
+    """2 g h, m²/s²."""
+    flow: Array
+    """Q in that unit, m²."""
+    sine: Array
     press: Array
-    """μ σ g cos a."""
-    scale: Array
-    """2 h."""
+    """μ σ cos a."""
     bend: Array
-    """μ σ κ."""
+    """2 h μ σ κ."""
+    adhesion: Array | None
+    """τ(0)/(ρ g) of the wall's piece, m."""
 
 
 def field(course: Course, place: Array, width: Array) -> Field:
     """The field at places, shape (nodes, designs) or (nodes, 1), of panels of a width in c."""
     slide, branch = course.slide, course.at(place)
     sine, cosine = sine_and_cosine(slide.entry_slope + slide.turn * place)
-    doubled = 2.0 * width * slide.length
+    unit = 2.0 * width * slide.length * slide.gravity
     return Field(
         branch,
-        doubled * slide.gravity * sine,
-        branch.slope * slide.side * slide.gravity * cosine,
-        doubled,
-        branch.slope * slide.bend(),
+        unit,
+        slide.flow / np.sqrt(unit),
+        sine,
+        branch.slope * (slide.side * cosine),
+        branch.slope * (-2.0 * slide.side * width * slide.turn),
+        None if branch.adhesion is None else branch.adhesion / slide.gravity,
     )
 
 
-def rates(slide: Slide, at: Field, y: Array) -> tuple[Array, Array]:
-    """Dy over the panel's width and its derivative to y: dy/ds = 2 [g sin a - (1 + χ) τ n/σ]."""
-    branch, area = at.branch, slide.area(y)
-    chi, growth = excess_friction(branch.facet, area, slide.equilibrium)
-    hold = at.press + at.bend * y  # μ_w n
-    hold_growth = at.bend
-    if branch.adhesion is not None:
-        depth, width = depth_and_width(branch.facet, area)
-        stuck = branch.adhesion / depth
-        hold, hold_growth = hold + stuck, hold_growth + stuck * area / (2.0 * y * width * depth)
-    drag = at.scale * (1.0 + chi)
-    return at.drive - drag * hold, at.scale * growth * hold / (2.0 * y) - drag * hold_growth
+def rates(at: Field, y: Array) -> tuple[Array, Array]:
+    """dY over the panel and its derivative to Y at the field's places: dy/ds = 2 [g sin a - (1 + χ) τ n/σ]."""
+    area = np.sqrt(y)
+    np.divide(at.flow, area, out=area)
+    drag, growth = at.branch.excess.at(area)
+    drag += 1.0
+    hold, hold_growth = at.bend * y, at.bend
+    hold += at.press  # μ_w n/g
+    if at.adhesion is not None:
+        depth, width = depth_and_width(at.branch.facet, area)
+        stuck = at.adhesion / depth
+        hold += stuck
+        hold_growth = hold_growth + stuck * area / (2.0 * y * width * depth)
+    growth *= hold
+    growth /= y + y
+    growth -= drag * hold_growth
+    hold *= drag
+    return at.sine - hold, growth
 
 
-def frozen_rates(slide: Slide, at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
-    """The same with μ_e kept at its value for y0: linear in y, solved exactly by one Newton step from anywhere.
+def frozen_rates(at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
+    """The same with μ_e kept at its value for Y0: linear in Y, solved exactly by one Newton step from anywhere.
 
     Close enough to start Newton from; exact where friction is constant.
     """
-    area = slide.area(y0)
-    chi, _ = excess_friction(at.branch.facet, area, slide.equilibrium)
-    drag = at.scale * (1.0 + chi)
-    hold = at.press + at.bend * y
-    if at.branch.adhesion is not None:
-        hold = hold + at.branch.adhesion / depth_and_width(at.branch.facet, area)[0]
-    return at.drive - drag * hold, np.broadcast_to(-drag * at.bend, y.shape)
+    area = at.flow / np.sqrt(y0)
+    chi, _ = at.branch.excess.at(area)
+    drag = 1.0 + chi
+    hold = at.bend * y
+    hold += at.press
+    if at.adhesion is not None:
+        hold += at.adhesion / depth_and_width(at.branch.facet, area)[0]
+    return at.sine - drag * hold, np.broadcast_to(-drag * at.bend, y.shape)
 
 
 TAPER_STEP = 1e-6
@@ -188,7 +210,7 @@ def _pull(course: Course, place: Array, y: Array) -> tuple[Array, Array]:
     slide, branch = course.slide, course.at(place)
     slope = slide.entry_slope + slide.turn * place
     area = slide.area(y)
-    chi, _ = excess_friction(branch.facet, area, slide.equilibrium)
+    chi, _ = branch.excess.at(area)
     drag = branch.slope * (1.0 + chi)
     sine, cosine = sine_and_cosine(slope)
     doubled = 2.0 * slide.length * slide.gravity

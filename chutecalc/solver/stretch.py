@@ -15,11 +15,9 @@ from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.solver.collocation import rule
 from chutecalc.solver.crossing import LEVEL, first_crossing
 from chutecalc.solver.front import CHOKE, END, RUNNING, Effort, Front, Piece, Trial
-from chutecalc.solver.panel import CLINGING, PLACE, WHOLE, panel_by_place, panel_by_root
+from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, rates
 
-ROOT = -1
-"""A panel in r, beside the ways in c that :mod:`chutecalc.solver.panel` names."""
 STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
 
 PASSES = 2000  # a bound, so that no input can hang
@@ -118,8 +116,9 @@ def _start_events(front: Front, rows: Index) -> None:
 
 def _change(front: Front, rows: Index) -> tuple[Array, Array]:
     """dy/dc where the designs stand, and its derivative to y."""
-    course = front.course(rows)
-    return rates(course.slide, field(course, front.place[rows], np.ones(1)), front.y[rows])
+    at = field(front.course(rows), front.place[rows], np.ones(1))
+    change, growth = rates(at, front.y[rows] / at.unit)
+    return change * at.unit, growth
 
 
 def _cross_boundaries(front: Front, rows: Index, change: Array) -> bool:
@@ -182,11 +181,16 @@ def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int
             panel = panel_by_root(course, start, end - start, place, pair)
         else:
             start = place
-            panel = panel_by_place(course, start, end - start, y, pair, way)
+            panel = panel_by_place(course, _shared(start), _shared(end - start), y, pair, way)
         good = panel.error <= tolerance
         if front.effort.complete:
             good &= panel.inner_error <= front.effort.inner_tolerance
         _judge(front, Trial(padded, by_root, start, end, panel, good), len(chunk))
+
+
+def _shared(values: Array) -> Array:
+    """One value where it is that of all designs: what follows from it alone is then worked out once."""
+    return values[:1] if (values == values[0]).all() else values
 
 
 def _judge(front: Front, trial: Trial, count: int) -> None:
