@@ -3,36 +3,51 @@
 Arrays are of shape (places, designs) here, and of shape (designs,) where a place is meant that each design has one of.
 """
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable
+from functools import cached_property
 
 import numpy as np
 
 from chutecalc.design import Contact, Design, Status, stretched
-from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
-from chutecalc.physics.wear import wall_pressures
 from chutecalc.solver.chain import ContactLeg, Leg
-from chutecalc.solver.profile import Profile, flight_profile, slide_profile
+from chutecalc.solver.profile import FlightProfile, SlideProfile
 
 Numbers = dict[str, Array]
-SAMPLES = np.linspace(0.0, 1.0, 65)
 LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
-ROUNDS, GRID = 2, np.linspace(0.0, 1.0, 17)  # each round leaves an eighth of the bracket around an extreme
+
+Profile = FlightProfile | SlideProfile
 
 
-class Part(NamedTuple):
+class Part:
     """A stretch of the way that is shown as one: a segment, or a flight that leads to one."""
 
-    name: str
-    kind: str
-    leg: Leg
-    contact: ContactLeg | None
-    """None for a flight."""
-    start_time: Array
-    """s since the inlet, shape (designs,)."""
-    design: Design
+    def __init__(
+        self, name: str, kind: str, leg: Leg, contact: ContactLeg | None, before: "Part | None", design: Design
+    ) -> None:
+        """A part; ``contact`` is None for a flight, ``before`` the part before it."""
+        self.name, self.kind, self.leg, self.contact, self.before, self.design = (
+            name,
+            kind,
+            leg,
+            contact,
+            before,
+            design,
+        )
+
+    @cached_property
+    def start_time(self) -> Array:
+        """S since the inlet, shape (designs,)."""
+        return np.zeros(1) if self.before is None else self.before.end_time
+
+    @cached_property
+    def end_time(self) -> Array:
+        """The same at the end of the part; at the start where a design does not go along it."""
+        with np.errstate(all="ignore"):
+            time = self.start_time + self._profile(np.ones(1)).time[0]
+        return np.where(np.isfinite(time), time, self.start_time)
 
     def ends(self) -> tuple[Array, Array]:
         """From where to where each design travels on the part: m in flight, shares of the segment in contact."""
@@ -70,143 +85,93 @@ class Part(NamedTuple):
         }
         return {name: np.where(struck, values, np.nan) for name, values in numbers.items()}
 
-    def at(self, shares: Array) -> Numbers:
-        """All columns at shares of the way, of shape (places,) for all designs or (places, designs) for each."""
-        with np.errstate(all="ignore"):
-            columns = self._columns(self._profile(shares))
-        shape = np.broadcast_shapes(*(values.shape for values in columns.values()))
-        return {name: stretched(values, shape) for name, values in columns.items()}
+    def at(self, shares: Array, names: Iterable[str] = ()) -> Numbers:
+        """Columns at shares of the way, of shape (places,) for all designs or (places, designs) for each.
 
-    def end_time(self) -> Array:
-        """Time since the inlet at the end of the part, s, shape (designs,); NaN where a design does not get there."""
+        Only those named are worked out; all, where none is.
+        """
+        at = self._profile(shares)
         with np.errstate(all="ignore"):
-            time: Array = self.start_time + self._profile(np.ones(1)).time[0]
-        return time
+            values = {name: COLUMN[name](self, at) for name in names or COLUMN}
+        shape = np.broadcast_shapes(at.distance.shape, *(column.shape for column in values.values()))
+        return {name: stretched(column, shape) for name, column in values.items()}
 
     def _profile(self, shares: Array) -> Profile:
         alike, each = (shares, shares[:, None]) if shares.ndim == 1 else (None, shares)
         begin, end = self.ends()
         places = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
         if self.contact is None:
-            return flight_profile(self.leg, self.design.volume_rate, places)
-        return slide_profile(self.leg, self.contact, places, alike)
+            return FlightProfile(self.leg, self.design.volume_rate, places)
+        return SlideProfile(self.leg, self.contact, places, alike)
 
-    def _columns(self, at: Profile) -> Numbers:
-        """The catalogue's columns, the thickness (depth over the free surface's width) and the missing load."""
-        floor, chamfer, side = self._pressures(at)
-        guide = self.leg.segment if self.contact is not None else None
-        guide = guide if isinstance(guide, Contact) else None
-        slip = at.wall_friction * at.velocity * (guide.slip_ratio if guide else 1.0)
-        chamfered = guide is not None and isinstance(guide.section, Polygon) and bool(guide.section.lengths)
-        on_arc = guide is not None and guide.radius is not None
-        return {
-            "s_m": at.distance,
-            "x_m": at.x,
-            "z_m": at.z,
-            "slope_deg": np.degrees(at.slope),
-            "velocity_m_s": at.velocity,
-            "depth_m": at.wet.depth,
-            "chamfer_wetted_m": np.where(chamfered, at.wet.chamfer, np.nan),
-            "area_m2": at.area,
-            "equivalent_friction": at.friction,
-            "normal_acceleration_m_s2": at.normal,
-            "pressure_kpa": floor / 1000.0,
-            "wear_w_m2": slip * floor,
-            "chamfer_pressure_kpa": chamfer / 1000.0,
-            "chamfer_wear_w_m2": slip * chamfer,
-            "side_pressure_kpa": side / 1000.0,
-            "side_wear_w_m2": slip * side,
-            "wear_number": np.where(on_arc, at.normal / self.design.gravity, np.nan),
-            "froude": np.where(
-                at.normal > LEAST_NORMAL * self.design.gravity,
-                at.velocity / np.sqrt(at.normal * at.area / at.wet.width),
-                np.nan,
-            ),
-            "time_s": self.start_time + at.time,
-            "thickness": at.wet.depth / at.wet.width,
-            "missing_load": at.wet.missing,
-            "wall_friction": at.wall_friction,
-        }
+    @property
+    def chamfered(self) -> bool:
+        """Whether the stream lies between drawn facets here."""
+        section = self.leg.segment.section if isinstance(self.leg.segment, Contact) else None
+        return self.contact is not None and isinstance(section, Polygon) and bool(section.lengths)
 
-    def _pressures(self, at: Profile) -> tuple[Array, Array, Array]:
-        """On floor, chamfers and side walls, Pa; none in flight."""
-        if self.contact is None:
-            return at.wet.depth, at.wet.depth, at.wet.depth
-        slide = self.contact.slide
-        section, table = slide.section_at(at.place), slide.facets_at(at.place)
-        weight = self.design.density * np.maximum(at.normal, 0.0)
-        return wall_pressures(section, table, at.wet, at.area, weight, slide.equilibrium)
+    @property
+    def on_arc(self) -> bool:
+        """Whether it follows an arc."""
+        return (
+            self.contact is not None and isinstance(self.leg.segment, Contact) and self.leg.segment.radius is not None
+        )
 
 
-class Extreme(NamedTuple):
-    """Where a quantity is least or largest along a part, shape (designs,)."""
-
-    value: Array
-    share: Array
-    """Of the part's way."""
+Formula = Callable[[Part, SlideProfile], Array]
 
 
-LEAST, LARGEST = -1.0, 1.0
-Wanted = tuple[str, float]
-"""A column's name, and ``LEAST`` or ``LARGEST``."""
+def _on_surface(
+    formula: Formula, exists: Callable[[Part], bool] = lambda part: True
+) -> Callable[[Part, Profile], Array]:
+    """A quantity that there is on a guiding surface alone."""
+
+    def column(part: Part, at: Profile) -> Array:
+        if isinstance(at, SlideProfile) and exists(part):
+            return formula(part, at)
+        return np.full((1, 1), np.nan)
+
+    return column
 
 
-def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
-    """Extremes of quantities along a part, found between its samples too.
+def _wear(wall: int) -> Formula:
+    """Friction power per area on one of the walls of :func:`chutecalc.physics.wear.wall_pressures`."""
 
-    Args:
-        part: of the way.
-        sampled: its columns at ``SAMPLES``.
-        wanted: which.
+    def formula(part: Part, at: SlideProfile) -> Array:
+        assert isinstance(part.leg.segment, Contact)
+        return at.pressures[wall] * at.wall_friction * at.velocity * part.leg.segment.slip_ratio
 
-    Returns:
-        One for each. Inside, it is that of the parabola through three places 5e-4 of the way apart: for what varies
-        smoothly, right to about 1e-11 of its variation. What grows without bound towards a stop, as depth does, is
-        taken up to the last place before it.
-    """
-    signs = np.array([sign for _, sign in wanted])[:, None]
-    values = np.stack([sampled[name] for name, _ in wanted], axis=1) * signs  # (places, wanted, designs)
-    best, low, high = _best(values, np.broadcast_to(SAMPLES[:, None, None], values.shape))
-    settled = _at_an_end(values)
-    open_ = np.flatnonzero(~settled.all(axis=1)).tolist()
-    for _ in range(ROUNDS if open_ else 0):
-        grid = low[open_] + (high - low)[open_] * GRID[:, None, None]
-        columns = part.at(grid.reshape(-1, grid.shape[2]))
-        finer = [columns[wanted[item][0]].reshape(grid.shape)[:, k] for k, item in enumerate(open_)]
-        found, low[open_], high[open_] = _best(np.stack(finer, axis=1) * signs[open_], grid)
-        for field, new in zip(best, found, strict=True):
-            field[open_] = np.where(settled[open_], field[open_], new)
-    return {
-        item: Extreme(item[1] * best.value[k] + 0.0, best.share[k])  # + 0: no -0
-        for k, item in enumerate(wanted)
-    }
+    return formula
 
 
-def _at_an_end(values: Array) -> Mask:
-    """Whether the largest value along the first axis is plainly at an end: the parabola there has its top beyond it.
-
-    Also where there are no values at all.
-    """
-    top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
-    inward = np.where(top == 0, 1, -1)
-    last = len(values) - 1
-    near = np.stack([np.clip(top + k * inward, 0, last) for k in range(3)])
-    first, second, third = np.take_along_axis(values, near, axis=0)
-    slope, bend = second - first, third - 2.0 * second + first
-    plain = (slope < 0.0) & (slope - 0.5 * bend <= 0.25 * slope)  # down from the end on, and not by the bend alone
-    settled: Mask = ((top == 0) | (top == last)) & plain | np.isnan(values).all(axis=0)
-    return settled
+def _froude(part: Part, at: SlideProfile) -> Array:
+    """v/√(n A/b_s)."""
+    pressed = at.normal > LEAST_NORMAL * part.design.gravity
+    return np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.wet.width), np.nan)
 
 
-def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
-    """The largest along the first axis, by the parabola through it and its neighbours, and the bracket of those."""
-    top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
-    left, right = np.maximum(top - 1, 0), np.minimum(top + 1, len(values) - 1)
-    near = np.stack([left, top, right])
-    x, f = np.take_along_axis(shares, near, axis=0), np.take_along_axis(values, near, axis=0)
-    inside = (left < top) & (top < right) & np.isfinite(f[0]) & np.isfinite(f[2])
-    f = np.where(inside, f, f[1])
-    bend = f[2] - 2.0 * f[1] + f[0]  # equally spaced
-    shift = np.where(bend < 0.0, 0.5 * (f[0] - f[2]) / np.where(bend < 0.0, bend, 1.0), 0.0)
-    value = f[1] - 0.25 * (f[0] - f[2]) * shift
-    return Extreme(value, x[1] + shift * (x[2] - x[1])), x[0], x[2]
+COLUMN: dict[str, Callable[[Part, Profile], Array]] = {
+    "s_m": lambda part, at: at.distance,
+    "x_m": lambda part, at: at.position[0],
+    "z_m": lambda part, at: at.position[1],
+    "slope_deg": lambda part, at: np.degrees(at.slope),
+    "velocity_m_s": lambda part, at: at.velocity,
+    "depth_m": _on_surface(lambda part, at: at.depth),
+    "chamfer_wetted_m": _on_surface(lambda part, at: at.wet.chamfer, lambda part: part.chamfered),
+    "area_m2": lambda part, at: at.area,
+    "equivalent_friction": _on_surface(lambda part, at: at.friction),
+    "normal_acceleration_m_s2": _on_surface(lambda part, at: at.normal),
+    "pressure_kpa": _on_surface(lambda part, at: at.pressures[0] / 1000.0),
+    "wear_w_m2": _on_surface(_wear(0)),
+    "chamfer_pressure_kpa": _on_surface(lambda part, at: at.pressures[1] / 1000.0),
+    "chamfer_wear_w_m2": _on_surface(_wear(1)),
+    "side_pressure_kpa": _on_surface(lambda part, at: at.pressures[2] / 1000.0),
+    "side_wear_w_m2": _on_surface(_wear(2)),
+    "wear_number": _on_surface(lambda part, at: at.normal / part.design.gravity, lambda part: part.on_arc),
+    "froude": _on_surface(_froude),
+    "time_s": lambda part, at: part.start_time + at.time,
+    "thickness": _on_surface(lambda part, at: at.depth / at.wet.width),
+    "missing_load": _on_surface(lambda part, at: at.wet.missing),
+    "wall_friction": _on_surface(lambda part, at: at.wall_friction),
+}
+"""How each column follows from the profile; the last three, which findings ask for, are in no table."""

@@ -1,15 +1,16 @@
 """What came out: the stream at every place of every design, by the names of the column catalogue."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from chutecalc.along import LARGEST, LEAST, SAMPLES, Extreme, Numbers, Part, Wanted, extremes
+from chutecalc.along import Numbers, Part
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status, Stream, stretched
 from chutecalc.errors import UsageError
+from chutecalc.extremes import LARGEST, LEAST, SAMPLES, Extreme, Wanted, extremes
 from chutecalc.findings import WARNING, WORST, Finding, findings, in_order
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.belt import discharge, loading
@@ -142,14 +143,13 @@ class Solution:
     def parts(self) -> list[Part]:
         """The way in order: the spec's segments, each behind the flight that leads to it if any design flies there."""
         parts: list[Part] = []
-        elapsed = np.zeros(1)
+        before: Part | None = None
         for leg in self.legs:
             name, kind = leg.segment.name, leg.segment.kind
             if leg.contact is not None and (leg.flight_time > 0.0).any():
-                parts.append(Part(f"{name}:flight", "flight", leg, None, elapsed, self.design))
-            parts.append(Part(name, kind, leg, leg.contact, elapsed, self.design))
-            time = parts[-1].end_time()
-            elapsed = np.where(np.isfinite(time), time, elapsed)
+                parts.append(Part(f"{name}:flight", "flight", leg, None, before, self.design))
+            before = Part(name, kind, leg, leg.contact, before, self.design)
+            parts.append(before)
         return parts
 
     @cached_property
@@ -213,20 +213,23 @@ class Solution:
                 numbers,
             )
 
-    def stations(self, points: int | None = None, spacing: float | None = None) -> dict[str, Any]:
+    def stations(
+        self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()
+    ) -> dict[str, Any]:
         """The stream along the chute.
 
         Args:
             points: so many stations a segment, both ends included, on the part travelled; 101 where nothing is given.
             spacing: instead, stations at multiples of so many metres from each segment's drawn start (a flight's from
             where it begins), and at both ends of the part travelled.
+            columns: names of those wanted; the others are not worked out. All, where none is named.
 
         Returns:
             Arrays by the names of the CSV's columns, each of shape (designs, stations); NaN where a design has no such
             station or the stream no such quantity there.
 
         Raises:
-            UsageError: both are given, or they would make no stations or more than a million.
+            UsageError: both are given, or they would make no stations or more than a million; a name is no column's.
 
         >>> import chutecalc
         >>> table = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).stations(points=3)
@@ -239,15 +242,23 @@ class Solution:
             raise UsageError(f"points has to be from 2 to {MOST_STATIONS}, not {points}")
         if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
             raise UsageError(f"the spacing of stations has to be greater than 0 m, not {spacing:g}")
-        blocks = [self._stations(part, points or 101, spacing) for part in self.parts]
+        names = list(columns) or [name for name in COLUMNS if name != "spec"]
+        unknown = [name for name in names if name not in COLUMNS or name == "spec"]
+        if unknown:
+            raise UsageError(f"there is no column {', '.join(unknown)}; chutecalc columns lists what there is")
+        blocks = [self._stations(part, points or 101, spacing, names) for part in self.parts]
         return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in blocks[0]}
 
-    def _stations(self, part: Part, points: int, spacing: float | None) -> dict[str, Any]:
+    def _stations(self, part: Part, points: int, spacing: float | None, names: list[str]) -> dict[str, Any]:
         """The stations of one part, each of shape (designs, stations)."""
-        columns = part.at(np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part, spacing))
-        shape = (self.count, len(columns["s_m"]))
-        table: dict[str, Any] = {"segment": np.full(shape, part.name), "kind": np.full(shape, part.kind)}
-        return table | {name: stretched(columns[name].T, shape) for name in COLUMNS if name in columns}
+        shares = np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part, spacing)
+        shape = (self.count, len(shares))
+        labels = {"segment": part.name, "kind": part.kind}
+        numbers = part.at(shares, [name for name in names if name not in labels] or ["s_m"])
+        return {
+            name: np.full(shape, labels[name]) if name in labels else stretched(numbers[name].T, shape)
+            for name in names
+        }
 
     def _result(self, part: Part, sampled: Numbers, found: dict[Wanted, Extreme]) -> SegmentResult:
         """A part's ends and extremes."""

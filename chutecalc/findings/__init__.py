@@ -4,8 +4,9 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from chutecalc.along import Extreme, Numbers, Part, Wanted
+from chutecalc.along import Numbers, Part
 from chutecalc.design import Contact, Status
+from chutecalc.extremes import Extreme, Wanted
 from chutecalc.findings import failures, warnings
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
 
@@ -36,7 +37,7 @@ def findings(
 
     Args:
         parts: of the way.
-        samples: their columns at :data:`chutecalc.along.SAMPLES`.
+        samples: their columns at :data:`chutecalc.extremes.SAMPLES`.
         extremes: theirs, ``WORST`` among them.
         designs: how many there are.
     """

@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.along import LARGEST, LEAST, Extreme, Numbers, Part, Wanted
+from chutecalc.along import Numbers, Part
 from chutecalc.columns import quantity_text
 from chutecalc.design import Contact
+from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.solver.chain import ContactLeg
 

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.along import SAMPLES
 from chutecalc.design import Status
+from chutecalc.extremes import SAMPLES
 from chutecalc.findings.finding import NOTE, WARNING, Finding, Scene, finding
 from chutecalc.physics.friction import equilibrium_friction
 from chutecalc.physics.motion import FLOOR

@@ -114,9 +114,12 @@ def facets(section: Section, vertical_ratio: Array) -> Facets:
            [0.1]])
     """
     rows = _arc_rows(section, vertical_ratio) if isinstance(section, Circle) else _flat_rows(section, vertical_ratio)
-    shape = np.broadcast_shapes(*(value.shape for row in rows for value in row))
-    fields = zip(*rows, strict=True)
-    return Facets(*(np.stack([np.broadcast_to(value, shape) for value in field]) for field in fields))
+    shape = np.broadcast_shapes(*{value.shape for row in rows for value in row})
+    table = np.empty((len(Facets._fields), len(rows), *shape))
+    for number, row in enumerate(rows):
+        for field, value in zip(table, row, strict=True):
+            field[number] = value
+    return Facets(*table)
 
 
 def _flat_rows(section: Polygon, vertical_ratio: Array) -> list[Facets]:
@@ -181,4 +184,6 @@ def wetted_facet(table: Facets, area: Array) -> Index:
 
 def take_facet(table: Facets, rows: Index) -> Facets:
     """One facet for each design, or for each place and design; of a table of one facet, that for all of them."""
+    if len(table.area) == 1:
+        return Facets(*[field[0] for field in table])
     return Facets(*(take_row(field, rows) for field in table))

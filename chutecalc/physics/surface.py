@@ -54,8 +54,9 @@ def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
     (3.0, -3.0, 0.0)
     """
     half = 0.5 * surface.turn * place
-    chord = surface.length * place * np.sinc(half / np.pi)
     middle = surface.slope + half
+    half = np.where(half == 0.0, 1e-20, half)  # its sine over itself is 1 there
+    chord = surface.length * place * (np.sin(half) / half)
     return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + surface.turn * place
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched, take
+from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
@@ -80,6 +80,7 @@ class _Chain:
 
     def __init__(self, design: Design, work: Effort) -> None:
         self.design, self.work = design, work
+        self.single = length(design) == 1
         self.legs: list[Leg] = []
         self.stream = _inlet(design)
         self.drawn: Place = (self.stream.x, self.stream.z)
@@ -159,8 +160,13 @@ class _Chain:
             design.vertical_ratio,
             contact.facets,
             design.equilibrium,
+            self.single,
         )
-        n = max(length(stream), length(surface), length(slide))
+        if self.single:
+            return stream, surface, slide
+        own = length(slide)
+        n = max(length(stream), length(surface), own)
+        slide = slide._replace(alike=own == 1)
         return Stream._make(stretched(field, (n,)) for field in stream), surface, slide
 
     def along(self, number: int, contact: Contact, start: Stream | None = None, known: int = 0) -> Leg:
@@ -173,13 +179,15 @@ class _Chain:
             arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
         entry = _entry(start, surface, arrival)
         rows = np.flatnonzero(arrival.status == Status.OK)
-        here, place = _some(entry, rows), arrival.place[rows]
+        here, place, flow, line = entry, arrival.place, slide, surface
+        if len(rows) < len(place):
+            here, place, flow, line = _some(entry, rows), place[rows], slide.rows(rows), select(surface, rows)
         if contact.kind == "plate":
             stretch = Stretch.standing(place, here.velocity**2, 2.0 * here.error)
         else:
-            stretch = solve_stretch(slide.rows(rows), place, here.velocity**2, 2.0 * here.error, self.work)
-        x, z, slope = point(select(surface, rows), stretch.place)
-        distance = here.distance + take(surface.length, rows) * (stretch.place - place)
+            stretch = solve_stretch(flow, place, here.velocity**2, 2.0 * here.error, self.work)
+        x, z, slope = point(line, stretch.place)
+        distance = here.distance + line.length * (stretch.place - place)
         error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
         numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), error)
         moved = _stream(numbers, stretch.status, here.airborne)
@@ -240,6 +248,8 @@ def _fall(number: int, fall: Fall, start: Stream, drawn: Place, design: Design) 
 def _arrivals(start: Stream, surface: Surface, slide: Slide, known: int) -> Arrival:
     """How the streams that are still on their way meet a segment."""
     alive = np.flatnonzero(start.status == Status.OK)
+    if len(alive) == len(start.status):
+        return arrive(start, surface, slide, known)
     met = arrive(_some(start, alive), select(surface, alive), slide.rows(alive), known)
     return spread(met, alive, len(start.status))
 

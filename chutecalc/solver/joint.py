@@ -61,6 +61,9 @@ def arrive(stream: Stream, surface: Surface, slide: Slide, known: int = 0) -> Ar
     flies = stream.airborne | (turn < -TANGENT)
     path = flight(stream.x, stream.z, stream.velocity, stream.slope, slide.gravity)
     none = np.zeros(shape)
+    if not (flies.any() or (turn > TANGENT).any()):  # the stream goes on as it comes
+        on, gone = np.full(shape, Status.OK), np.full(shape, np.nan)
+        return Arrival(path, none, none, none, stream.velocity, none, stream.velocity, stream.error, gone, none, on)
     time, distance, place, velocity, strike, gap = (
         none,
         none,

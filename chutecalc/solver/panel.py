@@ -182,6 +182,11 @@ def _panel(
         smoothness = np.minimum(smoothness, np.maximum(resolved, 1.0))
     inside = update * smoothness ** (coarse - fine)
     end = inside * smoothness**-fine
-    safety = ROOT_SAFETY if way == ROOT else SAFETY
-    errors = (np.where(sound, safety * (update**2 + part), np.inf) for part in (end, inside))
-    return Panel(knots, growth, *errors, ROUNDING + rounding / np.maximum(decay, 1.0))
+    safety, newton_part = (ROOT_SAFETY if way == ROOT else SAFETY), update**2
+    return Panel(
+        knots,
+        growth,
+        np.where(sound, safety * (newton_part + end), np.inf),
+        np.where(sound, safety * (newton_part + 0.1 * inside), np.inf),
+        ROUNDING + rounding / np.maximum(decay, 1.0),
+    )

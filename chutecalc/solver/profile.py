@@ -4,7 +4,7 @@ Places are arrays of shape (places, designs), as the panels' own values are; wha
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from functools import cached_property
 
 import numpy as np
 
@@ -13,10 +13,11 @@ from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.roots import root_between
-from chutecalc.physics.section import take_facet, wetted_facet
+from chutecalc.physics.section import Facets, take_facet, wetted_facet
 from chutecalc.physics.surface import point
 from chutecalc.physics.wall import wall_friction
-from chutecalc.physics.wetting import Wetting, wetting
+from chutecalc.physics.wear import wall_pressures
+from chutecalc.physics.wetting import Wetting, depth_and_width, wetting
 from chutecalc.solver.chain import ContactLeg, Leg
 from chutecalc.solver.collocation import interpolation, product, rule
 from chutecalc.solver.crossing import evaluate
@@ -24,65 +25,152 @@ from chutecalc.solver.front import Piece
 from chutecalc.solver.slide import Course, Slide, place_rates
 
 
-class Profile(NamedTuple):
-    """The stream at places of a leg; NaN where there is no stream, or no such quantity in free flight."""
-
-    distance: Array
-    """From the inlet along the stream, m."""
-    x: Array
-    z: Array
-    slope: Array
-    velocity: Array
-    time: Array
-    """Since the leg began, s."""
-    area: Array
-    place: Array
-    """Share of the segment's length."""
-    wet: Wetting
-    wall_friction: Array
-    """μ."""
-    friction: Array
-    """μ_e."""
-    normal: Array
-    """Normal acceleration, m/s²."""
-
-
-def flight_profile(leg: Leg, flow: Array, distances: Array) -> Profile:
+class FlightProfile:
     """A leg's flight at distances flown, m, shape (places, designs)."""
-    time = _flight_time(leg, distances)
-    x, z = position(leg.path, time)
-    velocity, slope = motion(leg.path, time)
-    area = np.where(velocity > 0.0, flow / np.where(velocity > 0.0, velocity, 1.0), np.nan)
-    none = np.full(time.shape, np.nan)
-    dry = Wetting(*[none] * len(Wetting._fields))
-    return Profile(leg.start.distance + distances, x, z, slope, velocity, time, area, none, dry, none, none, none)
+
+    def __init__(self, leg: Leg, flow: Array, distances: Array) -> None:
+        self.leg, self.flow, self.flown = leg, flow, distances
+
+    @cached_property
+    def time(self) -> Array:
+        """Since the leg began, s."""
+        return _flight_time(self.leg, self.flown)
+
+    @cached_property
+    def distance(self) -> Array:
+        """From the inlet along the stream, m."""
+        return self.leg.start.distance + self.flown
+
+    @cached_property
+    def position(self) -> tuple[Array, Array]:
+        """X and z, m."""
+        return position(self.leg.path, self.time)
+
+    @cached_property
+    def motion(self) -> tuple[Array, Array]:
+        """Velocity, m/s, and slope, rad."""
+        return motion(self.leg.path, self.time)
+
+    @property
+    def velocity(self) -> Array:
+        """m/s."""
+        return self.motion[0]
+
+    @property
+    def slope(self) -> Array:
+        """Below horizontal, rad."""
+        return self.motion[1]
+
+    @property
+    def area(self) -> Array:
+        """Q/v, m²."""
+        return np.where(self.velocity > 0.0, self.flow / np.where(self.velocity > 0.0, self.velocity, 1.0), np.nan)
 
 
-def slide_profile(leg: Leg, contact: ContactLeg, places: Array, shares: Array | None = None) -> Profile:
+class SlideProfile:
     """A leg's contact at places, shares of the segment's length, shape (places, designs).
 
-    Args:
-        leg, contact: the solved leg.
-        places: NaN where none is wanted; outside the part travelled gives NaN.
-        shares: where ``places`` are the same shares of the part travelled in all designs, those, shape (places,).
+    NaN where there is no stream, or no such quantity. Each quantity is worked out when it is first asked for.
     """
-    y, time = _walk(contact, places, shares)
-    x, z, slope = point(contact.surface, places)
-    velocity = np.sqrt(y)
-    along = contact.surface.length * (places - contact.arrival.place)
-    slide = contact.slide
-    area = slide.area(y)
-    table = slide.facets_at(places)
-    facet = take_facet(table, wetted_facet(table, area))
-    wet = wetting(facet, area, slide.equilibrium)
-    normal = np.where(np.isnan(y), np.nan, slide.normal(places, y))
-    wall = np.where(np.isnan(y), np.nan, wall_friction(slide.wall, slide.density * np.maximum(normal, 0.0) * wet.depth))
-    friction = equivalent_friction(wall, wet.excess)
-    clock = leg.flight_time + time
-    finite = [stretched(np.where(np.isfinite(row), row, np.nan), y.shape) for row in (area, wall, friction, *wet)]
-    area, wall, friction, *wet_fields = finite
-    distance = leg.entry.distance + along
-    return Profile(distance, x, z, slope, velocity, clock, area, places, Wetting(*wet_fields), wall, friction, normal)
+
+    def __init__(self, leg: Leg, contact: ContactLeg, places: Array, shares: Array | None = None) -> None:
+        """The contact at places.
+
+        Args:
+            leg, contact: the solved leg.
+            places: NaN where none is wanted; outside the part travelled gives NaN.
+            shares: where ``places`` are the same shares of the part travelled in all designs, those, shape (places,).
+        """
+        self.leg, self.contact, self.place, self.shares = leg, contact, places, shares
+
+    @cached_property
+    def velocity_squared(self) -> Array:
+        """m²/s²."""
+        return _velocities(self.contact, self.place, self.shares)
+
+    @cached_property
+    def velocity(self) -> Array:
+        """m/s."""
+        return np.sqrt(self.velocity_squared)
+
+    @cached_property
+    def time(self) -> Array:
+        """Since the leg began, s."""
+        return self.leg.flight_time + _times(self.contact, self.place)
+
+    @property
+    def distance(self) -> Array:
+        """From the inlet along the stream, m."""
+        return self.leg.entry.distance + self.contact.surface.length * (self.place - self.contact.arrival.place)
+
+    @cached_property
+    def _point(self) -> tuple[Array, Array, Array]:
+        return point(self.contact.surface, self.place)
+
+    @property
+    def position(self) -> tuple[Array, Array]:
+        """X and z, m."""
+        return self._point[:2]
+
+    @property
+    def slope(self) -> Array:
+        """Below horizontal, rad."""
+        return self._point[2]
+
+    @cached_property
+    def table(self) -> Facets:
+        """The section's facets."""
+        return self.contact.slide.facets_at(self.place)
+
+    @cached_property
+    def facet(self) -> Facets:
+        """The one in which the surface lies."""
+        return take_facet(self.table, wetted_facet(self.table, self.contact.slide.area(self.velocity_squared)))
+
+    @cached_property
+    def area(self) -> Array:
+        """Q/v, m²."""
+        return self._finite(self.contact.slide.area(self.velocity_squared))
+
+    @cached_property
+    def depth(self) -> Array:
+        """M."""
+        return self._finite(depth_and_width(self.facet, self.area)[0])
+
+    @cached_property
+    def wet(self) -> Wetting:
+        """How the stream lies in the section."""
+        return Wetting(*map(self._finite, wetting(self.facet, self.area, self.contact.slide.equilibrium)))
+
+    @cached_property
+    def normal(self) -> Array:
+        """Normal acceleration, m/s²."""
+        there = np.isnan(self.velocity_squared)
+        return np.where(there, np.nan, self.contact.slide.normal(self.place, self.velocity_squared))
+
+    @cached_property
+    def wall_friction(self) -> Array:
+        """μ."""
+        slide = self.contact.slide
+        return self._finite(wall_friction(slide.wall, slide.density * np.maximum(self.normal, 0.0) * self.depth))
+
+    @cached_property
+    def friction(self) -> Array:
+        """μ_e."""
+        return equivalent_friction(self.wall_friction, self.wet.excess)
+
+    @cached_property
+    def pressures(self) -> tuple[Array, Array, Array]:
+        """On floor, chamfers and side walls, Pa."""
+        slide = self.contact.slide
+        weight = slide.density * np.maximum(self.normal, 0.0)
+        return wall_pressures(slide.section_at(self.place), self.table, self.wet, self.area, weight, slide.equilibrium)
+
+    def _finite(self, values: Array) -> Array:
+        """NaN where the stream stands still, which leaves it no depth."""
+        there = np.isfinite(values) & ~np.isnan(self.velocity_squared)
+        finite: Array = stretched(np.where(there, values, np.nan), self.velocity_squared.shape)
+        return finite
 
 
 def _flight_time(leg: Leg, distances: Array) -> Array:
@@ -103,12 +191,10 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
     return time
 
 
-def _walk(contact: ContactLeg, places: Array, shares: Array | None) -> tuple[Array, Array]:
-    """v² and the time since the contact began, at places, shape (places, designs)."""
+def _velocities(contact: ContactLeg, places: Array, shares: Array | None) -> Array:
+    """v² at places, shape (places, designs)."""
     arrival = contact.arrival
-    here = places == arrival.place  # also of streams that get no further
-    y, time = np.where(here, arrival.after**2, np.nan), np.where(here, 0.0, np.nan)
-    elapsed = np.zeros(places.shape[1])
+    y = np.where(places == arrival.place, arrival.after**2, np.nan)  # also of streams that get no further
     end = np.full(places.shape[1], np.nan)
     end[contact.rows] = contact.stretch.place
     for piece in contact.stretch.pieces:
@@ -125,13 +211,21 @@ def _walk(contact: ContactLeg, places: Array, shares: Array | None) -> tuple[Arr
             root = part.start + share * (part.end - part.start)
             values = root**4 if piece.by_root else evaluate(part.knots, share)
             y[:, others] = np.where(np.isnan(share), y[:, others], values)
+    return y
+
+
+def _times(contact: ContactLeg, places: Array) -> Array:
+    """The time since the contact began, at places, s, shape (places, designs)."""
+    time = np.where(places == contact.arrival.place, 0.0, np.nan)
+    elapsed = np.zeros(places.shape[1])
+    for piece in contact.stretch.pieces:
         for part in _timed(piece):
             rows = contact.rows[part.rows]
             clock = elapsed[rows] + _clock(contact.slide.rows(rows), part)
             share = _share(part, places[:, rows])
             time[:, rows] = np.where(np.isnan(share), time[:, rows], evaluate(clock, share))
             elapsed[rows] = clock[-1]
-    return y, time
+    return time
 
 
 TIMED = 3.0

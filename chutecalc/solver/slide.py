@@ -44,10 +44,12 @@ class Slide(NamedTuple):
     """Of ``section``."""
     equilibrium: bool
     """The friction law: wall pressures scaled to carry the weight, or the paper's."""
+    alike: bool
+    """Whether one entry of every field serves all designs."""
 
     def rows(self, index: Index) -> "Slide":
         """The same for some of the designs."""
-        return select(self, index)
+        return self if self.alike else select(self, index)
 
     def section_at(self, place: Array) -> Section:
         """The section at places, shape (..., designs)."""
@@ -156,7 +158,7 @@ def field(course: Course, place: Array, width: Array) -> Field:
 
 
 def rates(at: Field, y: Array) -> tuple[Array, Array]:
-    """dY over the panel and its derivative to Y at the field's places: dy/ds = 2 [g sin a - (1 + χ) τ n/σ]."""
+    """DY over the panel and its derivative to Y at the field's places: dy/ds = 2 [g sin a - (1 + χ) τ n/σ]."""
     area = np.sqrt(y)
     np.divide(at.flow, area, out=area)
     drag, growth = at.branch.excess.at(area)

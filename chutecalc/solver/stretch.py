@@ -232,6 +232,9 @@ def _result(front: Front) -> Stretch:
     """Where each design ended; a choke comes before whatever was found beyond it."""
     place, y, error = front.choke
     choked = np.isfinite(place)
+    if not choked.any():
+        none = np.full(place.shape, np.nan)
+        return Stretch(front.status, front.place, front.y, front.error, none, front.status, front.pieces)
     return Stretch(
         np.where(choked, Status.CHOKE, front.status),
         np.where(choked, place, front.place),

@@ -14,6 +14,7 @@ LEVELS = [
     {"columns", "spec"},
     {"solver"},
     {"along"},
+    {"extremes"},
     {"findings"},
     {"solution"},
     {"chute"},

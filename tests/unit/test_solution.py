@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.along import SAMPLES
 from chutecalc.columns import COLUMNS, quantity_text
+from chutecalc.extremes import SAMPLES
 from chutecalc.units import UNITS, convert, twins
 from tests.conftest import chute
 
