@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from chutecalc.batch import Exits, exits
     from chutecalc.chute import Chute, load, parse, solve
     from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
     from chutecalc.solution import Solution
@@ -18,11 +19,13 @@ __all__ = [
     "STARTER",
     "Chute",
     "ChutecalcError",
+    "Exits",
     "Fault",
     "Solution",
     "SpecError",
     "UsageError",
     "__version__",
+    "exits",
     "load",
     "parse",
     "solve",
@@ -33,10 +36,12 @@ _ROOMS = {
     "STARTER": "chutecalc.spec.starter",
     "Chute": "chutecalc.chute",
     "ChutecalcError": "chutecalc.errors",
+    "Exits": "chutecalc.batch",
     "Fault": "chutecalc.errors",
     "Solution": "chutecalc.solution",
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
+    "exits": "chutecalc.batch",
     "load": "chutecalc.chute",
     "parse": "chutecalc.chute",
     "solve": "chutecalc.chute",

@@ -169,14 +169,19 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     >>> solution.status, solution.exit_velocity.round(3)
     (array(['ok'], dtype='<U12'), array([3.878]))
     """
-    low, high = TOLERANCES
-    if not low <= rtol <= high:
-        raise UsageError(f"rtol has to be from {low:g} to {high:g}, not {rtol!r}")
+    check_tolerance(rtol)
     try:
         legs, final = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source) from None
     return Solution(chute.design, tuple(legs), final, rtol, chute.count)
+
+
+def check_tolerance(rtol: float) -> None:
+    """Raises a UsageError where the solver does not take such a tolerance."""
+    low, high = TOLERANCES
+    if not low <= rtol <= high:
+        raise UsageError(f"rtol has to be from {low:g} to {high:g}, not {rtol!r}")
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:

@@ -72,18 +72,29 @@ class Solution:
     @property
     def exit_velocity(self) -> Array:
         """Velocity at the end of the chute, m/s, shape (designs,)."""
-        return self.exit["velocity_m_s"]
+        return self.exit_columns(("velocity_m_s",))["velocity_m_s"]
 
     @property
     def exit_depth(self) -> Array:
         """Flow depth there, m, shape (designs,); NaN in free flight."""
-        return self.exit["depth_m"]
+        return self.exit_columns(("depth_m",))["depth_m"]
 
     @cached_property
     def exit(self) -> Numbers:
         """The stream at the end of the chute, by column name, each of shape (designs,)."""
-        last = self.segments[-1].exit
-        return {name: np.where(self.codes == Status.OK, values, np.nan) for name, values in last.items()}
+        return self.exit_columns(name for name in COLUMNS if name not in ("spec", "segment", "kind"))
+
+    def exit_columns(self, names: Iterable[str]) -> Numbers:
+        """Some of :attr:`exit`, without the others being worked out."""
+        names = list(names)
+        last = len(self.design.segments) - 1
+        found = {name: np.full(self.count, np.nan) for name in names}
+        for part in self.parts:  # of a hood that is left and struck again there are several
+            if part.leg.number == last and part.kind != "flight":
+                ends = part.at(np.ones(1), names)
+                here = (part.leg.status == Status.OK) & (self.codes == Status.OK)
+                found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
+        return found
 
     @cached_property
     def receiver(self) -> Numbers:
@@ -97,7 +108,8 @@ class Solution:
         belt, design = self.design.receiver, self.design
         if belt is None:
             return {}
-        velocity, slope = self.exit["velocity_m_s"], np.radians(self.exit["slope_deg"])
+        end = self.exit_columns(("velocity_m_s", "slope_deg"))
+        velocity, slope = end["velocity_m_s"], np.radians(end["slope_deg"])
         onto = loading(velocity, slope, *belt, design.density, design.mass_rate, design.gravity)
         aside = np.cos(slope - belt.slope)
         with np.errstate(all="ignore"):

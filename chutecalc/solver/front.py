@@ -192,7 +192,8 @@ class Front:
         else:
             self.error[rows] = np.abs(growth) * self.error[rows] * self.y[rows] / knots[-1] + error
             self.place[rows], self.y[rows] = end, knots[-1]
-            self.reach[rows] = np.maximum(4.0 * (end - start), LEAST_STEP)
+            before = np.where(np.isfinite(self.aim[rows]), self.reach[rows], LEAST_STEP)  # cut short by an event
+            self.reach[rows] = np.maximum(4.0 * (end - start), before)
             self.stride[rows] = np.where(self.tired[rows], 0.5, self.stride[rows])
             self.tired[rows] = False
             self.arrive(rows[end >= self.limit[rows]])

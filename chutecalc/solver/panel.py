@@ -26,8 +26,8 @@ PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update
 WHOLE, PLACE, CLINGING, ROOT = range(4)
 """Ways to a panel: in c the attempt at a whole stretch, which most need no more than, a panel of several, and one along
 which a stream clings to a balance; and in r."""
-WAYS = {WHOLE: (newton, 1), PLACE: (newton, 3), CLINGING: (stiff_newton, 4)}
-"""The step of each, and how often it is taken on the coarse rule."""
+WAYS = {WHOLE: (newton, 1, 1), PLACE: (newton, 2, 2), CLINGING: (stiff_newton, 4, 1)}
+"""The step of each in c, and how often it is taken on the coarse rule and on the fine one."""
 
 
 class Panel(NamedTuple):
@@ -47,7 +47,7 @@ class Panel(NamedTuple):
 
 def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: tuple[int, int], way: int) -> Panel:
     """Solves y = v² over a panel in c, in one of three ways: ``WHOLE``, ``PLACE`` or ``CLINGING``."""
-    step, iterations = WAYS[way]
+    step, iterations, refinements = WAYS[way]
     coarse, fine = rule(pair[0]), rule(pair[1])
     at = field(course, start + width * coarse.nodes[:, None], width)
     first = y0 / at.unit
@@ -60,15 +60,18 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     last = ends[-1]
     guess = transfer(*pair) @ np.concatenate([first[None], ends])
     at = field(course, start + width * fine.nodes[:, None], width)
-    ends, growth = step(fine, *rates(at, guess), guess, first)
+    updates = []
+    for _ in range(refinements):
+        ends, growth = step(fine, *rates(at, guess), guess, first)
+        guess -= ends[:-1]
+        guess /= ends[:-1]
+        updates.append(np.maximum.reduce(np.abs(guess, out=guess)))
+        guess = ends[:-1].copy()
     knots = np.concatenate([y0[None], ends * at.unit])
-    guess -= ends[:-1]
-    guess /= ends[:-1]
-    update = np.maximum.reduce(np.abs(guess, out=guess))
     sound = np.minimum.reduce(ends) > 0.0
     lifted = knots - _arc_velocity(course, start) ** 2 if course.arcs else knots
     smoothness = _smoothness(fine, lifted, 0.4)
-    panel = _panel(knots, growth[-1], sound, update, smoothness, ROUNDING / ends[-1], pair, way)
+    panel = _panel(knots, growth[-1], sound, updates, smoothness, ROUNDING / ends[-1], pair, way)
     if way != CLINGING:
         return panel
     # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share of it.
@@ -96,7 +99,7 @@ def panel_by_root(course: Course, start: Array, width: Array, place: Array, pair
     update = np.maximum(noise, 0.0) / np.maximum(np.abs(ends[-1] - place), PLACE_ROUNDING)
     pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
     smoothness = np.minimum(_smoothness(fine, pull, 0.2), _flank_smoothness(course, start, width, place))
-    return _panel(np.concatenate([place[None], ends]), growth[-1], sound, update, smoothness, 0.0, pair, ROOT)
+    return _panel(np.concatenate([place[None], ends]), growth[-1], sound, [update], smoothness, 0.0, pair, ROOT)
 
 
 def _smoothness(own: Rule, values: Array, share: float) -> Array:
@@ -165,7 +168,7 @@ def _panel(
     knots: Array,
     growth: Array,
     sound: Mask,
-    update: Array,
+    updates: list[Array],
     smoothness: Array,
     rounding: Array | float,
     pair: tuple[int, int],
@@ -180,9 +183,9 @@ def _panel(
     if way != CLINGING:  # where a stream clings to a balance, such terms have died out before
         resolved = 4.0 / np.e * np.sqrt(coarse * fine) / decay
         smoothness = np.minimum(smoothness, np.maximum(resolved, 1.0))
-    inside = update * smoothness ** (coarse - fine)
+    inside = updates[0] * smoothness ** (coarse - fine)
     end = inside * smoothness**-fine
-    safety, newton_part = (ROOT_SAFETY if way == ROOT else SAFETY), update**2
+    safety, newton_part = (ROOT_SAFETY if way == ROOT else SAFETY), updates[-1] ** 2
     return Panel(
         knots,
         growth,

@@ -194,9 +194,10 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
 def _velocities(contact: ContactLeg, places: Array, shares: Array | None) -> Array:
     """v² at places, shape (places, designs)."""
     arrival = contact.arrival
-    y = np.where(places == arrival.place, arrival.after**2, np.nan)  # also of streams that get no further
-    end = np.full(places.shape[1], np.nan)
-    end[contact.rows] = contact.stretch.place
+    end, last = np.full((2, places.shape[1]), np.nan)
+    end[contact.rows], last[contact.rows] = contact.stretch.place, contact.stretch.velocity_squared
+    y = np.where(places == end, last, np.nan)
+    y = np.where(places == arrival.place, arrival.after**2, y)  # also of streams that get no further
     for piece in contact.stretch.pieces:
         rows = contact.rows[piece.rows]
         whole = np.zeros(len(rows), dtype=bool)

@@ -18,6 +18,8 @@ from chutecalc.solver.front import CHOKE, END, RUNNING, Effort, Front, Piece, Tr
 from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, rates
 
+STOPPING, STARTING = 0.5, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
+SHY, AWAY = 0.667, 2.0  # of the distance to rest ahead or behind: as far as a panel in c may reach
 STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
 
 PASSES = 2000  # a bound, so that no input can hang
@@ -73,8 +75,8 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     if front.events:
         _start_events(front, running)
         running = np.flatnonzero(front.status == RUNNING)
-    for pair in effort.whole:
-        _advance(front, running, WHOLE, front.limit[running], pair, effort.tolerance)
+    for number, pair in enumerate(effort.whole):
+        _advance(front, running, PLACE if number else WHOLE, front.limit[running], pair, effort.tolerance)
         running = running[front.hopeful[running]]
     for passes in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
@@ -152,10 +154,11 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
     scale = np.abs(y / change)
     slowest, fastest = front.velocity_bounds(rows)
     fresh = ~front.tired[rows]
-    stopping = fresh & (change < 0.0) & (scale < 0.5 * rest)
-    starting = fresh & (change > 0.0) & (scale < 0.2 * rest)
+    stopping = fresh & (change < 0.0) & (scale < STOPPING * rest)
+    starting = fresh & (change > 0.0) & (scale < STARTING * rest)
     far = np.minimum((y + 0.5 * change * rest) ** 0.25, np.sqrt(fastest))
-    step = np.where(fresh, front.reach[rows], np.minimum(front.reach[rows], 0.5 * scale))
+    clear = np.where(change < 0.0, SHY, AWAY) * scale
+    step = np.minimum(front.reach[rows], np.where(fresh, clear, 0.5 * scale))
     by_place = np.where(step < rest, place + step, front.limit[rows])
     by_root = stopping | starting
     root = np.sqrt(np.sqrt(y))

@@ -1,0 +1,79 @@
+"""What the benchmarks share: taking turns, ratios within a round, a table, a CSV file and a picture."""
+
+import argparse
+import csv
+import statistics
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+
+
+class Report:
+    """A benchmark's options, and where its figures go."""
+
+    def __init__(self, name: str, doc: str | None) -> None:
+        parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+        parser.add_argument("--quick", action="store_true", help="small and few: to see that it runs")
+        parser.add_argument(
+            "--out", type=Path, default=Path("benchmarks/out"), help="folder for the CSV and the picture"
+        )
+        options = parser.parse_args()
+        self.quick: bool = options.quick
+        self.file = options.out / name
+        options.out.mkdir(parents=True, exist_ok=True)
+
+    def write(self, header: Sequence[str], rows: Sequence[Sequence[Any]], digits: Sequence[str], by: int = 0) -> None:
+        """Prints a table for each value of the first ``by`` columns, and writes all of it as CSV."""
+        groups: dict[tuple[Any, ...], list[Sequence[Any]]] = {}
+        for row in rows:
+            groups.setdefault(tuple(row[:by]), []).append(row[by:])
+        for name, group in groups.items():
+            table = Table(*header[by:], title=", ".join(map(str, name)) or None, title_justify="left", box=None)
+            for row in group:
+                table.add_row(*(format(value, how) for value, how in zip(row, digits[by:], strict=True)))
+            Console(width=120).print(table)
+        with open(self.file.with_suffix(".csv"), "w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows([header, *rows])
+
+    def plot(self, panels: dict[str, dict[str, list[tuple[float, float]]]], x: str, y: str) -> None:
+        """A picture with a panel for each name, and in it a line for each label; both axes logarithmic."""
+        try:
+            from matplotlib import pyplot as plt
+        except ImportError:
+            print("no picture: matplotlib is not installed")
+            return
+        figure, axes = plt.subplots(1, len(panels), figsize=(4.2 * len(panels), 4.2), sharey=True, squeeze=False)
+        for axis, (name, lines) in zip(axes[0], panels.items(), strict=True):
+            for number, (label, points) in enumerate(lines.items()):
+                axis.loglog(*zip(*points, strict=True), "osv^Dx+*P<>"[number % 11] + "-", label=label, markersize=5)
+            axis.set(title=name, xlabel=x)
+            axis.grid(alpha=0.3)
+        axes[0][0].set_ylabel(y)
+        axes[0][-1].legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        figure.savefig(self.file.with_suffix(".svg"), bbox_inches="tight")
+
+
+def in_turn(
+    tasks: dict[str, Callable[[], Any]], rounds: int, clock: Callable[[], float] = time.perf_counter
+) -> dict[str, list[float]]:
+    """Seconds of each task in each round; the first round warms up and does not count."""
+    spent: dict[str, list[float]] = {name: [] for name in tasks}
+    for turn in range(rounds + 1):
+        for name, task in tasks.items():
+            start = time.perf_counter()
+            task()
+            if turn:
+                spent[name].append(time.perf_counter() - start)
+    return spent
+
+
+def ratio(times: Sequence[float], rival: Sequence[float]) -> float:
+    """Median of the ratios within the rounds."""
+    return statistics.median(a / b for a, b in zip(times, rival, strict=True))
+
+
+median = statistics.median

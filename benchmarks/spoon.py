@@ -1,0 +1,165 @@
+"""One spoon, or many, for chutecalc and for its rivals: the spec, the equation as one would write it, and solvers."""
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+from scipy.integrate import odeint, solve_ivp
+
+import chutecalc
+
+STATIONS = 101
+Case = dict[str, float]
+FIELDS = ("gravity", "radius", "flow", "base", "chamfer", "top", "pressure_ratio", "friction")
+
+
+def spec(case: Case) -> dict[str, Any]:
+    """The spoon as chutecalc takes it."""
+    section = {"shape": "chamfered", "base_m": case["base_m"], "chamfer_deg": case["chamfer_deg"]}
+    return {
+        "flow": {"rate_t_h": case["rate_t_h"], "gravity_m_s2": case["gravity_m_s2"]},
+        "material": {
+            "density_kg_m3": case["density_kg_m3"],
+            "internal_friction_deg": case["internal_friction_deg"],
+        },
+        "liners": {"wall": {"friction_deg": case["wall_friction_deg"]}},
+        "sections": {"body": section | ({"chamfer_m": case["chamfer_m"]} if "chamfer_m" in case else {})},
+        "inlet": {"velocity_m_s": entry(case), "slope_deg": case["from_slope_deg"]},
+        "segments": [
+            {"kind": "curve", "name": "spoon", "radius_m": case["radius_m"], "to_slope_deg": case["to_slope_deg"]}
+        ],
+    }
+
+
+def entry(case: Case) -> float:
+    """Velocity after the fall."""
+    return math.sqrt(2.0 * case["gravity_m_s2"] * case["drop_m"])
+
+
+def turn(case: Case) -> float:
+    """Angle that the spoon turns by."""
+    return math.radians(case["from_slope_deg"] - case["to_slope_deg"])
+
+
+def numbers(case: Any) -> tuple[Any, ...]:
+    """What the equation needs, as :data:`FIELDS`; floats, or arrays of many spoons."""
+    strength = np.sin(np.radians(case["internal_friction_deg"]))
+    chamfer = np.radians(case["chamfer_deg"])
+    ratio = (1 + strength * np.cos(2 * chamfer)) / (1 + strength)
+    flow = case["rate_t_h"] / 3.6 / case["density_kg_m3"]
+    top = case.get("chamfer_m", math.inf)
+    mu = np.tan(np.radians(case["wall_friction_deg"]))
+    vertical = (1 - strength) / (1 + strength)
+    return case["gravity_m_s2"], case["radius_m"], flow, case["base_m"], chamfer, top, (ratio, vertical), mu
+
+
+def equation(case: Case) -> Callable[[float, float], float]:
+    """dv/dθ of the paper's Eq 1 and 11 for one spoon, in floats; vertical walls stand above the chamfer's top."""
+    g, radius, flow, base, beta, top, (ratio, vertical), mu = (
+        tuple(map(float, item)) if isinstance(item, tuple) else float(item) for item in numbers(case)
+    )
+    sine, cosine = math.sin(beta), math.cos(beta)
+    full = (base + top * cosine) * top * sine if math.isfinite(top) else math.inf
+
+    def rate(theta: float, v: float) -> float:
+        area = flow / v
+        if area <= full:
+            q = area / sine
+            wetted = 2 * q / (base + math.sqrt(base * base + 4 * q * cosine))
+            excess = ratio * wetted * (1 - cosine) / (base + wetted * cosine)
+        else:
+            above = (area - full) / (base + 2 * top * cosine)
+            own = ratio * (1 - cosine) * top
+            excess = (own * top * sine + above * (2 * own + vertical * above)) / area
+        friction = mu * (1 + excess)
+        return (g * radius * math.cos(theta) - friction * (g * radius * math.sin(theta) + v * v)) / v
+
+    return rate
+
+
+def with_solve_ivp(method: str, rtol: float, grid: np.ndarray, case: Case) -> np.ndarray:
+    """One of SciPy's solvers."""
+    rate = equation(case)
+    run = solve_ivp(
+        lambda t, y: [rate(t, y[0])], (0.0, turn(case)), [entry(case)], method, t_eval=grid, rtol=rtol, atol=1e-3 * rtol
+    )
+    return run.y[0]
+
+
+def with_odeint(rtol: float, grid: np.ndarray, case: Case) -> np.ndarray:
+    """SciPy's older interface to LSODA, in compiled code but for the right-hand side."""
+    rate = equation(case)
+    return odeint(lambda y, t: rate(t, y[0]), entry(case), grid, rtol=rtol, atol=1e-3 * rtol)[:, 0]
+
+
+def with_steps(order: int, steps: int, grid: np.ndarray, case: Case) -> np.ndarray:
+    """Euler as in a spreadsheet, or the classical Runge-Kutta method, by hand; ``grid`` divides ``steps``."""
+    rate = equation(case)
+    h, v = grid[-1] / steps, entry(case)
+    shown, every = [v], steps // (len(grid) - 1)
+    for k in range(steps):
+        t = k * h
+        k1 = rate(t, v)
+        if order == 1:
+            v += h * k1
+        else:
+            k2 = rate(t + h / 2, v + h / 2 * k1)
+            k3 = rate(t + h / 2, v + h / 2 * k2)
+            v += h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(t + h, v + h * k3))
+        if (k + 1) % every == 0:
+            shown.append(v)
+    return np.array(shown)
+
+
+def heyoka_equation(hy: Any) -> Any:
+    """dv/dθ for heyoka, of spoons without a top; parameters: g R, base, 4 q v, K (1 - cos β), cos β, μ."""
+    v = hy.make_vars("v")
+    gr, base, four, lift, cosine, mu = (hy.par[k] for k in range(6))
+    wide = base + hy.sqrt(base * base + four * cosine / v)
+    excess = lift * four / v / (wide * wide)
+    friction = mu * (1.0 + excess)
+    return [(v, (gr * hy.cos(hy.time) - friction * (gr * hy.sin(hy.time) + v * v)) / v)]
+
+
+def heyoka_numbers(case: Any) -> np.ndarray:
+    """The parameters of that, shape (6,) or (6, spoons)."""
+    g, radius, flow, base, beta, _, (ratio, _), mu = numbers(case)
+    four = 4.0 * flow / np.sin(beta)
+    return np.array(
+        [g * radius * np.ones_like(mu), base, four, ratio * (1 - np.cos(beta)), np.cos(beta), mu], dtype=float
+    )
+
+
+@cache
+def heyoka_integrator(tolerance: float) -> Any:
+    """Compiled once, as its users would: the time of compiling is not counted."""
+    import heyoka as hy
+
+    return hy.taylor_adaptive(heyoka_equation(hy), [1.0], tol=tolerance, pars=[1.0] * 6)
+
+
+def with_heyoka(tolerance: float, grid: np.ndarray, case: Case) -> np.ndarray:
+    """Adaptive Taylor series, compiled."""
+    integrator = heyoka_integrator(tolerance)
+    integrator.pars[:] = heyoka_numbers(case)
+    integrator.time, integrator.state[0] = 0.0, entry(case)
+    return integrator.propagate_grid(grid)[-1][:, 0]
+
+
+def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc.Chute | None = None) -> np.ndarray:
+    """Solution and stations; the spec too, unless it is checked already, and then its numbers alone are built."""
+    from chutecalc.solution import Solution
+    from chutecalc.solver.chain import run_chain
+    from chutecalc.spec.build import build
+
+    if checked is None:
+        solution = chutecalc.solve(chutecalc.parse(spec(case)), rtol)
+    else:
+        design = build(checked.spec)
+        legs, final = run_chain(design, rtol, complete=len(grid) > 2)
+        solution = Solution(design, tuple(legs), final, rtol, 1)
+    if len(grid) == 2:
+        return np.array([entry(case), solution.exit_velocity[0]])
+    return solution.stations(points=len(grid), columns=("velocity_m_s", "depth_m"))["velocity_m_s"][0]
