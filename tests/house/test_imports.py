@@ -18,6 +18,7 @@ LEVELS = [
     {"findings"},
     {"solution"},
     {"chute"},
+    {"studies"},
     {"output"},
     {"cli"},
 ]
