@@ -20,8 +20,8 @@ STEPS = np.array([1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0])
 """Of the ticks, times a power of ten."""
 EMPTY = " \u2800"
 """A blank, and one of Braille."""
-STEEP = 4.0
-"""What grows without bound towards a stop is cut at so many times its usual value."""
+STEEP = 12.0
+"""What is more than so many times its median is cut there, as in pictures."""
 
 
 def require_chart() -> None:
@@ -79,6 +79,6 @@ def _chart(s: Array, values: Array, column: Column, width: int, units: str) -> l
 
 def _top(values: Array) -> float:
     """The upper end of the axis: a round number of times its ticks."""
-    step = max(float(min(values.max(), STEEP * np.percentile(values, 75))), 1e-9) / HEIGHT
+    step = max(float(min(values.max(), STEEP * np.median(values))), 1e-9) / HEIGHT
     power = 10.0 ** np.floor(np.log10(step))
     return float(HEIGHT * power * STEPS[np.searchsorted(STEPS, step / power * (1.0 - 1e-9))])

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS
 from chutecalc.findings import Finding
-from chutecalc.output.plot_side import END, STEEP, Mark, Trace, deepest, draw_stream, extent, traces
+from chutecalc.output.plot_side import END, Mark, Trace, deepest, draw_stream, extent, traces
 from chutecalc.output.plot_style import INK, PALE, SMALL, label_axes, labels_of, looks, styled
 from chutecalc.output.table import outcome
 from chutecalc.physics.arrays import Array
@@ -21,6 +21,7 @@ ALONG = ("velocity_m_s", "depth_m", "pressure_kpa")
 """The columns that are drawn along the stream."""
 WIDTH, SIDE, PANEL, NOTE = 10.0, 3.6, 2.0, 0.17  # inches: the picture's width; heights, NOTE of a line of text
 WIDE = 1.7  # a chute so many times as wide as high has the panels below it
+STEEP = 12.0  # what is more than so many times its median leaves its panel through the top
 MANY = 20  # more parts of the way than that are not marked along it
 CHARACTER = 0.6  # width of a character over its height
 LINE = 165  # characters of a note
@@ -61,7 +62,8 @@ def _one(chute: Chute, solution: Solution, units: str) -> Figure:
 
 def _several(runs: Sequence[tuple[Chute, Solution]], units: str) -> Figure:
     """Chutes as lines: their paths from the side, and what their streams do along them."""
-    labels, shared = labels_of([chute.spec.title or chute.source for chute, _ in runs])
+    titles = [chute.spec.title or chute.source for chute, _ in runs]
+    labels, shared = labels_of(titles if len(set(titles)) == len(titles) else [chute.source for chute, _ in runs])
     ways = [traces(solution) for _, solution in runs]
     size = np.max([extent(solution, way) for (_, solution), way in zip(runs, ways, strict=True)], axis=0)
     figure, axes = _layout(1 + -(-len(runs) // 4), size, units)
@@ -108,9 +110,9 @@ def _joined(way: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
 
 
 def _limit(panel: Axes, values: Array) -> None:
-    """From 0 to what is largest, but for what grows without bound towards a stop."""
+    """From 0 to what is largest, but for the peaks of a stream at a crawl."""
     values = values[np.isfinite(values)]
-    top = min(1.06 * values.max(), STEEP * np.percentile(values, 75)) if values.size else 0.0
+    top = min(1.06 * values.max(), STEEP * np.median(values)) if values.size else 0.0
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
 
 
@@ -147,7 +149,7 @@ def _notes(solution: Solution, way: Sequence[Trace], units: str) -> tuple[list[s
         if np.isfinite(first.s_m[0]):
             marks.append(Mark(str(number), float(first.s_m[0])))
     depths = _joined(way, "depth_m", "metric")[1]
-    if (depths > deepest(way)).any():
-        depth = COLUMNS["depth_m"]
-        lines.append(f"the stream is drawn to a depth of {depth.shown(deepest(way), units)} {depth.unit_text(units)}")
+    depth, most = COLUMNS["depth_m"], deepest(solution, way)
+    if (depths > most).any():
+        lines.append(f"the stream is drawn to a depth of {depth.shown(most, units)} {depth.unit_text(units)}")
     return lines, marks

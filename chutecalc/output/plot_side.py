@@ -20,8 +20,8 @@ from chutecalc.solution import Solution
 
 STATIONS = 61
 """Along each part of the way."""
-STEEP = 4.0
-"""A stream deeper than so many times its usual depth is cut there: towards a stop it grows without bound."""
+DEEPEST = 0.25
+"""The stream is not drawn deeper than so many times the chute's greater side: at a crawl its depth knows no bounds."""
 SHORT = 0.08
 """A part shorter than that share of the picture has no name in it; numbers closer than half of it stand together."""
 ROOM = 0.09
@@ -105,7 +105,9 @@ def draw_stream(axes: Axes, solution: Solution, way: Sequence[Trace], marks: Seq
     for part in way:
         values = column.converted(part.columns["velocity_m_s"], units)
         draw = _draw_flight if part.side == 0.0 else _draw_band
-        draw(axes, part, deepest(way), units).set(array=0.5 * (values[1:] + values[:-1]), cmap=MAP, norm=shades)
+        draw(axes, part, deepest(solution, way), units).set(
+            array=0.5 * (values[1:] + values[:-1]), cmap=MAP, norm=shades
+        )
     for x, z in surfaces:
         axes.plot(_long(x, units), _long(z, units), **SURFACE)
     for x, z in _lost_flights(solution, surfaces):
@@ -120,11 +122,9 @@ def draw_stream(axes: Axes, solution: Solution, way: Sequence[Trace], marks: Seq
     _frame(axes, shades, any(part.side == 0.0 for part in way), units)
 
 
-def deepest(way: Sequence[Trace]) -> float:
+def deepest(solution: Solution, way: Sequence[Trace]) -> float:
     """The depth to which the stream is drawn, m."""
-    depths = np.concatenate([part.columns["depth_m"] for part in way])
-    depths = depths[np.isfinite(depths)]
-    return float(STEEP * np.percentile(depths, 75)) if depths.size else 0.0
+    return DEEPEST * float(extent(solution, way).max())
 
 
 def _long(metres: Array, units: str) -> Array:

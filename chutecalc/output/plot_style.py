@@ -65,7 +65,7 @@ def mathematical(text: str) -> str:
     r"""A label with its subscripts set as such.
 
     >>> mathematical("equivalent friction μ_e")
-    'equivalent friction μ$_{\\\\mathrm{e}}$'
+    'equivalent friction μ$_{\\mathrm{e}}$'
     """
     return re.sub(r"_(\w+)", r"$_{\\mathrm{\1}}$", text)
 
