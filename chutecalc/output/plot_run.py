@@ -93,6 +93,8 @@ def _layout(notes: int, size: Array, units: str) -> tuple[Figure, dict[str, Axes
     axes = figure.subplot_mosaic([*rows, ["notes"] * columns], height_ratios=heights, width_ratios=[1.0] * columns)
     axes["notes"].set_axis_off()
     label_axes(axes["side"], COLUMNS["x_m"], COLUMNS["z_m"], units)
+    for name in ALONG[1:]:
+        axes[name].sharex(axes[ALONG[0]])
     for name in ALONG:
         label_axes(axes[name], COLUMNS["s_m"], COLUMNS[name], units)
     if not wide:

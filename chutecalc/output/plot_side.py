@@ -18,7 +18,7 @@ from chutecalc.physics.flight import position, time_to_drop
 from chutecalc.physics.surface import point
 from chutecalc.solution import Solution
 
-STATIONS = 61
+STATIONS = 101
 """Along each part of the way."""
 DEEPEST = 0.25
 """The stream is not drawn deeper than so many times the chute's greater side: at a crawl its depth knows no bounds."""

@@ -183,6 +183,7 @@ def test_a_wide_chute_has_its_panels_below():
 def test_several_chutes_are_lines_to_compare():
     shapes = [load(f"paper/r{radius}_d30_{shape}") for radius in (1, 4) for shape in ("chamfered", "square")]
     figure, axes, solutions = drawn(*shapes)
+    assert len({axes[column].get_xlim() for column in ALONG}) == 1
     assert figure.get_suptitle() == "Paper, worked example, δ = 30°"
     for column in ALONG:
         for line, solution in zip(by_name(axes[column], column), solutions, strict=True):
