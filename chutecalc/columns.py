@@ -1,6 +1,7 @@
 """The one catalogue of columns: what tables, CSV, JSON and plots call a quantity, and how people read it."""
 
-from typing import NamedTuple
+import re
+from typing import Any, NamedTuple
 
 from chutecalc.units import TEXT, convert
 
@@ -32,6 +33,23 @@ class Column(NamedTuple):
         if units == "us" and self.us_unit:
             return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
         return f"{value:.{self.digits}f}"
+
+    def converted(self, values: Any, units: str) -> Any:
+        """Numbers in the unit of :meth:`unit_text`.
+
+        >>> round(COLUMNS["velocity_m_s"].converted(1.5, "us"), 1)
+        295.3
+        """
+        return convert(values, self.dimension, self.unit, self.us_unit) if units == "us" and self.us_unit else values
+
+    def label(self, units: str) -> str:
+        """As an axis is labelled: what it is, its symbol and its unit.
+
+        >>> COLUMNS["velocity_m_s"].label("us"), COLUMNS["equivalent_friction"].label("metric")
+        ('velocity v, fpm', 'equivalent friction μ_e')
+        """
+        named = self.heading if self.heading != self.symbol else re.split("[;,:]", self.meaning)[0]
+        return ", ".join(part for part in (f"{named} {self.symbol}".strip(), self.unit_text(units)) if part)
 
     def unit_text(self, units: str) -> str:
         """The unit that goes with :meth:`shown`."""
@@ -99,6 +117,21 @@ COLUMNS = {
     )
 }
 """Station columns in the order of the CSV."""
+
+FRICTION_COLUMNS = {
+    column.name: column
+    for column in (
+        Column("chamfer_deg", "β", "β", "chamfer angle", "angle", "deg", 1),
+        Column("internal_friction_deg", "δ", "δ", "effective angle of internal friction", "angle", "deg", 1),
+        Column("base_m", "base", "B", "width of the centre section", "length", "m", 4, "in", 2),
+        COLUMNS["chamfer_wetted_m"],
+        COLUMNS["depth_m"],
+        Column("pressure_ratio", "K", "K", "pressure on a chamfer over that on the centre section", "number", "", 4),
+        COLUMNS["equivalent_friction"]._replace(digits=5),
+        Column("status", "status", "", "ok, or impossible: a section that cannot be"),
+    )
+}
+"""Columns of the friction study, in the order of the CSV."""
 
 _PEOPLE = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
 """Units that messages change for people in the United States."""

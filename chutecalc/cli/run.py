@@ -38,7 +38,11 @@ def run(
     json: str | None = typer.Option(
         None, metavar="FILE", help="Write everything but the tables; - for standard output."
     ),
-    units: Units = typer.Option(Units.METRIC, help="Units of the tables."),
+    plot: str | None = typer.Option(
+        None, metavar="FILE", help="Draw the chute with its stream, or several as lines: .svg, .png or .pdf."
+    ),
+    chart: bool = typer.Option(False, "--chart", help="Show velocity and depth as a small chart too."),
+    units: Units = typer.Option(Units.METRIC, help="Units of tables, charts and pictures."),
     rtol: float = typer.Option(1e-10, help="Relative error allowed to the velocity, 1e-13 to 1e-3."),
     strict: bool = typer.Option(False, "--strict", help="End with status 1 on warnings too."),
     debug: bool = typer.Option(False, "--debug", help="Show where the program itself fails."),
@@ -52,11 +56,13 @@ def run(
 
     if points is not None and stations is not None:
         raise UsageError("--points and --stations both say where the stations are: give one of them")
-    check_targets([csv, json], specs)
+    check_targets([csv, json, plot], specs)
+    _check_extras(plot, chart)
     chutes = _chutes(specs, settings)
     with ExitStack() as outputs:
         csv_stream = outputs.enter_context(open_whole(csv))
         json_stream = outputs.enter_context(open_whole(json))
+        plot_stream = outputs.enter_context(open_whole(plot, "wb"))
         runs = [(chute, solve(chute, rtol)) for chute in chutes]
         asked = points is not None or stations is not None
         tables = [run.stations(points, stations) for _, run in runs] if asked or csv_stream else []
@@ -69,8 +75,25 @@ def run(
 
             shown = tables if asked else [None] * len(runs)
             write_run(json_stream, [run_document(*pair, table) for pair, table in zip(runs, shown, strict=True)])
-    _print(runs, tables if asked else [], units, csv, json)
+        if plot and plot_stream:
+            from chutecalc.output.plot import picture_format, save
+            from chutecalc.output.plot_run import draw_run
+
+            save(draw_run(runs, units), plot_stream, picture_format(plot))
+    _print(runs, tables if asked else [], chart, units, csv, json)
     return _status(runs, strict)
+
+
+def _check_extras(plot: str | None, chart: bool) -> None:
+    """That what is asked for can be drawn, before anything is solved."""
+    if plot:
+        from chutecalc.output.plot import picture_format
+
+        picture_format(plot)
+    if chart:
+        from chutecalc.output.chart import require_chart
+
+        require_chart()
 
 
 def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
@@ -114,7 +137,12 @@ def _setting(text: str) -> tuple[str, Any]:
 
 
 def _print(
-    runs: list[tuple[Chute, Solution]], tables: list[dict[str, Any]], units: Units, csv: str | None, json: str | None
+    runs: list[tuple[Chute, Solution]],
+    tables: list[dict[str, Any]],
+    chart: bool,
+    units: Units,
+    csv: str | None,
+    json: str | None,
 ) -> None:
     """The reports; where data goes to standard output, what matters of them on standard error."""
     import sys
@@ -136,6 +164,11 @@ def _print(
         if tables:
             printer.text()
             printer.stations(tables[number])
+        if chart:
+            from chutecalc.output.chart import print_chart
+
+            printer.text()
+            print_chart(printer, solution)
     if len(runs) > 1:
         printer.text()
         printer.comparison(runs)

@@ -1,7 +1,7 @@
-"""Stations as CSV: RFC 4180, names with units, full double precision, empty where a quantity does not exist."""
+"""Tables as CSV: RFC 4180, names with units, full double precision, empty where a quantity does not exist."""
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import IO, Any
 
 import numpy as np
@@ -23,6 +23,13 @@ def write_stations(stream: IO[str], tables: Iterable[tuple[str, dict[str, Any]]]
         reached = np.isfinite(table["s_m"][0])
         columns = [_cells(table[name][0][reached]) for name in COLUMNS if name != "spec"]
         writer.writerows((spec, *row) for row in zip(*columns, strict=True))
+
+
+def write_columns(stream: IO[str], columns: Mapping[str, Any]) -> None:
+    """Writes arrays of one length as columns under their names."""
+    writer = csv.writer(stream)
+    writer.writerow(columns)
+    writer.writerows(zip(*map(_cells, columns.values()), strict=True))
 
 
 def _cells(values: Any) -> list[Any]:

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from chutecalc.errors import OutputError, UsageError, WriteError
 
@@ -32,11 +32,12 @@ def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
 
 
 @contextmanager
-def open_whole(target: str | None) -> Iterator[IO[str] | None]:
-    """A text stream that becomes the file when the block ends, and leaves no trace when it fails.
+def open_whole(target: str | None, mode: str = "w") -> Iterator[IO[Any] | None]:
+    """A stream that becomes the file when the block ends, and leaves no trace when it fails.
 
     Args:
         target: a path, ``-`` for standard output, None for no output at all.
+        mode: ``w`` for text, ``wb`` for bytes (never to standard output).
 
     Raises:
         OutputError: it cannot be opened.
@@ -47,20 +48,20 @@ def open_whole(target: str | None) -> Iterator[IO[str] | None]:
     elif target == STANDARD_STREAM:
         yield sys.stdout
     elif os.path.exists(target) and not os.path.isfile(target) and not os.path.isdir(target):
-        with _opened(target, target) as stream:  # a device or a pipe: nothing to rename
+        with _opened(target, target, mode) as stream:  # a device or a pipe: nothing to rename
             yield stream
     else:
-        yield from _replacing(target)
+        yield from _replacing(target, mode)
 
 
-def _replacing(target: str) -> Iterator[IO[str]]:
+def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:
     """A new file beside the target that takes its place."""
     path = Path(os.path.realpath(target))
     if path.is_dir():
         raise OutputError(f"{target} is a folder: name a file in it")
     part = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
-        with _opened(str(part), target) as stream:
+        with _opened(str(part), target, mode) as stream:
             yield stream
             try:
                 stream.flush()
@@ -76,10 +77,11 @@ def _replacing(target: str) -> Iterator[IO[str]]:
 
 
 @contextmanager
-def _opened(file: str, target: str) -> Iterator[IO[str]]:
+def _opened(file: str, target: str, mode: str) -> Iterator[IO[Any]]:
     """An opened file whose errors name the target."""
     try:
-        stream = open(file, "w", encoding="utf-8", newline="")  # noqa: SIM115 - closed below; failing to open is another error
+        encoding, newline = (None, None) if "b" in mode else ("utf-8", "")
+        stream = open(file, mode, encoding=encoding, newline=newline)  # noqa: SIM115 - closed below; other errors are others
     except OSError as error:
         raise OutputError(f"{target} cannot be written: {error.strerror}") from None
     try:

@@ -77,7 +77,7 @@ class Printer:
         self.text()
         self.table(self._segments(solution.ways))
         self.text()
-        self.text(self._outcome(solution))
+        self.text(Text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[FAILURE]))
         for line in (*self._impacts(solution), *self._belts(chute, solution)):
             self.text(line)
         self.findings(solution.findings())
@@ -190,17 +190,18 @@ class Printer:
         )
         yield f"receiver  {_advice(solution, said)}"
 
-    def _outcome(self, solution: Solution) -> Text:
-        """Status and exit in a line."""
-        status = str(solution.status[0])
-        if status != "ok":
-            return Text(f"status {status}", style=COLOURS[FAILURE])
-        parts = []
-        for name in ("velocity_m_s", "depth_m", "slope_deg"):
-            column, value = COLUMNS[name], float(solution.exit[name][0])
-            if value == value:
-                parts.append(f"{column.heading} {column.shown(value, self.units)} {column.unit_text(self.units)}")
-        return Text(f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})")
+
+def outcome(solution: Solution, units: str) -> str:
+    """Status and exit of a chute in a line."""
+    status = str(solution.status[0])
+    if status != "ok":
+        return f"status {status}"
+    parts = []
+    for name in ("velocity_m_s", "depth_m", "slope_deg"):
+        column, value = COLUMNS[name], float(solution.exit[name][0])
+        if value == value:
+            parts.append(f"{column.heading} {column.shown(value, units)} {column.unit_text(units)}")
+    return f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})"
 
 
 def _exceeds(extreme: float, *ends: float) -> bool:

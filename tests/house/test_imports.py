@@ -19,6 +19,7 @@ LEVELS = [
     {"solution"},
     {"chute"},
     {"batch"},
+    {"studies"},
     {"output"},
     {"cli"},
 ]

@@ -1,0 +1,1 @@
+"""Studies: many sections or designs, and what to learn of them."""
