@@ -1,17 +1,19 @@
-"""`chutecalc run` as a process, beside the least that such a program can take.
+"""Commands as processes, beside the least that such programs can take.
 
-    python benchmarks/startup.py [RUNS]
+    python benchmarks/startup.py [--quick] [--out FOLDER]
 
-The rival is a Typer program with one argument that imports NumPy and prints one rich table of the same size. Both run
-in turn; the ratio is taken pair by pair.
+"bare" is an interpreter that does nothing; "hello" a Typer program with one argument that imports NumPy and prints one
+rich table of the size of ours; "solve_ivp" a script that imports what it needs and solves the worked example once. All
+run in turn; ratios are taken within the rounds.
 """
 
-import statistics
 import subprocess
 import sys
 import tempfile
-import time
+from functools import partial
 from pathlib import Path
+
+from measure import Report, in_turn, median, ratio
 
 SPEC = Path(__file__).parents[1] / "specs" / "paper" / "r3_d55_chamfered.toml"
 HELLO = """
@@ -38,28 +40,53 @@ app()
 """
 
 
-def seconds(command: list[str]) -> float:
-    """Wall time of a process."""
-    start = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    return time.perf_counter() - start
+SCRIPT = """
+import math
+from scipy.integrate import solve_ivp
+
+g, R, B, mu, K, q = 9.81, 3.0, 0.5, math.tan(math.radians(25)), 0.5497, 1000 / 3.6 / 800 / math.sin(math.pi / 4)
 
 
-def main(runs: int) -> None:
+def rate(t, y):
+    v = y[0]
+    c = 2 * q / v / (B + math.sqrt(B * B + 4 * q / v * math.cos(math.pi / 4)))
+    m = mu * (1 + K * c * (1 - math.cos(math.pi / 4)) / (B + c * math.cos(math.pi / 4)))
+    return [(g * R * math.cos(t) - m * (g * R * math.sin(t) + v * v)) / v]
+
+
+print(solve_ivp(rate, (0, math.pi / 2), [math.sqrt(4 * g)], rtol=1e-8).y[0, -1])
+"""
+
+
+def main() -> None:
     """Measures and prints."""
+    report = Report("startup", __doc__)
     with tempfile.TemporaryDirectory() as folder:
-        hello = Path(folder, "hello.py")
+        hello, script = Path(folder, "hello.py"), Path(folder, "script.py")
         hello.write_text(HELLO, encoding="utf-8")
-        ours = [sys.executable, "-m", "chutecalc", "run", str(SPEC)]
-        rival = [sys.executable, str(hello), "world"]
-        seconds(ours), seconds(rival)
-        pairs = [(seconds(ours), seconds(rival)) for _ in range(runs)]
-    ratios = [a / b for a, b in pairs]
-    low, _, high = statistics.quantiles(ratios, n=4)
-    print(f"chutecalc run   median {statistics.median(a for a, _ in pairs):.3f} s")
-    print(f"Typer + NumPy   median {statistics.median(b for _, b in pairs):.3f} s")
-    print(f"ratio           median {statistics.median(ratios):.3f}, quartiles {low:.3f} to {high:.3f}, {runs} pairs")
+        script.write_text(SCRIPT, encoding="utf-8")
+        ours = [sys.executable, "-m", "chutecalc"]
+        commands = {
+            "bare": [sys.executable, "-c", ""],
+            "hello": [sys.executable, str(hello), "world"],
+            "solve_ivp": [sys.executable, str(script)],
+            "chutecalc --help": [*ours, "--help"],
+            "chutecalc run": [*ours, "run", str(SPEC)],
+            "chutecalc sweep": [*ours, "sweep", "beta", str(SPEC)],
+        }
+        tasks = {
+            name: partial(subprocess.run, command, check=True, stdout=subprocess.DEVNULL)
+            for name, command in commands.items()
+        }
+        spent = in_turn(tasks, 2 if report.quick else 40)
+    rows = [
+        (name, 1e3 * median(times), *(ratio(times, spent[rival]) for rival in ("bare", "hello", "solve_ivp")))
+        for name, times in spent.items()
+    ]
+    header = ("process", "time_ms", "over_bare", "over_hello", "over_solve_ivp")
+    report.write(header, rows, ("", ".0f", ".2f", ".2f", ".2f"))
+    report.plot({"start-up": {row[0]: [(row[1], row[2])] for row in rows}}, "time, ms", "over a bare interpreter")
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 30)
+    main()

@@ -65,7 +65,8 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
         ends, growth = step(fine, *rates(at, guess), guess, first)
         guess -= ends[:-1]
         guess /= ends[:-1]
-        updates.append(np.maximum.reduce(np.abs(guess, out=guess)))
+        last_gap = np.maximum(ends[-2] / ends[-1], 1.0)  # what is small at the last node may not be so at a slow end
+        updates.append(np.maximum.reduce(np.abs(guess, out=guess)) * last_gap)
         guess = ends[:-1].copy()
     knots = np.concatenate([y0[None], ends * at.unit])
     sound = np.minimum.reduce(ends) > 0.0

@@ -158,7 +158,7 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
     starting = fresh & (change > 0.0) & (scale < STARTING * rest)
     far = np.minimum((y + 0.5 * change * rest) ** 0.25, np.sqrt(fastest))
     clear = np.where(change < 0.0, SHY, AWAY) * scale
-    step = np.minimum(front.reach[rows], np.where(fresh, clear, 0.5 * scale))
+    step = np.minimum(front.reach[rows], clear)
     by_place = np.where(step < rest, place + step, front.limit[rows])
     by_root = stopping | starting
     root = np.sqrt(np.sqrt(y))

@@ -1,0 +1,250 @@
+"""Batches: time a design against error, beside other ways to solve many spoons; stalls, chains, memory, reuse.
+
+    python benchmarks/batches.py [--quick] [--out FOLDER]
+
+The spoons are random: radius, rate, density, base, friction, chamfers and entry vary; each turns from vertical to
+level. Errors are the largest relative ones of the exit velocity, to chutecalc's own complete solution at 1e-13, which
+tests/verification holds against the reference, and which is checked here against DOP853 at 1e-13 on some. One thread,
+unless a row says otherwise; rivals that take too long solve fewer and say how many. Ratios are to chutecalc at the same
+tolerance in the same round.
+"""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from measure import Report, in_turn, median, ratio
+from scipy.integrate import solve_ivp
+from spoon import entry, equation, heyoka_equation, heyoka_numbers, numbers, spec, turn
+
+import chutecalc
+from chutecalc.solver.chain import run_chain
+
+BASE = {
+    "gravity_m_s2": 9.81,
+    "radius_m": 3.0,
+    "rate_t_h": 1000.0,
+    "density_kg_m3": 1000.0,
+    "base_m": 0.5,
+    "wall_friction_deg": 22.0,
+    "internal_friction_deg": 45.0,
+    "chamfer_deg": 45.0,
+    "drop_m": 2.0,
+    "from_slope_deg": 90.0,
+    "to_slope_deg": 0.0,
+}
+RANGES = {
+    "radius_m": (1.5, 4.0),
+    "rate_t_h": (200.0, 1500.0),
+    "density_kg_m3": (700.0, 2500.0),
+    "base_m": (0.3, 0.8),
+    "wall_friction_deg": (15.0, 28.0),
+    "internal_friction_deg": (30.0, 55.0),
+    "chamfer_deg": (15.0, 90.0),
+    "drop_m": (1.5, 4.0),
+}
+PATHS = {
+    "radius_m": "segments.spoon.radius_m",
+    "rate_t_h": "flow.rate_t_h",
+    "density_kg_m3": "material.density_kg_m3",
+    "base_m": "sections.body.base_m",
+    "wall_friction_deg": "liners.wall.friction_deg",
+    "internal_friction_deg": "material.internal_friction_deg",
+    "chamfer_deg": "sections.body.chamfer_deg",
+}
+Batch = dict[str, Any]
+
+
+def batch(count: int, stalls: bool = False) -> Batch:
+    """Random spoons; of those that stall, steeper friction and wider arcs stop some 40 %."""
+    random = np.random.default_rng(1)
+    ranges = RANGES | ({"wall_friction_deg": (22.0, 40.0), "drop_m": (0.5, 2.0)} if stalls else {})
+    return BASE | {name: random.uniform(*ends, count) for name, ends in ranges.items()}
+
+
+def chute(spoons: Batch) -> chutecalc.Chute:
+    """The same as variants of one chute."""
+    velocity = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"])
+    changes = {path: spoons[name] for name, path in PATHS.items()}
+    return chutecalc.parse(spec(BASE)).vary(changes | {"inlet.velocity_m_s": velocity})
+
+
+def one(spoons: Batch, k: int) -> dict[str, float]:
+    """One of them."""
+    return {name: float(values[k]) if np.ndim(values) else values for name, values in spoons.items()}
+
+
+def stacked(spoons: Batch, rtol: float) -> np.ndarray:
+    """All in one system for DOP853, the right-hand side in NumPy; ``rtol`` holds for the worst of them."""
+    g, radius, flow, base, beta, _, (pressure, _), mu = numbers(spoons)
+    four, lift, cosine = 4.0 * flow / np.sin(beta), pressure * (1 - np.cos(beta)), np.cos(beta)
+
+    def rate(theta: float, v: np.ndarray) -> np.ndarray:
+        wide = base + np.sqrt(base * base + four * cosine / v)
+        friction = mu * (1.0 + lift * four / v / (wide * wide))
+        gr = g * radius
+        return (gr * np.cos(theta) - friction * (gr * np.sin(theta) + v * v)) / v
+
+    start = np.sqrt(2.0 * g * spoons["drop_m"])
+    return solve_ivp(rate, (0.0, turn(BASE)), start, "DOP853", rtol=rtol, atol=1e-3 * rtol, t_eval=[turn(BASE)]).y[:, 0]
+
+
+def looped(spoons: Batch, rtol: float, count: int) -> np.ndarray:
+    """One by one with solve_ivp."""
+    cases = (one(spoons, k) for k in range(count))
+    return np.array([_alone(case, rtol).y[0, -1] for case in cases])
+
+
+def _alone(case: dict[str, float], rtol: float, events: Any = None) -> Any:
+    rate = equation(case)
+    return solve_ivp(
+        lambda t, y: [rate(t, y[0])],
+        (0.0, turn(case)),
+        [entry(case)],
+        "DOP853",
+        rtol=rtol,
+        atol=1e-3 * rtol,
+        events=events,
+    )
+
+
+def with_heyoka(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
+    """The batch integrator of heyoka, 16 at a time; compiled beforehand."""
+    import heyoka as hy
+
+    size = 16
+    integrator = hy.taylor_adaptive_batch(heyoka_equation(hy), np.ones((1, size)), tol=rtol, pars=np.ones((6, size)))
+    parameters = heyoka_numbers(spoons)
+    start, end = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"]), np.full(size, turn(BASE))
+
+    def run() -> np.ndarray:
+        out = np.empty_like(start)
+        for first in range(0, len(start), size):
+            integrator.pars[:] = parameters[:, first : first + size]
+            integrator.set_time(0.0)
+            integrator.state[0] = start[first : first + size]
+            integrator.propagate_until(end)
+            out[first : first + size] = integrator.state[0]
+        return out
+
+    return run
+
+
+def with_numba(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
+    """SciPy's own coefficients of DOP853 in a compiled loop with its step control, a design at a time."""
+    from compiled import dop853
+
+    parameters = np.ascontiguousarray(heyoka_numbers(spoons).T)
+    start = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"])
+    return lambda: dop853(parameters, start, turn(BASE), rtol)
+
+
+def races(report: Report) -> list[tuple[str, str, float, float, float]]:
+    """Each tolerance with all that can run; microseconds a design, ratio of the rival to chutecalc, error."""
+    count = 1024 if report.quick else 8192
+    rounds, few = (1, 4) if report.quick else (7, 24)
+    spoons = batch(count)
+    variants = chute(spoons)
+    exact = chutecalc.solve(variants, 1e-13).exit_velocity
+    own = max(abs(_alone(one(spoons, k), 1e-13).y[0, -1] / exact[k] - 1.0) for k in range(few))
+    print(f"DOP853 at 1e-13 differs from the solution that errors are measured from by {own:.1e} at most\n")
+    rows = []
+    for rtol in (1e-10,) if report.quick else (1e-6, 1e-10, 1e-13):
+        tasks: dict[str, tuple[int, Callable[[], np.ndarray]]] = {
+            "chutecalc exits": (count, lambda rtol=rtol: run_chain(variants.design, rtol, False)[1].velocity),  # type: ignore[misc]
+            "chutecalc solve": (count, lambda rtol=rtol: chutecalc.solve(variants, rtol).exit_velocity),  # type: ignore[misc]
+            "solve_ivp stacked": (count, partial(stacked, spoons, rtol)),
+            f"solve_ivp looped, {few}": (few, partial(looped, spoons, rtol, few)),
+        }
+        for name, rival in (("heyoka, batch of 16", with_heyoka), ("numba DOP853", with_numba)):
+            try:
+                tasks[name] = (count, rival(spoons, rtol))
+            except ImportError as error:
+                print(f"{name} is left out: {error}")
+        spent = in_turn({name: task for name, (_, task) in tasks.items()}, rounds)
+        for name, (solved, task) in tasks.items():
+            error = float(np.abs(task() / exact[:solved] - 1.0).max())
+            each = [time / solved for time in spent[name]]
+            ours = [time / count for time in spent["chutecalc exits"]]
+            rows.append((f"{count} spoons, rtol {rtol:.0e}", name, 1e6 * median(each), ratio(ours, each), error))
+    return rows
+
+
+def sizes(report: Report) -> list[tuple[str, str, float, float, float]]:
+    """Time and memory over the size of a batch, one thread and as many as there are cores."""
+    rows = []
+    for count in (1000, 10_000) if report.quick else (1000, 10_000, 100_000, 1_000_000):
+        variants = chute(batch(count))
+        spent = in_turn(
+            {str(jobs): partial(chutecalc.exits, variants, jobs=jobs) for jobs in (1, os.cpu_count() or 1)}, 3
+        )
+        for jobs, times in spent.items():
+            per, gain = 1e6 * median(times) / count, ratio(times, spent["1"])
+            rows.append((f"exits over size, {jobs} threads", f"{count}", per, gain, peak(count)))
+    return rows
+
+
+def peak(count: int) -> float:
+    """MiB at most in a process that solves so many, less what one of a thousand takes."""
+    code = (
+        "import sys, resource; sys.path.insert(0, 'benchmarks'); import chutecalc; from batches import batch, chute;"
+        f"chutecalc.exits(chute(batch({count})), jobs=1); print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
+    )
+    return float(subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True).stdout) / 1024
+
+
+def stalls(report: Report) -> list[tuple[str, str, float, float, float]]:
+    """A batch of which some 40 % stall; the error is that of the stall's place, in rad."""
+    count, few = (512, 8) if report.quick else (8192, 100)
+    spoons = batch(count, stalls=True)
+    variants = chute(spoons)
+
+    def stopped(_: float, y: np.ndarray) -> float:
+        return float(y[0] - 1e-5)  # the right-hand side is infinite at rest
+
+    stopped.terminal = True  # type: ignore[attr-defined]
+
+    def theirs() -> np.ndarray:
+        return np.array([_alone(one(spoons, k), 1e-10, stopped).t[-1] for k in range(few)])
+
+    def ours() -> Any:
+        return run_chain(variants.design, 1e-10, False)[1]
+
+    spent = in_turn({"chutecalc exits": ours, f"solve_ivp looped, {few}": theirs}, 1 if report.quick else 5)
+    solved = ours()
+    share = float(np.mean(solved.status == 1))
+    places = np.where(solved.status == 1, solved.distance / spoons["radius_m"], turn(BASE))
+    error = float(np.abs(places[:few] - theirs()).max())
+    each = {"chutecalc exits": [t / count for t in spent["chutecalc exits"]]}
+    each |= {name: [t / few for t in times] for name, times in spent.items() if name not in each}
+    return [
+        (f"{count} spoons, {share:.0%} stall", name, 1e6 * median(times), ratio(each["chutecalc exits"], times), error)
+        for name, times in each.items()
+    ]
+
+
+def main() -> None:
+    """Measures and prints."""
+    report = Report("batches", __doc__)
+    digits = ("", "", ".2f", ".4f", ".1e")
+    rows = races(report) + stalls(report)
+    report.write(("batch", "solver", "us_a_design", "chutecalc_over_it", "error"), rows, digits, by=1)
+    panels: dict[str, dict[str, list[tuple[float, float]]]] = {}
+    for _, name, spent, _, error in rows:
+        panels.setdefault("batches", {}).setdefault(name, []).append((spent, max(error, 1e-16)))
+    report.plot(panels, "µs a design", "largest relative error")
+    report.file = report.file.with_name("batch_sizes")
+    report.write(
+        ("batch", "designs", "us_a_design", "over_one_thread", "peak_mib"),
+        sizes(report),
+        ("", "", ".2f", ".2f", ".0f"),
+        by=1,
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,99 @@
+"""Chains of segments: what joints cost, and what is not solved again where it does not change.
+
+    python benchmarks/chains.py [--quick] [--out FOLDER]
+
+The chute has five segments: a hood that the stream falls off, a flight onto a straight with an impact, a curve whose
+chamfers it fills and leaves again (kinks), and a spoon. "single arcs" are the four contact segments as chutes of their
+own, entered with what the chain brings to them. Shares are taken within the rounds.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from measure import Report, in_turn, median, ratio
+
+import chutecalc
+from chutecalc.solver.chain import run_chain
+
+SPEC: dict[str, Any] = {
+    "flow": {"rate_t_h": 1500.0},
+    "material": {"density_kg_m3": 850.0, "internal_friction_deg": 50.0},
+    "liners": {"steel": {"friction_deg": 24.0}},
+    "sections": {
+        "wide": {"shape": "rectangular", "width_m": 1.0},
+        "body": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45.0, "chamfer_m": 0.12},
+    },
+    "inlet": {"velocity_m_s": 3.5, "slope_deg": 10.0},
+    "receiver": {"velocity_m_s": 4.0, "friction_deg": 30.0},
+    "segments": [
+        {"kind": "hood", "radius_m": 1.0, "from_slope_deg": 15.0, "to_slope_deg": 70.0, "section": "wide"},
+        {"kind": "fall", "drop_m": 1.0},
+        {"kind": "straight", "slope_deg": 62.0, "length_m": 1.5, "section": "body"},
+        {"kind": "curve", "radius_m": 3.0, "to_slope_deg": 45.0, "section": "body"},
+        {"kind": "curve", "radius_m": 2.0, "to_slope_deg": 30.0, "section": "body"},
+    ],
+}
+
+
+def singles(chain: chutecalc.Chute, rate: np.ndarray) -> list[chutecalc.Chute]:
+    """Each contact segment as a chute of its own, with the streams that the chain brings to it."""
+    legs, _ = run_chain(chain.design, 1e-10, complete=False)
+    chutes = []
+    for leg in legs:
+        if leg.contact is not None:
+            segment = {"from_slope_deg": 50.0} | SPEC["segments"][leg.number]
+            segment = {key: value for key, value in segment.items() if key != "from_slope_deg" or "radius_m" in segment}
+            alone = chutecalc.parse(SPEC | {"segments": [segment]})
+            slope = np.degrees(leg.contact.surface.slope)
+            varied = {"flow.rate_t_h": rate, "inlet.velocity_m_s": leg.entry.velocity, "inlet.slope_deg": slope}
+            if "radius_m" in segment:
+                varied["segments.1.from_slope_deg"] = slope
+            chutes.append(alone.vary(varied))
+    return chutes
+
+
+def ends(chute: chutecalc.Chute) -> Any:
+    """The exits of a batch on one core."""
+    return run_chain(chute.design, 1e-10, complete=False)
+
+
+def main() -> None:
+    """Measures and prints."""
+    report = Report("chains", __doc__)
+    count, rounds = (2000, 1) if report.quick else (100_000, 5)
+    base = chutecalc.parse(SPEC)
+    rate = np.random.default_rng(1).uniform(900.0, 1500.0, count)
+    chain = base.vary({"flow.rate_t_h": rate})
+    arcs = singles(chain, rate)
+    varied = {
+        "last segment": base.vary({"segments.5.radius_m": np.linspace(1.8, 2.2, count)}),
+        "receiver": base.vary({"receiver.velocity_m_s": np.linspace(3.0, 5.0, count)}),
+    }
+    tasks: dict[str, Callable[[], Any]] = {
+        "chain of five": partial(ends, chain),
+        "single arcs": lambda: [ends(arc) for arc in arcs],
+        "last arc alone": partial(ends, arcs[-1]),
+        "chain, last segment varies": partial(ends, varied["last segment"]),
+        "chain, receiver varies": partial(ends, varied["receiver"]),
+        "chain, whole way": lambda: run_chain(chain.design, 1e-10, complete=True),
+    }
+    spent, rivals = in_turn(tasks, rounds), ("single arcs", "last arc alone")
+    rows = [
+        (
+            name,
+            1e6 * median(times) / count,
+            *(ratio(times, spent[rival]) for rival in ("single arcs", "last arc alone")),
+        )
+        for name, times in spent.items()
+    ]
+    header = (f"{count} designs", "us_a_design", "over_single_arcs", "over_last_arc")
+    report.write(header, rows, ("", ".3f", ".3f", ".3f"))
+    report.plot(
+        {"chains": {name: [(spent, share)] for name, spent, share, _ in rows}}, "µs a design", "over single arcs"
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,55 @@
+"""DOP853 compiled by numba, a design at a time: SciPy's coefficients, its error estimate and its step control."""
+
+import numpy as np
+from numba import njit
+from scipy.integrate._ivp import dop853_coefficients as table
+
+STAGES = table.N_STAGES
+A, B, C = (np.ascontiguousarray(item) for item in (table.A[:STAGES, :STAGES], table.B, table.C[:STAGES]))
+E3, E5 = np.ascontiguousarray(table.E3), np.ascontiguousarray(table.E5)
+
+
+@njit(cache=False)
+def rate(theta, v, p):  # type: ignore[no-untyped-def]
+    """dv/dθ; parameters as those of heyoka."""
+    wide = p[1] + np.sqrt(p[1] * p[1] + p[2] * p[4] / v)
+    friction = p[5] * (1.0 + p[3] * p[2] / v / (wide * wide))
+    return (p[0] * np.cos(theta) - friction * (p[0] * np.sin(theta) + v * v)) / v
+
+
+@njit(cache=False)
+def dop853(parameters, start, end, rtol):  # type: ignore[no-untyped-def]
+    """Exit velocities of all designs."""
+    out = np.empty(len(start))
+    k = np.empty(STAGES + 1)
+    for design in range(len(start)):
+        p, v, theta, h = parameters[design], start[design], 0.0, 0.05
+        k[0] = rate(theta, v, p)
+        while theta < end:
+            h = min(h, end - theta)
+            for s in range(1, STAGES):
+                rise = 0.0
+                for j in range(s):
+                    rise += A[s, j] * k[j]
+                k[s] = rate(theta + C[s] * h, v + h * rise, p)
+            rise = 0.0
+            for j in range(STAGES):
+                rise += B[j] * k[j]
+            new = v + h * rise
+            k[STAGES] = rate(theta + h, new, p)
+            scale = 1e-3 * rtol + rtol * max(abs(v), abs(new))
+            e5, e3 = 0.0, 0.0
+            for j in range(STAGES + 1):
+                e5 += E5[j] * k[j] / scale
+                e3 += E3[j] * k[j] / scale
+            norm = 0.0
+            if e5 != 0.0 or e3 != 0.0:
+                norm = abs(h) * e5 * e5 / np.sqrt(e5 * e5 + 0.01 * e3 * e3)
+            if norm < 1.0:
+                theta, v = theta + h, new
+                k[0] = k[STAGES]
+                h *= min(10.0, 0.9 * max(norm, 1e-10) ** -0.125)
+            else:
+                h *= max(0.2, 0.9 * norm**-0.125)
+        out[design] = v
+    return out

@@ -1,0 +1,66 @@
+"""Where the time of `chutecalc run` goes: read, check, build, solve, stations, table, file.
+
+    python benchmarks/stages.py [--quick] [--out FOLDER]
+
+Microseconds within one process, medians, on the worked example of the paper and on a hood and spoon. What comes after
+`solve` is not done unless it is asked for.
+"""
+
+import io
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from measure import Report, in_turn, median
+
+import chutecalc
+from chutecalc.output.csv import write_stations
+from chutecalc.output.table import Printer
+from chutecalc.spec.build import build
+from chutecalc.spec.file import parse_text
+from chutecalc.spec.model import ChuteSpec
+
+SPECS = Path(__file__).parents[1] / "specs"
+Tasks = dict[str, Callable[[], Any]]
+
+
+def stages(file: Path) -> Tasks:
+    """What happens between a spec and what is shown."""
+    text = file.read_text(encoding="utf-8")
+    data = parse_text(text, "spec")
+    chute = chutecalc.parse(text)
+    solution = chutecalc.solve(chute)
+    table = solution.stations(points=101)
+
+    return {
+        "read TOML": lambda: parse_text(text, "spec"),
+        "check": lambda: ChuteSpec.model_validate(data),
+        "build": lambda: build(chute.spec),
+        "solve": lambda: chutecalc.solve(chute),
+        "stations, velocity and depth": lambda: again(solution).stations(columns=("velocity_m_s", "depth_m")),
+        "stations, all columns": lambda: again(solution).stations(),
+        "extremes and findings": lambda: again(solution).findings(),
+        "table": lambda: Printer("metric", io.StringIO()).report(chute, again(solution)),
+        "CSV file": lambda: write_stations(io.StringIO(), [("spec", table)]),
+    }
+
+
+def again(solution: chutecalc.Solution) -> chutecalc.Solution:
+    """The same solution, that has not worked out anything yet."""
+    return chutecalc.Solution(solution.design, solution.legs, solution.final, solution.rtol, solution.count)
+
+
+def main() -> None:
+    """Measures and prints."""
+    report = Report("stages", __doc__)
+    rows = []
+    for file in (SPECS / "paper" / "r3_d55_chamfered.toml", SPECS / "coal_hood_spoon.toml"):
+        spent = in_turn(stages(file), 3 if report.quick else 200)
+        rows += [(file.stem, name, 1e6 * median(times)) for name, times in spent.items()]
+    report.write(("chute", "stage", "time_us"), rows, ("", "", ".0f"), by=1)
+    panels = {name: {stage: [(time, 1.0)] for chute, stage, time in rows if chute == name} for name, *_ in rows}
+    report.plot(panels, "time, µs", "")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,161 @@
+"""Random single segments up to the edges of what a spec may say, against a slow solver in 80-bit numbers.
+
+Six of each of 24 kinds by default; ``CHUTECALC_STRESS=200 pytest tests/robustness/test_edges.py`` takes so many.
+"""
+
+import os
+import warnings
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.solver.chain import run_chain
+from tests.robustness import extrapolation
+from tests.robustness.extrapolation import Flow
+
+COUNT = int(os.environ.get("CHUTECALC_STRESS", "6"))
+TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13)
+ROUNDING = 2e-13
+"""Of a velocity, relative: what doubles leave of streams that start or end next to rest or cling to a balance."""
+KINDS = ("spoon", "crest", "hood", "straight")
+SHAPES = ("chamfered", "vee", "rectangular")
+
+pytestmark = pytest.mark.skipif(
+    np.finfo(np.longdouble).nmant < 63, reason="the slow solver needs 80-bit numbers, which this machine does not have"
+)
+
+
+def between(random, low, high, count):
+    """Evenly in the logarithm."""
+    return np.exp(random.uniform(np.log(low), np.log(high), count))
+
+
+def mixed(random, count, share, one, other):
+    """The one in a share of the designs, the other in the rest."""
+    return np.where(random.random(count) < share, one, other)
+
+
+def batch(kind, shape, law, count, seed):
+    """Random variants of one segment, and the same for the slow solver."""
+    random = np.random.default_rng([seed, KINDS.index(kind), SHAPES.index(shape), law == "equilibrium"])
+    n = count
+    beta = mixed(random, n, 0.2, between(random, 1e-6, 1.0, n), random.uniform(1.0, 90.0, n))
+    beta = mixed(random, n, 0.1, 90.0, beta) if shape == "chamfered" else np.minimum(beta, 89.99)
+    base = mixed(random, n, 0.1, 1e-6, between(random, 0.05, 3.0, n)) if shape != "vee" else np.zeros(n)
+    delta, phi = random.uniform(0.0, 89.0, n), random.uniform(0.0, 60.0, n)
+    rate = mixed(random, n, 0.3, between(random, 1e-3, 5e4, n), between(random, 10.0, 5e3, n))
+    velocity = mixed(random, n, 0.3, between(random, 1e-6, 100.0, n), between(random, 0.3, 20.0, n))
+    radius = mixed(random, n, 0.3, between(random, 0.05, 500.0, n), between(random, 0.5, 10.0, n))
+    end = random.uniform(-20.0, 60.0, n)
+    start = {
+        "spoon": end + random.uniform(0.02, 1.0, n) * (90.0 - end),
+        "crest": end - random.uniform(1.0, 30.0, n),
+        "hood": end - random.uniform(1.0, 60.0, n),
+        "straight": random.uniform(0.01, 90.0, n),
+    }[kind]
+    end = start if kind == "straight" else end
+    sections = {
+        "chamfered": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45.0},
+        "vee": {"shape": "vee", "chamfer_deg": 45.0},
+        "rectangular": {"shape": "rectangular", "width_m": 0.5},
+    }
+    arc = {"kind": "hood" if kind == "hood" else "curve", "radius_m": 3.0, "from_slope_deg": 30.0, "to_slope_deg": 60.0}
+    segment = arc if kind != "straight" else {"kind": "straight", "slope_deg": 40.0, "length_m": 3.0}
+    changes = {
+        "flow.rate_t_h": rate,
+        "material.internal_friction_deg": delta,
+        "liners.wall.friction_deg": phi,
+        "inlet.velocity_m_s": velocity,
+        "inlet.slope_deg": start,
+    }
+    changes |= {"chamfered": {"sections.body.base_m": base}, "rectangular": {"sections.body.width_m": base}}.get(shape, {})
+    changes |= {} if shape == "rectangular" else {"sections.body.chamfer_deg": beta}
+    if kind == "straight":
+        changes |= {"segments.1.slope_deg": start, "segments.1.length_m": radius}
+    else:
+        changes |= {"segments.1.radius_m": radius, "segments.1.from_slope_deg": start, "segments.1.to_slope_deg": end}
+    chute = chutecalc.parse(
+        {
+            "model": {"friction_law": law},
+            "flow": {"rate_t_h": 1000.0},
+            "material": {"density_kg_m3": 1000.0, "internal_friction_deg": 40.0},
+            "liners": {"wall": {"friction_deg": 20.0}},
+            "sections": {"body": sections[shape]},
+            "inlet": {"velocity_m_s": 3.0, "slope_deg": 30.0},
+            "segments": [segment],
+        }
+    ).vary(changes)
+    slope, turn = np.radians(start), np.radians(end) - np.radians(start)
+    one = np.ones(n)
+    flow = Flow(
+        chute.design.gravity * one,
+        (-1.0 if kind == "hood" else 1.0) * one,
+        slope,
+        turn,
+        radius if kind == "straight" else radius * np.abs(turn),
+        chute.design.volume_rate * one,
+        base,
+        np.pi / 2 * one if shape == "rectangular" else np.radians(beta),
+        np.sin(np.radians(delta)),
+        np.tan(np.radians(phi)),
+        one * (law == "equilibrium"),
+        velocity,
+    )
+    return chute, flow
+
+
+CASES = [(kind, shape, law) for kind in KINDS for shape in SHAPES for law in ("paper", "equilibrium")]
+
+
+@pytest.fixture(scope="module")
+def slowly():
+    """All cases solved by the slow solver, in one batch, which costs little more than one case."""
+    flows = [batch(*case, COUNT, 0)[1] for case in CASES]
+    solved = extrapolation.solve(Flow(*map(np.concatenate, zip(*flows, strict=True))))
+    return {case: [column[k * COUNT : (k + 1) * COUNT] for column in solved] for k, case in enumerate(CASES)}
+
+
+@pytest.mark.xdist_group("slowly")
+@pytest.mark.parametrize(("kind", "shape", "law"), CASES)
+def test_edges_against_the_slow_solver(slowly, kind, shape, law):
+    chute, flow = batch(kind, shape, law, COUNT, 0)
+    status, place, velocity = slowly[kind, shape, law]
+    known = status >= 0  # the slow solver gives up on streams that cling to a balance: too stiff for it
+    for rtol in TOLERANCES:
+        for complete in (False, True):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                _, end = run_chain(chute.design, rtol, complete)
+            agrees = np.broadcast_to(end.status, COUNT) == status
+            assert agrees[known].all(), (np.flatnonzero(known & ~agrees), rtol, complete)
+            went, stopped = known & (status == 0), known & (status == 1)
+            judge(end.velocity / velocity.astype(float) - 1.0, end.error, went, (rtol, complete))
+            judge(end.distance / flow.length - place.astype(float), end.error, stopped, (rtol, complete))
+
+
+def judge(off, estimate, chosen, what):
+    """No error beyond its estimate, in the designs chosen."""
+    bad = chosen & ~(np.abs(off) <= estimate + ROUNDING)
+    assert not bad.any(), (np.flatnonzero(bad), off[bad], estimate[bad], what)
+
+
+@pytest.mark.parametrize(("kind", "shape", "law"), CASES)
+def test_more_wall_friction_is_never_faster(kind, shape, law):
+    chute, _ = batch(kind, shape, law, 4 * COUNT, 1)
+    friction = np.degrees(np.arctan(chute.design.segments[0].wall.slopes[0]))
+    slow, fast = (
+        run_chain(chute.vary({"liners.wall.friction_deg": friction * more}).design, 1e-10, complete=False)[1]
+        for more in (1.0 + 1e-6, 1.0)
+    )
+    went = (slow.status == 0) & (fast.status == 0)
+    worth = slow.error + fast.error + ROUNDING
+    assert (slow.velocity <= fast.velocity * (1.0 + worth))[went].all()
+    if kind in {"spoon", "straight"}:  # a crest may be left by the faster stream alone
+        assert not ((slow.status == 0) & (fast.status == 1)).any()
+
+
+def test_the_slow_solver_solves_most(slowly):
+    known = np.concatenate([status for status, _, _ in slowly.values()]) >= 0
+    assert known.mean() > 0.85
+    assert {0, 1, 3} <= {int(code) for status, _, _ in slowly.values() for code in status}
