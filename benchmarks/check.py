@@ -4,14 +4,14 @@
 
 The designs are the standard ones at other rates. Solving is what `chutecalc run` does to each but print it: read and
 check the spec, solve it, work out ends, extremes and findings; the sum is taken in one process that has started. A
-start-up is that of a command that solves nothing. All are measured in turn, round by round, and ratios taken within a
-round. Memory is that of all processes at once at its highest, as far as looking every 20 ms can tell.
+start-up is that of a command that solves nothing. All are measured in turn, round by round, and ratios are to the sum
+of both in the same round; that of the processors' time means something on a busy machine too. Memory is that of all
+processes at once at its highest, as far as looking every 20 ms can tell.
 """
 
 import argparse
 import csv
 import os
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -19,23 +19,24 @@ import time
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
+from statistics import median
+from typing import NamedTuple
 
 import tomli_w
 from rich.console import Console
 from rich.table import Table
 
 ROOT = Path(__file__).parents[1]
+SOLVING, START = "solving, the sum", "one start-up"
 COMMAND = [sys.executable, "-m", "chutecalc"]
 SOLVE = """
 import sys, time
 from chutecalc.chute import load, solve
-spent = 0.0
+wall, cpu = time.perf_counter(), time.process_time()
 for file in sys.argv[1:]:
-    start = time.perf_counter()
     solution = solve(load(file))
     solution.ways, solution.findings(), solution.receiver
-    spent += time.perf_counter() - start
-print(spent)
+print(time.perf_counter() - wall, time.process_time() - cpu)
 """
 ALONE = """
 import sys
@@ -68,21 +69,49 @@ def resident(process: int) -> int:
     return own + sum(resident(int(child)) for child in children)
 
 
-def run(arguments: list[str]) -> tuple[float, float]:
-    """Wall time of a process in s, and the most that it held in MB."""
-    start, most = time.perf_counter(), 0
+class Cost(NamedTuple):
+    """What something took."""
+
+    seconds: float
+    processor_seconds: float
+    megabytes: float = 0.0
+
+
+def run(arguments: list[str]) -> Cost:
+    """A process with those that it starts."""
+    start, before, most = time.perf_counter(), os.times(), 0
     with subprocess.Popen(arguments, stdout=subprocess.DEVNULL) as process:
         while process.poll() is None:
             most = max(most, resident(process.pid))
             time.sleep(0.02)
     assert process.returncode == 0, arguments[:4]
-    return time.perf_counter() - start, most / 1e6
+    seconds, after = time.perf_counter() - start, os.times()
+    used = after.children_user + after.children_system - before.children_user - before.children_system
+    return Cost(seconds, used, most / 1e6)
 
 
-def solving(files: list[str]) -> tuple[float, float]:
-    """Time that solving takes in a process that has started."""
+def solving(files: list[str]) -> Cost:
+    """Solving in a process that has started."""
     done = subprocess.run([sys.executable, "-c", SOLVE, *files], check=True, capture_output=True, text=True)
-    return float(done.stdout), 0.0
+    seconds, used = done.stdout.split()
+    return Cost(float(seconds), float(used))
+
+
+def summary(name: str, turns: list[dict[str, Cost]]) -> tuple[str, float, float, float, float, float]:
+    """Median times, median ratios, and the most memory."""
+    own = [turn[name] for turn in turns]
+    both = [(turn[SOLVING], turn[START]) for turn in turns]
+    return (
+        name,
+        median(cost.seconds for cost in own),
+        median(cost.seconds / (a.seconds + b.seconds) for cost, (a, b) in zip(own, both, strict=True)),
+        median(cost.processor_seconds for cost in own),
+        median(
+            cost.processor_seconds / (a.processor_seconds + b.processor_seconds)
+            for cost, (a, b) in zip(own, both, strict=True)
+        ),
+        max(cost.megabytes for cost in own),
+    )
 
 
 def main() -> None:
@@ -94,27 +123,24 @@ def main() -> None:
     count, rounds = (100, 1) if options.quick else (500, 5)
     with tempfile.TemporaryDirectory() as folder:
         files = write_designs(Path(folder), count)
-        measured: dict[str, Callable[[], tuple[float, float]]] = {
-            "solving, the sum": lambda: solving(files),
-            "one start-up": lambda: run([*COMMAND, "columns"]),
+        measured: dict[str, Callable[[], Cost]] = {
+            SOLVING: lambda: solving(files),
+            START: lambda: run([*COMMAND, "columns"]),
             "chutecalc check": lambda: run([*COMMAND, "check", folder]),
             "in one process": lambda: run([sys.executable, "-c", ALONE, folder]),
         }
         subprocess.run([*COMMAND, "check", "--update", folder], check=True, stdout=subprocess.DEVNULL)
         turns = [{name: measure() for name, measure in measured.items()} for _ in range(rounds)]
-    rows = []
-    for name in measured:
-        yardsticks = [turn["solving, the sum"][0] + turn["one start-up"][0] for turn in turns]
-        ratio = statistics.median(turn[name][0] / yardstick for turn, yardstick in zip(turns, yardsticks, strict=True))
-        rows.append((name, statistics.median(t[name][0] for t in turns), ratio, max(t[name][1] for t in turns)))
-    table = Table("", "s", "ratio", "MB", title=f"{count} designs, {rounds} rounds", title_justify="left", box=None)
-    for name, spent, ratio, memory in rows:
-        table.add_row(name, f"{spent:.2f}", f"{ratio:.2f}", f"{memory:.0f}" if memory else "")
+    rows = [summary(name, turns) for name in measured]
+    title = f"{count} designs, {rounds} round{'s' * (rounds > 1)}"
+    table = Table("", "s", "ratio", "processor s", "ratio", "MB", title=title, title_justify="left", box=None)
+    for name, *times, memory in rows:
+        table.add_row(name, *(f"{value:.2f}" for value in times), f"{memory:.0f}" if memory else "")
     Console().print(table)
     if options.csv:
         with open(options.csv, "w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file)
-            writer.writerow(["what", "time_s", "ratio", "memory_mb"])
+            writer.writerow(["what", "time_s", "ratio", "processor_s", "processor_ratio", "memory_mb"])
             writer.writerows(rows)
 
 

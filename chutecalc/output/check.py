@@ -84,7 +84,7 @@ def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
     return {
         "chutecalc": __version__,
         "format": FORMAT,
-        "tolerance": rtol,
+        "rtol": rtol,
         "designs": [
             {
                 "spec": verdict.spec,
