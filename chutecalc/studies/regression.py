@@ -1,12 +1,8 @@
 """Whether standard designs still come out as their baselines say: what drifted, where, and by how much."""
 
-import multiprocessing
-import os
-import signal
 import time
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -24,6 +20,7 @@ from chutecalc.studies.baseline import (
     read_baseline,
     spec_path,
 )
+from chutecalc.studies.processes import cores, in_processes
 
 OK, DRIFTED, CHANGED, EDITED = "ok", "drifted", "changed", "edited"
 NO_BASELINE, BROKEN_BASELINE, NO_SPEC = "no_baseline", "broken_baseline", "no_spec"
@@ -216,28 +213,8 @@ def check(
         chutes: of one design each, their sources being their files.
         rtol: see :func:`chutecalc.solve`.
         update: whether baselines to write are wanted.
-        processes: how many solve; without it one, or one a core where there are enough designs to be worth the start.
-            Threads would wait for each other: on arrays this small NumPy holds the interpreter nearly all the time.
+        processes: how many share the work; without it one, or one a core where there are enough designs.
     """
-    judge = partial(verdict, rtol=rtol, update=update)
     if processes is None:
-        processes = min(_cores(), len(chutes) // FOR_A_PROCESS)
-    if processes < 2:
-        yield from map(judge, chutes)
-        return
-    context = multiprocessing.get_context("spawn")  # the only way that all systems have, and safe beside threads
-    pool = ProcessPoolExecutor(processes, context, _let_the_parent_be_interrupted)
-    try:
-        yield from pool.map(judge, chutes, chunksize=8)
-    finally:
-        pool.shutdown(cancel_futures=True)
-
-
-def _cores() -> int:
-    """Those that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def _let_the_parent_be_interrupted() -> None:
-    """Ctrl-C goes to all processes of a terminal; the first one ends the others."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+        processes = min(cores(), len(chutes) // FOR_A_PROCESS)
+    return in_processes(partial(verdict, rtol=rtol, update=update), chutes, processes)
