@@ -32,6 +32,7 @@ RECEIVER = (
     "acceleration_length_m",
 )
 """What is kept of the receiver; the rest follows from these, and loses its digits where the stream suits the belt."""
+BEYOND = 1e-6  # of its value: so much an extreme exceeds what the stations show, or is not kept
 LEAST_SCALE = 1e-3  # of any column: 1e-12 m, kPa or ° is rounding, such as x in a vertical fall
 
 Row = dict[str, FiniteFloat]
@@ -199,8 +200,8 @@ def baseline_of(
                 status=str(way.status[0]),
                 impact=_finite(way.impact),
                 stations=[station for station in stations if station],
-                minimum=_finite(way.minimum),
-                maximum=_finite(way.maximum),
+                minimum=_beyond(way.minimum, stations, -1.0),
+                maximum=_beyond(way.maximum, stations, 1.0),
             )
         )
     return Baseline(
@@ -220,6 +221,15 @@ def baseline_of(
 def _finite(numbers: Mapping[str, Any]) -> Row:
     """The first design's numbers; what does not exist is left out."""
     return {name: float(values[0]) for name, values in numbers.items() if np.isfinite(values[0])}
+
+
+def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -> Row:
+    """The extremes that no station shows; where one does, what is between is rounding."""
+    return {
+        name: value
+        for name, value in _finite(extremes).items()
+        if all(sign * (value - row[name]) > BEYOND * abs(value) for row in stations if name in row)
+    }
 
 
 def read_baseline(path: Path) -> Baseline:
