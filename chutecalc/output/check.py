@@ -39,7 +39,7 @@ def _print_failing(printer: Printer, verdict: Verdict) -> None:
     if len(lines) == 1 and not verdict.drifts:
         printer.text(heading.append(f": {lines[0]}", style="none"))
         return
-    printer.text(heading)
+    printer.text(heading.append(f" (tolerance {verdict.tolerance:g})" if verdict.drifts else "", style="none"))
     for line in lines:
         printer.text(f"  {line}")
     if verdict.drifts:

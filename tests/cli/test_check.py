@@ -70,7 +70,10 @@ def test_a_changed_liner_is_an_edited_spec_and_all_that_drifted_is_told_with_its
     edit("spoon.toml", "friction_deg = 25", "friction_deg = 26")
     assert main(["check"]) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert lines[:2] == ["spoon.toml: edited", "  the spec has been edited since its baseline was written"]
+    assert lines[:2] == [
+        "spoon.toml: edited (tolerance 1e-09)",
+        "  the spec has been edited since its baseline was written",
+    ]
     (row,) = (line.split() for line in lines if line.split()[0] == "velocity_m_s")
     before = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).exit_velocity[0]
     after = chutecalc.solve(chutecalc.load("spoon.toml")).exit_velocity[0]
@@ -90,7 +93,7 @@ def test_a_changed_result_of_the_same_spec_has_drifted(folder, capsys):
     rewrite(document)
     assert main(["check"]) == 1
     shown = capsys.readouterr().out
-    assert shown.startswith("spoon.toml: drifted\n")
+    assert shown.startswith("spoon.toml: drifted (tolerance 1e-09)\n")
     assert "edited" not in shown
     assert outcome(capsys) == (1, "drifted", [])
     main(["check", "--json", "-"])

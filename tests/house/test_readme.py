@@ -82,7 +82,7 @@ def test_the_lines_for_a_ci_job_pass_and_fail(tmp_path):
     )
     again = job(lines.splitlines()[-1])
     assert again.returncode == 1
-    assert again.stdout.startswith("specs/vee.toml: edited\n")
+    assert again.stdout.startswith("specs/vee.toml: edited (tolerance 1e-09)\n")
 
 
 def test_links_lead_somewhere():
