@@ -11,10 +11,10 @@ import numpy as np
 from pydantic import Field, FiniteFloat, ValidationError
 
 from chutecalc import __version__
-from chutecalc.along import SAMPLES
 from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS
 from chutecalc.errors import SpecError
+from chutecalc.extremes import SAMPLES
 from chutecalc.findings import Finding
 from chutecalc.solution import Solution
 from chutecalc.spec.faults import faults_of
