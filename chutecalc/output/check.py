@@ -53,7 +53,7 @@ def _drifts(verdict: Verdict) -> Table:
         side = "left" if heading in ("column", "off from", "most at") else "right"
         table.add_column(heading, no_wrap=True, justify=side)  # type: ignore[arg-type]
     for first, most in worst(verdict.drifts):
-        table.add_row(most.place.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}")
+        table.add_row(most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}")
     return table
 
 
@@ -101,7 +101,13 @@ def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
 
 def _drift(drift: Drift) -> dict[str, Any]:
     """A drift as an object."""
-    return drift.place._asdict() | {"s_m": drift.s_m, "was": drift.was, "is": drift.now, "off_by": drift.off}
+    return drift.place._asdict() | {
+        "column": drift.column,
+        "s_m": drift.s_m,
+        "was": drift.was,
+        "is": drift.now,
+        "off_by": drift.off,
+    }
 
 
 def write_check(stream: IO[str], document: dict[str, Any]) -> None:
@@ -135,4 +141,4 @@ def _line(first: Drift, most: Drift) -> str:
     """What a column is off by, in a line."""
     begin, end = (f"{where}, s = {s} m" if s else where for where, s in (_where(first), _where(most)))
     was, now = _values(most)
-    return f"{most.place.column}: off from {begin} on; most at {end}: {now}, was {was} (off by {most.off:.1e})"
+    return f"{most.column}: off from {begin} on; most at {end}: {now}, was {was} (off by {most.off:.1e})"

@@ -4,6 +4,7 @@ import hashlib
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -81,23 +82,24 @@ class Baseline(Table):
             found[segment.name, met[segment.name]] = segment
         return found
 
-    def entries(self) -> Iterator[tuple["Place", float]]:
-        """Every number with its place, along the way."""
-        yield from _row("inlet", 1, "", self.inlet)
+    def rows(self) -> Iterator[tuple["Place", Row]]:
+        """All numbers, along the way."""
+        yield Place("inlet", 1, ""), self.inlet
         for here, segment in self.visits().items():
-            yield from _row(*here, "impact", segment.impact)
+            yield Place(*here, "impact"), segment.impact
             for number, station in enumerate(segment.stations, 1):
-                yield from _row(*here, f"station {number}", station)
-            yield from _row(*here, "minimum", segment.minimum)
-            yield from _row(*here, "maximum", segment.maximum)
-        yield from _row("receiver", 1, "", self.receiver)
+                yield Place(*here, f"station {number}"), station
+            yield Place(*here, "minimum"), segment.minimum
+            yield Place(*here, "maximum"), segment.maximum
+        yield Place("receiver", 1, ""), self.receiver
 
     def scales(self) -> dict[str, float]:
         """How large the numbers of each column are in this chute, by the name of the column: the largest."""
         found: dict[str, float] = {}
-        for place, value in self.entries():
-            kind = column_of(place.column)
-            found[kind] = max(found.get(kind, LEAST_SCALE), abs(value))
+        for _, row in self.rows():
+            for name, value in row.items():
+                kind = column_of(name)
+                found[kind] = max(found.get(kind, LEAST_SCALE), abs(value))
         return found
 
     def document(self) -> dict[str, Any]:
@@ -118,7 +120,7 @@ class Baseline(Table):
 
 
 class Place(NamedTuple):
-    """Where a number of a baseline stands."""
+    """Where a row of numbers of a baseline stands."""
 
     segment: str
     """Its name; ``inlet`` and ``receiver`` for those."""
@@ -126,12 +128,6 @@ class Place(NamedTuple):
     """1, or more where the stream has left the segment and come back."""
     row: str
     """``impact``, ``station 1`` to ``station 5``, ``minimum``, ``maximum``; empty where there is one row only."""
-    column: str
-
-
-def _row(segment: str, visit: int, row: str, numbers: Row) -> Iterator[tuple[Place, float]]:
-    for column, value in numbers.items():
-        yield Place(segment, visit, row, column), value
 
 
 def _is_number(name: str, value: Any) -> bool:
@@ -141,6 +137,7 @@ def _is_number(name: str, value: Any) -> bool:
 _OF_UNIT = {"m": "s_m", "m_s": "velocity_m_s", "deg": "slope_deg", "kpa": "pressure_kpa", "w_m2": "wear_w_m2"}
 
 
+@cache
 def column_of(name: str) -> str:
     """The column whose scale a number has: its own, or that of its unit for what stands in no column.
 

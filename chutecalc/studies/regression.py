@@ -51,6 +51,7 @@ class Drift(NamedTuple):
     """A number that is off by more than the tolerance."""
 
     place: Place
+    column: str
     s_m: float | None
     """Of its station, m from the inlet."""
     was: float | None
@@ -79,7 +80,7 @@ def worst(drifts: Sequence[Drift]) -> list[tuple[Drift, Drift]]:
     """For each column that is off, the first drift along the way and the largest."""
     columns: dict[str, list[Drift]] = {}
     for drift in drifts:
-        columns.setdefault(drift.place.column, []).append(drift)
+        columns.setdefault(drift.column, []).append(drift)
     return [(found[0], max(found, key=lambda drift: drift.off)) for found in columns.values()]
 
 
@@ -123,18 +124,18 @@ def _findings(was: Baseline, now: Baseline, said: Mapping[KeptFinding, str]) -> 
 
 def _drifts(was: Baseline, now: Baseline, common: set[tuple[str, int]]) -> Iterator[Drift]:
     """Numbers that are off, along the way."""
-    then, today, scales = dict(was.entries()), dict(now.entries()), was.scales()
+    then, today, scales = dict(was.rows()), dict(now.rows()), was.scales()
     for place in dict.fromkeys([*today, *then]):
         if place.row and (place.segment, place.visit) not in common:
             continue
-        a, b = then.get(place), today.get(place)
-        if a is None or b is None:
-            off = 1.0
-        else:
-            off = abs(a - b) / max(abs(a), abs(b), scales.get(column_of(place.column), 0.0))
-        if off > was.tolerance:
-            s = place._replace(row="station 1" if place.row == "impact" else place.row, column="s_m")
-            yield Drift(place, today.get(s, then.get(s)), a, b, off)
+        before, after = then.get(place, {}), today.get(place, {})
+        for column in {**after, **before}:
+            a, b = before.get(column), after.get(column)
+            off = 1.0 if a is None or b is None else abs(a - b) / max(abs(a), abs(b), scales[column_of(column)])
+            if off > was.tolerance:
+                station = place._replace(row="station 1") if place.row == "impact" else place
+                s = today.get(station, {}).get("s_m", then.get(station, {}).get("s_m"))
+                yield Drift(place, column, s, a, b, off)
 
 
 def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:

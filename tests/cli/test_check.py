@@ -340,10 +340,11 @@ def test_no_more_digits_than_the_tolerance_needs():
     for path in STANDARD_DESIGNS:
         kept = regression.read_baseline(regression.baseline_path(path))
         scales = kept.scales()
-        for place, value in kept.entries():
-            scale = scales[regression.column_of(place.column)]
-            assert value == 0.0 or round(value / (0.01 * kept.tolerance * scale)) != 0
-            assert len(repr(abs(value)).replace(".", "").lstrip("0").split("e")[0]) <= 13, (path, place)
+        for place, row in kept.rows():
+            for name, value in row.items():
+                scale = scales[regression.column_of(name)]
+                assert value == 0.0 or round(value / (0.01 * kept.tolerance * scale)) != 0
+                assert len(repr(abs(value)).replace(".", "").lstrip("0").split("e")[0]) <= 13, (path, place, name)
 
 
 def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(folder):
