@@ -59,6 +59,10 @@ class SpecError(ChutecalcError):
         self.source = source
         super().__init__("\n".join(fault.text(source) for fault in self.faults))
 
+    def __reduce__(self) -> tuple[type[Exception], tuple[object, ...]]:
+        """Errors cross from process to process by what they are made of."""
+        return SpecError, (self.faults, self.source)
+
 
 class AllSpecsError(SpecError):
     """Several specs that cannot be used."""

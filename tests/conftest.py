@@ -7,9 +7,11 @@ from typing import Any
 import pytest
 
 import chutecalc
+from chutecalc.spec.file import BASELINE_SUFFIX
 
 ROOT = Path(__file__).parent.parent
 REFERENCE = ROOT / "tests" / "reference"
+STANDARD_DESIGNS = sorted(path for path in (ROOT / "specs").rglob("*.toml") if not path.name.endswith(BASELINE_SUFFIX))
 
 BASE: dict[str, Any] = {
     "flow": {"rate_t_h": 1000.0},

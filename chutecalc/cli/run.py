@@ -103,7 +103,7 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
     changes = dict(_setting(text) for text in settings)
     chutes: list[Chute] = []
     errors: list[SpecError] = []
-    for spec in specs:
+    for spec in _without_baselines(specs):
         try:
             chute = parse(_standard_input(), STANDARD_INPUT) if spec == "-" else load(spec)
             chutes.append(chute.put(changes) if changes else chute)
@@ -112,6 +112,13 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
     if errors:
         raise AllSpecsError(errors)
     return chutes
+
+
+def _without_baselines(specs: list[str]) -> list[str]:
+    """The specs that a glob such as ``specs/*.toml`` means, which takes along the baselines beside them."""
+    from chutecalc.spec.file import BASELINE_SUFFIX
+
+    return [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs
 
 
 def _standard_input() -> str:

@@ -28,7 +28,7 @@ def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
         raise UsageError(f"two outputs go to the same file: {', '.join(given)}")
     for file in files:
         if file in {os.path.realpath(name) for name in inputs if name != STANDARD_STREAM}:
-            raise UsageError(f"{file} is a spec: writing there would overwrite it")
+            raise UsageError(f"{file} is an input: writing there would overwrite it")
 
 
 @contextmanager

@@ -67,7 +67,7 @@ def value_text(value: Any) -> str:
         return str(value).lower()
     if isinstance(value, str):
         return f'"{value}"'
-    if hasattr(value, "min"):
+    if hasattr(value, "ndim"):  # an array; a date has a min too
         return f"{value.min():.6g} to {value.max():.6g}"
     return str(value)
 

@@ -10,6 +10,9 @@ from chutecalc.errors import Fault, SpecError
 Place = tuple[str | int, ...]
 """Where something stands in a spec's data: keys, and numbers of list items from 0."""
 
+BASELINE_SUFFIX = ".baseline.toml"
+"""Of the file beside a spec that holds what once came out of it, instead of the spec's own ``.toml``."""
+
 _HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
 _KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
 

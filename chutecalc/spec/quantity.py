@@ -252,6 +252,8 @@ _EXPECTED = {
     "list_type": "a list of tables, each under [[…]]",
     "too_short": "one table at least",
     "bool_type": "true or false",
+    "float_type": "a number",
+    "finite_number": "a finite number",
 }
 
 

@@ -3,8 +3,11 @@
 import contextlib
 import inspect
 import io
+import os
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -57,21 +60,51 @@ def test_start_commands_name_files_that_exist():
             assert (ROOT / name).is_file()
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="programs are elsewhere in a venv there")
+def test_the_lines_for_a_ci_job_pass_and_fail(tmp_path):
+    (lines,) = (block for block in blocks("sh") if "chutecalc check" in block)
+    assert lines.count("\n") == 3
+    for name in ("vee.toml", "vee.baseline.toml", "fails/stall.toml", "fails/stall.baseline.toml"):
+        target = tmp_path / "specs" / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes((ROOT / "specs" / name).read_bytes())
+
+    def job(script):
+        options = {"cwd": tmp_path, "env": os.environ | {"CHUTECALC": str(ROOT)}}
+        return subprocess.run(["bash", "-euo", "pipefail", "-c", script], capture_output=True, text=True, **options)
+
+    first = job(lines)
+    assert (first.returncode, first.stdout) == (0, "2 designs: 2 ok\n"), first.stderr
+    assert (tmp_path / "check.xml").is_file()
+    spec = tmp_path / "specs" / "vee.toml"
+    spec.write_text(
+        spec.read_text(encoding="utf-8").replace("friction_deg = 18", "friction_deg = 18.1"), encoding="utf-8"
+    )
+    again = job(lines.splitlines()[-1])
+    assert again.returncode == 1
+    assert again.stdout.startswith("specs/vee.toml: edited (tolerance 1e-09)\n")
+
+
 def test_links_lead_somewhere():
     for target in re.findall(r"\]\((?!http)([^)#]+)\)", README):
         assert (ROOT / target).exists(), target
 
 
-def test_every_finding_is_told_of():
-    codes = {
+def finding_codes():
+    """The code of every finding that there is."""
+    criteria = {
         name
         for module in (failures, warnings)
         for name, value in vars(module).items()
         if inspect.isfunction(value) and value.__module__ == module.__name__ and not name.startswith("_")
     }
+    return (criteria - {"fallen_short"}) | {"not_accelerated"}
+
+
+def test_every_finding_is_told_of():
     table = re.findall(r"^\| `([a-z_]+)` \| (?:failure|warning|note)", README, re.MULTILINE)
     assert len(table) == len(set(table))
-    assert (codes - {"fallen_short"}) | {"not_accelerated"} == set(table)
+    assert finding_codes() == set(table)
 
 
 def test_every_version_is_the_same():

@@ -63,6 +63,7 @@ def test_a_metre_in_millimetres_is_exact():
         ("rate_t_h = 1000", "rate_t_h = true", "flow.rate_t_h", "true", "a number greater than 0 t/h", "change"),
         ("rate_t_h = 1000", 'rate_t_h = "1000"', "flow.rate_t_h", '"1000"', "a number", "change"),
         ("rate_t_h = 1000", "rate_t_h = nan", "flow.rate_t_h", "nan", "finite", "change"),
+        ("rate_t_h = 1000", "rate_t_h = 1979-05-27", "flow.rate_t_h", "1979-05-27", "a number", "change"),
         ("rate_t_h = 1000", "rate_t_h = inf", "flow.rate_t_h", "inf", "finite", "change"),
         ("rate_t_h = 1000", f"rate_t_h = 1{'0' * 400}", "flow.rate_t_h", "1" + "0" * 400, "finite", "change"),
         ("base_m = 0.5", "base_m = 0.5\nbase_in = 20", "sections.body.base_in", "20", "is given twice", "keep one"),

@@ -1,0 +1,148 @@
+"""`chutecalc check` on a folder of 500 designs, beside the sum of their solving plus one start-up.
+
+    python benchmarks/check.py [--quick] [--csv FILE]
+
+The designs are the standard ones at other rates. Solving is what `chutecalc run` does to each but print it: read and
+check the spec, solve it, work out ends, extremes and findings; the sum is taken in one process that has started. A
+start-up is that of a command that solves nothing. All are measured in turn, round by round, and ratios are to the sum
+of both in the same round; that of the processors' time means something on a busy machine too. Memory is that of all
+processes at once at its highest, as far as looking every 20 ms can tell.
+"""
+
+import argparse
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+from typing import NamedTuple
+
+import tomli_w
+from rich.console import Console
+from rich.table import Table
+
+ROOT = Path(__file__).parents[1]
+SOLVING, START = "solving, the sum", "one start-up"
+COMMAND = [sys.executable, "-m", "chutecalc"]
+SOLVE = """
+import sys, time
+from chutecalc.chute import load, solve
+wall, cpu = time.perf_counter(), time.process_time()
+for file in sys.argv[1:]:
+    solution = solve(load(file))
+    solution.ways, solution.findings(), solution.receiver
+print(time.perf_counter() - wall, time.process_time() - cpu)
+"""
+ALONE = """
+import sys
+from chutecalc.studies.designs import find_designs
+from chutecalc.studies.regression import OK, check
+assert all(item.outcome == OK for item in check(find_designs(sys.argv[1:]).chutes, processes=1))
+"""
+
+
+def write_designs(folder: Path, count: int) -> list[str]:
+    """The standard designs again and again, each time with another rate; their files."""
+    standard = [path for path in sorted((ROOT / "specs").rglob("*.toml")) if not path.name.endswith(".baseline.toml")]
+    files = []
+    for number in range(count):
+        spec = tomllib.loads(standard[number % len(standard)].read_text(encoding="utf-8"))
+        key = next(key for key in spec["flow"] if key.startswith("rate_"))
+        spec["flow"][key] *= 1.0 - 0.02 * (number // len(standard))
+        files.append(str(folder / f"design_{number}.toml"))
+        Path(files[-1]).write_text(tomli_w.dumps(spec), encoding="utf-8")
+    return files
+
+
+def resident(process: int) -> int:
+    """Bytes that a process and those below it hold; 0 where the system does not tell."""
+    try:
+        own = int(Path(f"/proc/{process}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+        children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    except OSError:
+        return 0
+    return own + sum(resident(int(child)) for child in children)
+
+
+class Cost(NamedTuple):
+    """What something took."""
+
+    seconds: float
+    processor_seconds: float
+    megabytes: float = 0.0
+
+
+def run(arguments: list[str]) -> Cost:
+    """A process with those that it starts."""
+    start, before, most = time.perf_counter(), os.times(), 0
+    with subprocess.Popen(arguments, stdout=subprocess.DEVNULL) as process:
+        while process.poll() is None:
+            most = max(most, resident(process.pid))
+            time.sleep(0.02)
+    assert process.returncode == 0, arguments[:4]
+    seconds, after = time.perf_counter() - start, os.times()
+    used = after.children_user + after.children_system - before.children_user - before.children_system
+    return Cost(seconds, used, most / 1e6)
+
+
+def solving(files: list[str]) -> Cost:
+    """Solving in a process that has started."""
+    done = subprocess.run([sys.executable, "-c", SOLVE, *files], check=True, capture_output=True, text=True)
+    seconds, used = done.stdout.split()
+    return Cost(float(seconds), float(used))
+
+
+def summary(name: str, turns: list[dict[str, Cost]]) -> tuple[str, float, float, float, float, float]:
+    """Median times, median ratios, and the most memory."""
+    own = [turn[name] for turn in turns]
+    both = [(turn[SOLVING], turn[START]) for turn in turns]
+    return (
+        name,
+        median(cost.seconds for cost in own),
+        median(cost.seconds / (a.seconds + b.seconds) for cost, (a, b) in zip(own, both, strict=True)),
+        median(cost.processor_seconds for cost in own),
+        median(
+            cost.processor_seconds / (a.processor_seconds + b.processor_seconds)
+            for cost, (a, b) in zip(own, both, strict=True)
+        ),
+        max(cost.megabytes for cost in own),
+    )
+
+
+def main() -> None:
+    """Measures and prints."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="100 designs, one round: to see that it runs")
+    parser.add_argument("--csv")
+    options = parser.parse_args()
+    count, rounds = (100, 1) if options.quick else (500, 5)
+    with tempfile.TemporaryDirectory() as folder:
+        files = write_designs(Path(folder), count)
+        measured: dict[str, Callable[[], Cost]] = {
+            SOLVING: lambda: solving(files),
+            START: lambda: run([*COMMAND, "columns"]),
+            "chutecalc check": lambda: run([*COMMAND, "check", folder]),
+            "in one process": lambda: run([sys.executable, "-c", ALONE, folder]),
+        }
+        subprocess.run([*COMMAND, "check", "--update", folder], check=True, stdout=subprocess.DEVNULL)
+        turns = [{name: measure() for name, measure in measured.items()} for _ in range(rounds)]
+    rows = [summary(name, turns) for name in measured]
+    title = f"{count} designs, {rounds} round{'s' * (rounds > 1)}"
+    table = Table("", "s", "ratio", "processor s", "ratio", "MB", title=title, title_justify="left", box=None)
+    for name, *times, memory in rows:
+        table.add_row(name, *(f"{value:.2f}" for value in times), f"{memory:.0f}" if memory else "")
+    Console().print(table)
+    if options.csv:
+        with open(options.csv, "w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(["what", "time_s", "ratio", "processor_s", "processor_ratio", "memory_mb"])
+            writer.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()
