@@ -69,7 +69,9 @@ def batch(kind, shape, law, count, seed):
         "inlet.velocity_m_s": velocity,
         "inlet.slope_deg": start,
     }
-    changes |= {"chamfered": {"sections.body.base_m": base}, "rectangular": {"sections.body.width_m": base}}.get(shape, {})
+    changes |= {"chamfered": {"sections.body.base_m": base}, "rectangular": {"sections.body.width_m": base}}.get(
+        shape, {}
+    )
     changes |= {} if shape == "rectangular" else {"sections.body.chamfer_deg": beta}
     if kind == "straight":
         changes |= {"segments.1.slope_deg": start, "segments.1.length_m": radius}
@@ -126,18 +128,23 @@ def test_edges_against_the_slow_solver(slowly, kind, shape, law):
         for complete in (False, True):
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
-                _, end = run_chain(chute.design, rtol, complete)
+                end = run_chain(chute.design, rtol, complete)[0][
+                    0
+                ].exit  # of a hood that is struck again: the first time
             agrees = np.broadcast_to(end.status, COUNT) == status
             assert agrees[known].all(), (np.flatnonzero(known & ~agrees), rtol, complete)
             went, stopped = known & (status == 0), known & (status == 1)
-            judge(end.velocity / velocity.astype(float) - 1.0, end.error, went, (rtol, complete))
+            with np.errstate(invalid="ignore"):
+                faster = end.velocity / velocity.astype(float) - 1.0
+            judge(faster, end.error, went, (rtol, complete))
             judge(end.distance / flow.length - place.astype(float), end.error, stopped, (rtol, complete))
 
 
 def judge(off, estimate, chosen, what):
     """No error beyond its estimate, in the designs chosen."""
-    bad = chosen & ~(np.abs(off) <= estimate + ROUNDING)
-    assert not bad.any(), (np.flatnonzero(bad), off[bad], estimate[bad], what)
+    rows = np.flatnonzero(chosen)
+    bad = rows[~(np.abs(off[rows]) <= estimate[rows] + ROUNDING)]
+    assert not bad.size, (bad, off[bad], estimate[bad], what)
 
 
 @pytest.mark.parametrize(("kind", "shape", "law"), CASES)

@@ -1,0 +1,98 @@
+"""What a scene does not need is not done: counted, not timed."""
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.solver import profile, stretch
+from chutecalc.solver.chain import run_chain
+
+CHAIN = {
+    "flow": {"rate_t_h": 1000.0},
+    "material": {"density_kg_m3": 800.0, "internal_friction_deg": 45.0},
+    "liners": {"steel": {"friction_deg": 22.0}},
+    "sections": {"body": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45.0}},
+    "inlet": {"velocity_m_s": 3.0, "slope_deg": 60.0},
+    "receiver": {"velocity_m_s": 3.0, "friction_deg": 30.0},
+    "segments": [
+        {"kind": "straight", "slope_deg": 60.0, "length_m": 1.0},
+        {"kind": "fall", "drop_m": 1.0},
+        {"kind": "curve", "radius_m": 3.0, "from_slope_deg": 65.0, "to_slope_deg": 30.0},
+    ],
+}
+
+
+@pytest.fixture
+def panels(monkeypatch):
+    """How many panels have been tried, by design."""
+    tried = []
+    judge = stretch._judge
+
+    def counting(front, trial, count):
+        tried.extend(trial.rows[:count].tolist())
+        judge(front, trial, count)
+
+    monkeypatch.setattr(stretch, "_judge", counting)
+    return tried
+
+
+def test_a_design_whose_first_pair_agrees_is_not_refined(panels):
+    radii = np.linspace(2.0, 4.0, 500)
+    run_chain(chutecalc.parse(CHAIN).vary({"segments.3.radius_m": radii}).design, 1e-10, complete=False)
+    assert len(panels) == 1 + 500  # the straight once for all, the curve once for each
+
+
+def test_what_comes_before_the_varied_segment_is_solved_once(panels):
+    many = chutecalc.parse(CHAIN).vary({"segments.3.radius_m": np.linspace(2.0, 4.0, 500)})
+    legs, _ = run_chain(many.design, 1e-10, complete=False)
+    assert [leg.exit.velocity.shape for leg in legs] == [(1,), (1,), (500,)]
+
+
+def test_a_varied_receiver_solves_the_chute_once(panels):
+    many = chutecalc.parse(CHAIN).vary({"receiver.velocity_m_s": np.linspace(2.0, 4.0, 500)})
+    solution = chutecalc.solve(many)
+    assert len(panels) == 2
+    assert solution.receiver["velocity_ratio"].shape == (500,)
+    assert len(set(solution.receiver["velocity_ratio"])) == 500
+
+
+def test_exits_keep_nothing_of_the_way():
+    legs, _ = run_chain(chutecalc.parse(CHAIN).design, 1e-10, complete=False)
+    assert not any(leg.contact.stretch.pieces for leg in legs if leg.contact)
+
+
+def test_columns_that_are_not_asked_for_are_not_worked_out(monkeypatch):
+    def never(*arguments):
+        raise AssertionError("worked out")
+
+    for name in ("wall_pressures", "wetting", "_times", "wall_friction"):
+        monkeypatch.setattr(profile, name, never)
+    solution = chutecalc.solve(chutecalc.parse(CHAIN))
+    table = solution.stations(columns=("velocity_m_s", "depth_m"))
+    assert list(table) == ["velocity_m_s", "depth_m"]
+    assert np.isfinite(solution.exit_velocity).all()
+
+
+def test_threads_and_chunks_do_not_change_a_digit(monkeypatch):
+    many = chutecalc.parse(CHAIN).vary({"segments.3.radius_m": np.linspace(2.0, 4.0, 100)})
+    whole = chutecalc.exits(many, jobs=1)
+    monkeypatch.setattr("chutecalc.batch.CHUNK", 16)
+    parts = chutecalc.exits(many, jobs=4)
+    for name, values in whole.exit.items():
+        assert (parts.exit[name] == values).all()
+    assert (parts.receiver["velocity_ratio"] == whole.receiver["velocity_ratio"]).all()
+    assert (parts.codes == whole.codes).all()
+
+
+def test_exits_agree_with_the_whole_solution():
+    many = chutecalc.parse(CHAIN).vary({"segments.3.radius_m": np.linspace(2.0, 4.0, 20)})
+    ends, whole = chutecalc.exits(many, 1e-12), chutecalc.solve(many, 1e-12)
+    assert np.abs(ends.exit["velocity_m_s"] / whole.exit_velocity - 1.0).max() < 2e-12
+    assert np.abs(ends.exit["depth_m"] / whole.exit_depth - 1.0).max() < 2e-12
+    assert (ends.codes == whole.codes).all()
+
+
+@pytest.mark.parametrize("columns", [("time_s",), ("no_such",)])
+def test_columns_that_an_exit_does_not_have(columns):
+    with pytest.raises(chutecalc.UsageError, match="no column"):
+        chutecalc.exits(chutecalc.parse(CHAIN), columns=columns)
