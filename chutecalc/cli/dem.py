@@ -121,8 +121,8 @@ def _write_files(
             if stream:
                 writer(stream, study)
     if plot and picture:
-        from chutecalc.output.plot_dem import draw_study
         from chutecalc.output.plot import save
+        from chutecalc.output.plot_dem import draw_study
 
         save(draw_study(study), picture, _picture_format(plot))
 

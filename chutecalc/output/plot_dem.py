@@ -12,8 +12,8 @@ from matplotlib.figure import Figure, SubFigure
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.study import Point, Series, Study
 from chutecalc.dem.trough import Trough
-from chutecalc.output.plot_style import INK, MARKS, SMALL, STROKES, colours, mathematical, styled
 from chutecalc.output.dem_table import delta_text, series_title
+from chutecalc.output.plot_style import INK, MARKS, SMALL, STROKES, colours, mathematical, styled
 from chutecalc.physics.pressure import pressure_ratio
 
 WIDTH, HEIGHT = 9.0, 5.6
