@@ -56,6 +56,10 @@ class Point:
         self.beds = tuple(bed for bed in beds if not bed.failed)
         self.failed = tuple(bed for bed in beds if bed.failed)
 
+    def beds_of(self, seed: int) -> list[Bed]:
+        """The bed of a seed, where it passes all checks."""
+        return [bed for bed in self.beds if bed.case.seed == seed]
+
     @property
     def case(self) -> Case:
         """That of the group."""
@@ -109,7 +113,8 @@ class Fit(NamedTuple):
     internal_friction: float
     """δ, rad; NaN where the law does not depend on it."""
     scatter: float
-    """Standard deviation of the δ fitted to each seed's beds alone, rad; NaN where there is one seed."""
+    """Standard deviation of the δ fitted to each seed's beds, rad, with the mean where a seed's bed failed; NaN where
+    there is one seed."""
     residual: float
     """Root of the mean square difference of N_t/N."""
 
@@ -132,11 +137,12 @@ def fit(points: Sequence[Point], law: str) -> Fit:
         points: of the same pour and particles, with a bed each at least.
         law: ``paper`` or ``equilibrium``.
     """
-    best, off = _fitted([(point.trough, point.area.mean, point.ratio.mean) for point in points], law)
+    means = {point: (point.trough, point.area.mean, point.ratio.mean) for point in points}
+    best, off = _fitted(list(means.values()), law)
     alone = []
     for seed in {bed.case.seed for point in points for bed in point.beds}:
-        own = [(point.trough, bed.area, bed.ratio) for point in points for bed in point.beds if bed.case.seed == seed]
-        alone.append(_fitted(own, law)[0])
+        own = {point: (point.trough, bed.area, bed.ratio) for point in points for bed in point.beds_of(seed)}
+        alone.append(_fitted(list((means | own).values()), law)[0])
     return Fit(best, measured(alone).scatter, off)
 
 
