@@ -105,7 +105,9 @@ def delta_text(fit: Fit) -> str:
     if fit.internal_friction != fit.internal_friction:
         return "any"
     scatter = "" if fit.scatter != fit.scatter else f" ± {math.degrees(fit.scatter):.1f}°"
-    return f"{math.degrees(fit.internal_friction):.1f}°{scatter}"
+    delta = math.degrees(fit.internal_friction)
+    bound = "" if 0.05 < delta < 89.95 else " (the end of its range)"
+    return f"{delta:.1f}°{scatter}{bound}"
 
 
 def failures(study: Study) -> list[str]:
