@@ -13,7 +13,7 @@ from chutecalc.dem.bed import Bed
 from chutecalc.dem.study import Point, Series, Study
 from chutecalc.dem.trough import Trough
 from chutecalc.output.dem_table import delta_text, series_title
-from chutecalc.output.plot_style import INK, MARKS, SMALL, STROKES, colours, mathematical, styled
+from chutecalc.output.plot_style import INK, MARKS, PALE, SMALL, STROKES, colours, mathematical, styled
 from chutecalc.physics.pressure import pressure_ratio
 
 WIDTH, HEIGHT = 9.0, 5.6
@@ -43,6 +43,9 @@ def draw_study(study: Study) -> Figure:
         pressure.set(xlabel="inclination of the wall, °", ylabel="pressure ratio K", xlim=(0, 92), ylim=(0, None))
         friction.set(xlabel="chamfer angle β, °" if by_slope else "depth of the bed, m")
         friction.set_ylabel(mathematical(f"equivalent friction μ_e at φ = {math.degrees(study.wall_friction):.4g}°"))
+        friction.ticklabel_format(axis="y", useOffset=False)
+        if not by_slope:  # a few depths, perhaps one: something to see them against
+            friction.axhline(math.tan(study.wall_friction), color=PALE, label="the wall's own, tan φ")
         if series:
             pressure.plot([], [], "o", color=INK, label="beds, mean and scatter of seeds")
             pressure.plot([], [], "-", color=INK, label="law with the fitted δ")
