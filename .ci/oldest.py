@@ -8,7 +8,7 @@ from pathlib import Path
 project = tomllib.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))["project"]
 extras = project["optional-dependencies"]
 for requirement in [*project["dependencies"], *(item for extra in extras.values() for item in extra)]:
-    match = re.fullmatch(r"([A-Za-z0-9._-]+)>=([0-9.]+)", requirement)
+    match = re.fullmatch(r"([A-Za-z0-9._-]+)(?:\[[a-z,]+\])?>=([0-9.]+)", requirement)
     if match is None:
         sys.exit(f"{requirement}: expected a name and a lower bound alone")
     print(f"{match[1]}=={match[2]}")

@@ -84,7 +84,7 @@ def main() -> None:
         (
             name,
             1e6 * median(times) / count,
-            *(ratio(times, spent[rival]) for rival in ("single arcs", "last arc alone")),
+            *(ratio(times, spent[rival]) for rival in rivals),
         )
         for name, times in spent.items()
     ]

@@ -19,7 +19,7 @@ LEVELS = [
     {"solution"},
     {"chute"},
     {"batch"},
-    {"studies"},
+    {"studies", "dem"},
     {"output"},
     {"cli"},
 ]

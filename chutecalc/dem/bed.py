@@ -1,0 +1,148 @@
+"""What a bed at rest says: its own area, how level it is, what each wall carries, and whether to believe it."""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.dem.case import Case
+from chutecalc.physics.arrays import Array
+
+BALANCE, SIDES, REST, LEVEL = 1e-3, 1e-2, 1e-7, 0.05
+"""Allowed: vertical force to weight; left to right push; kinetic energy a particle over m g d; unevenness to depth."""
+
+
+class Check(NamedTuple):
+    """Something that every bed has to meet."""
+
+    name: str
+    value: float
+    allowed: float
+
+    @property
+    def passed(self) -> bool:
+        """Whether it does; what is no number does not."""
+        return abs(self.value) <= self.allowed
+
+
+class Bed:
+    """A measured bed.
+
+    Args:
+        case: how it was made.
+        forces: of each wall of the trough on the bed, x and z, N, shape (walls, 2).
+        motion: kinetic energy, J, over the number of particles.
+        places: centres of the particles, m, shape (particles, 3).
+    """
+
+    def __init__(self, case: Case, forces: Array, motion: float, places: Array) -> None:
+        self.case, self.forces, self.motion, self.places = case, forces, motion, places
+
+    @property
+    def weight(self) -> float:
+        """N."""
+        return self.case.count * self.case.mass * self.case.pull
+
+    @cached_property
+    def _filling(self) -> tuple[float, float]:
+        """Solid fraction of the interior, and the area below which nothing would be if all were filled so.
+
+        Solids below a height against the section's area below it lie on a line between the layers that the floor orders
+        and the loose surface.
+        """
+        heights = np.sort(self.places[:, 2])
+        top = heights[int(0.99 * len(heights)) - 1]
+        inner = (heights > 0.25 * top) & (heights < 0.75 * top)
+        below = (np.arange(len(heights)) + 0.5) * self.case.particle_volume / self.case.slice
+        slope, start = np.polyfit(self.case.trough.area_below(heights[inner]), below[inner], 1)
+        return float(slope), float(-start / slope)
+
+    @property
+    def solid_fraction(self) -> float:
+        """Of the interior."""
+        return self._filling[0]
+
+    @property
+    def area(self) -> float:
+        """The bed's own area, m²: where the interior's filling goes on until it holds all particles."""
+        filling, void = self._filling
+        return self.case.count * self.case.particle_volume / self.case.slice / filling + void
+
+    @cached_property
+    def depth(self) -> float:
+        """Of a level bed of that area, m."""
+        return float(self.case.trough.wetting(self.area).depth[0])
+
+    @cached_property
+    def surface(self) -> tuple[Array, Array]:
+        """Height of the surface across the trough, x and z, m: means along the chute of the highest in square cells."""
+        d = self.case.diameter
+        half = 0.5 * float(self.case.trough.wetting(self.area).width[0])
+        edges = np.linspace(-half, half, max(round(2.0 * half / d), 4) + 1)
+        rows = max(int(self.case.slice / d), 1)
+        column = np.digitize(self.places[:, 0], edges) - 1
+        row = (self.places[:, 1] / self.case.slice * rows).astype(int) % rows
+        inside = (column >= 0) & (column < len(edges) - 1)
+        highest = np.full((len(edges) - 1, rows), -np.inf)
+        np.maximum.at(highest, (column[inside], row[inside]), self.places[inside, 2] + 0.5 * d)
+        full = np.isfinite(highest)
+        means = np.where(full, highest, 0.0).sum(axis=1) / np.maximum(full.sum(axis=1), 1)
+        return 0.5 * (edges[1:] + edges[:-1]), np.where(full.any(axis=1), means, np.nan)
+
+    @property
+    def unevenness(self) -> float:
+        """How much higher the outer half of the surface is than the inner half, over the depth.
+
+        A diameter at each edge is left out: no particle fills the corner between surface and wall.
+        """
+        x, z = self.surface
+        half = x[-1] + 0.5 * (x[1] - x[0])
+        outer = (np.abs(x) > 0.5 * half) & (np.abs(x) < half - self.case.diameter)
+        inner = np.abs(x) <= 0.5 * half
+        return float((np.nanmean(z[outer]) - np.nanmean(z[inner])) / self.depth)
+
+    @cached_property
+    def loads(self) -> Array:
+        """Normal load of the bed on each wall over its weight, in the order of the trough's walls."""
+        normals = np.array([wall.normal for wall in self.case.trough.walls])
+        return np.asarray((self.forces * normals).sum(axis=1) / self.weight)
+
+    @property
+    def ratio(self) -> float:
+        """N_t/N, all normal loads over the weight."""
+        return float(self.loads.sum())
+
+    @property
+    def by_name(self) -> dict[str, float]:
+        """Load on one wall of each name, the mean of the left and the right one."""
+        walls = self.case.trough.walls
+        return {
+            name: float(np.mean([load for load, wall in zip(self.loads, walls, strict=True) if wall.name == name]))
+            for name in dict.fromkeys(wall.name for wall in walls)
+        }
+
+    @property
+    def pressure_ratios(self) -> dict[str, float]:
+        """K of each name of wall: its load over what the depth below the surface gives, (N_w/W) A/∫ζ dl.
+
+        With chamfers without a top that is (2 N_c/W)(B + C cos β)/C. A wall that the bed does not reach has none.
+        """
+        thrusts = {wall.name: wall.thrust(self.depth) for wall in self.case.trough.walls}
+        return {name: load * self.area / thrusts[name] for name, load in self.by_name.items() if thrusts[name] > 0.0}
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """What has to hold: vertical forces carry the weight, left pushes as right does, at rest, level."""
+        across, up = self.forces.sum(axis=0)
+        push = 0.5 * float(np.abs(self.forces[:, 0]).sum())
+        return (
+            Check("balance", float(up / self.weight - 1.0), BALANCE),
+            Check("sides", float(across / push), SIDES),
+            Check("rest", self.motion / (self.case.mass * self.case.pull * self.case.diameter), REST),
+            Check("level", self.unevenness, LEVEL),
+        )
+
+    @property
+    def failed(self) -> tuple[Check, ...]:
+        """The checks that do not hold."""
+        return tuple(check for check in self.checks if not check.passed)

@@ -1,0 +1,48 @@
+"""The section of a real chute, with the stream's own area in it, as a trough."""
+
+import math
+
+import numpy as np
+
+from chutecalc.chute import Chute, solve
+from chutecalc.dem.trough import Trough
+from chutecalc.dem.wanted import Beds
+from chutecalc.design import Contact
+from chutecalc.errors import UsageError
+from chutecalc.physics.section import Polygon
+
+
+def section_of(chute: Chute, name: str | None) -> Beds:
+    """The section in which a segment ends, with the stream's area and wall friction there.
+
+    Args:
+        chute: of one design.
+        name: of the segment; None where only one guides the stream.
+
+    Raises:
+        UsageError: no such segment, an arc of a circle as section, or a stream that does not come so far.
+
+    >>> import chutecalc
+    >>> found = section_of(chutecalc.parse(chutecalc.STARTER), "spoon")
+    >>> [wall.name for wall in found.troughs[0].walls[::2]], round(found.areas[0], 4)
+    (['floor', 'chamfer'], 0.0895)
+    """
+    design = chute.design
+    guides = [segment for segment in design.segments if isinstance(segment, Contact)]
+    chosen = [segment for segment in guides if name in (None, segment.name)]
+    if len(chosen) != 1:
+        raise UsageError(
+            f"--segment has to name one of {', '.join(segment.name for segment in guides)} in {chute.source}"
+            + (f", not {name!r}" if name else "")
+        )
+    contact = chosen[0]
+    section = contact.end_section or contact.section
+    if not isinstance(section, Polygon):
+        raise UsageError(f"the section of {contact.name} is circular: the check takes sections of flat walls")
+    result = next(result for result in solve(chute).segments if result.name == contact.name)
+    area, friction = (float(result.exit[key][0]) for key in ("area_m2", "equivalent_friction"))
+    if not math.isfinite(area):
+        raise UsageError(f"the stream does not come to the end of {contact.name}: its status is {result.status[0]}")
+    trough, vertical_ratio = Trough.of(section), float(design.vertical_ratio[0])
+    excess = float(trough.wetting(area, vertical_ratio, design.equilibrium).excess[0])
+    return Beds([trough], [area], float(np.arctan(friction / (1.0 + excess))), vertical_ratio)

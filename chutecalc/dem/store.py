@@ -1,0 +1,58 @@
+"""Cases as folders on disk: written for LAMMPS, run by it here or elsewhere, and taken up again."""
+
+import json
+import math
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from chutecalc.dem import script
+from chutecalc.dem.bed import Bed
+from chutecalc.dem.case import Case
+from chutecalc.dem.pour import column
+
+DUMP_HEADER = 9
+"""Lines before the particles in a dump of one step."""
+
+
+class Store:
+    """A folder of cases, a folder each.
+
+    Args:
+        folder: where; made when the first case is written.
+    """
+
+    def __init__(self, folder: str | Path) -> None:
+        self.folder = Path(folder)
+
+    def place(self, case: Case) -> Path:
+        """The folder of a case."""
+        return self.folder / case.name
+
+    def write(self, case: Case) -> Path:
+        """Writes what LAMMPS needs, unless it stands there already: the script last, so that it is all there then."""
+        place = self.place(case)
+        if not (place / script.SCRIPT).is_file():
+            places = column(case)
+            place.mkdir(parents=True, exist_ok=True)
+            known = asdict(case) | {"lengths": [None if length == math.inf else length for length in case.lengths]}
+            (place / "case.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+            (place / script.PARTICLES).write_text(script.particles_text(case, places), encoding="utf-8")
+            part = place / f"{script.SCRIPT}.part"
+            part.write_text(script.script_text(case, float(places[-1, 2])), encoding="utf-8")
+            part.replace(place / script.SCRIPT)
+        return place
+
+    def read(self, case: Case) -> Bed | None:
+        """The bed of a case; None where it has not been run to its end."""
+        place = self.place(case)
+        try:
+            numbers = [float(word) for word in (place / script.WALLS).read_text(encoding="utf-8").split()]
+            rows = np.loadtxt(place / script.BED, skiprows=DUMP_HEADER, ndmin=2)
+        except (OSError, ValueError):
+            return None
+        walls = len(case.trough.walls)
+        if len(numbers) != 1 + 2 * walls or rows.shape != (case.count, 4):
+            return None
+        return Bed(case, np.array(numbers[1:]).reshape(walls, 2), numbers[0], rows[:, 1:])

@@ -1,0 +1,146 @@
+"""Which cases are run, and which not again; without LAMMPS."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from chutecalc.dem.campaign import AIM, Campaign, Group
+from chutecalc.dem.engine import RunError
+from chutecalc.dem.store import Store
+from tests.dem.beds import bed, case
+
+SMALL = case(base=0.2, area=0.01, inclinations=(1.0,))
+
+
+class Engine:
+    """Makes beds at once, level where the spread is 0.3 and else tilted by half of what it is off."""
+
+    def __init__(self, store, fails=()):
+        self.cases = {}
+        self.store, self.fails, self.stopped = store, fails, False
+
+    def expect(self, *groups, spreads=(0.0, 0.3, 0.6)):
+        for group in groups:
+            for seed in range(group.seeds):
+                self.learn(replace(group.case, seed=1 + seed))
+
+    def learn(self, one):
+        self.cases[one.name] = one
+
+    def run(self, place):
+        one = self.cases[place.name]
+        if one.seed in self.fails:
+            raise RunError("lost")
+        made = bed(one, tilt=0.5 * (one.spread - 0.3))
+        rows = np.column_stack([np.arange(one.count), made.places])
+        np.savetxt(place / "bed.dump", rows, header="\n" * 8, comments="")
+        (place / "walls.txt").write_text(" ".join(map(str, [0.0, *made.forces.ravel()])))
+
+    def stop(self):
+        self.stopped = True
+
+
+class Kept(Store):
+    """A store that tells the engine what a folder is."""
+
+    engine: Engine
+
+    def write(self, one):
+        self.engine.learn(one)
+        self.written = [*getattr(self, "written", []), one]
+        return super().write(one)
+
+
+@pytest.fixture
+def campaign(tmp_path):
+    def make(seeds=3, fails=()):
+        store = Kept(tmp_path)
+        store.engine = Engine(store, fails)
+        return Campaign([Group(SMALL, seeds)], store), store
+
+    return make
+
+
+def run(campaign, store, jobs=1):
+    told = []
+    campaign.run(store.engine, jobs, lambda *numbers: told.append(numbers))
+    return told
+
+
+def test_the_pour_is_made_level_before_the_other_seeds_are_poured(campaign):
+    wanted, store = campaign()
+    told = run(wanted, store)
+    outcome = wanted.outcome(wanted.groups[0])
+    assert [made.case.seed for made in outcome.beds] == [1, 2, 3]
+    assert len({made.case.spread for made in outcome.beds}) == 1
+    assert abs(outcome.beds[0].unevenness) <= AIM
+    assert [one.seed for one in store.written][-2:] == [2, 3]
+    assert {one.seed for one in store.written[:-2]} == {1}
+    assert outcome.needed == outcome.errors == ()
+    assert told[-1][0] == told[-1][1] == len(store.written)
+    assert all(done <= total for done, total in told)
+
+
+def test_a_second_call_runs_nothing_again(campaign):
+    run(*campaign())
+    again, store = campaign()
+    assert run(again, store) == [(0, 0)]
+    assert len(again.outcome(again.groups[0]).beds) == 3
+    more, store = campaign(seeds=4)
+    run(more, store)
+    assert [one.seed for one in store.written] == [4]
+
+
+def test_a_case_half_written_is_run_again(campaign):
+    first, store = campaign()
+    run(first, store)
+    lost = first.outcome(first.groups[0]).beds[1].case
+    walls = store.place(lost) / "walls.txt"
+    walls.write_text(walls.read_text()[:10])
+    again, store = campaign()
+    run(again, store)
+    assert store.written == [lost]
+
+
+def test_a_lost_case_loses_only_itself(campaign):
+    wanted, store = campaign(fails=(2,))
+    run(wanted, store, jobs=2)
+    outcome = wanted.outcome(wanted.groups[0])
+    assert [made.case.seed for made in outcome.beds] == [1, 3]
+    assert len(outcome.errors) == 1
+    assert "lost" in outcome.errors[0]
+    whole, store = campaign()  # a second call tries it again
+    run(whole, store)
+    assert [one.seed for one in store.written] == [2]
+
+
+def test_a_lost_first_case_stops_its_group(campaign):
+    wanted, store = campaign(fails=(1,))
+    run(wanted, store)
+    outcome = wanted.outcome(wanted.groups[0])
+    assert outcome.beds == outcome.needed == ()
+    assert len(outcome.errors) == 1
+
+
+def test_writing_goes_round_by_round(campaign):
+    wanted, store = campaign()
+    (first,) = wanted.write()
+    assert first == SMALL
+    assert {path.name for path in store.place(first).iterdir()} == {"case.json", "particles.data", "in.lammps"}
+    store.engine.run(store.place(first))
+    again, store = campaign()
+    (second,) = again.write()
+    assert second.spread > 0.0
+    assert second.seed == 1
+
+
+def test_an_interruption_ends_what_runs(campaign):
+    wanted, store = campaign()
+
+    def interrupt(done, total):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        wanted.run(store.engine, 1, interrupt)
+    assert store.engine.stopped
