@@ -1,6 +1,6 @@
 """`chutecalc check` on a folder of 500 designs, beside the sum of their solving plus one start-up.
 
-    python benchmarks/check.py [--quick] [--csv FILE]
+    python benchmarks/check.py [--quick] [--out FOLDER]
 
 The designs are the standard ones at other rates. Solving is what `chutecalc run` does to each but print it: read and
 check the spec, solve it, work out ends, extremes and findings; the sum is taken in one process that has started. A
@@ -9,8 +9,6 @@ of both in the same round; that of the processors' time means something on a bus
 processes at once at its highest, as far as looking every 20 ms can tell.
 """
 
-import argparse
-import csv
 import os
 import subprocess
 import sys
@@ -23,8 +21,7 @@ from statistics import median
 from typing import NamedTuple
 
 import tomli_w
-from rich.console import Console
-from rich.table import Table
+from measure import Report
 
 ROOT = Path(__file__).parents[1]
 SOLVING, START = "solving, the sum", "one start-up"
@@ -116,11 +113,8 @@ def summary(name: str, turns: list[dict[str, Cost]]) -> tuple[str, float, float,
 
 def main() -> None:
     """Measures and prints."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="100 designs, one round: to see that it runs")
-    parser.add_argument("--csv")
-    options = parser.parse_args()
-    count, rounds = (100, 1) if options.quick else (500, 5)
+    report = Report("check", __doc__)
+    count, rounds = (100, 1) if report.quick else (500, 5)
     with tempfile.TemporaryDirectory() as folder:
         files = write_designs(Path(folder), count)
         measured: dict[str, Callable[[], Cost]] = {
@@ -132,16 +126,9 @@ def main() -> None:
         subprocess.run([*COMMAND, "check", "--update", folder], check=True, stdout=subprocess.DEVNULL)
         turns = [{name: measure() for name, measure in measured.items()} for _ in range(rounds)]
     rows = [summary(name, turns) for name in measured]
-    title = f"{count} designs, {rounds} round{'s' * (rounds > 1)}"
-    table = Table("", "s", "ratio", "processor s", "ratio", "MB", title=title, title_justify="left", box=None)
-    for name, *times, memory in rows:
-        table.add_row(name, *(f"{value:.2f}" for value in times), f"{memory:.0f}" if memory else "")
-    Console().print(table)
-    if options.csv:
-        with open(options.csv, "w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file)
-            writer.writerow(["what", "time_s", "ratio", "processor_s", "processor_ratio", "memory_mb"])
-            writer.writerows(rows)
+    header = (f"{count} designs", "time_s", "ratio", "processor_s", "processor_ratio", "memory_mb")
+    report.write(header, rows, ("", ".2f", ".2f", ".2f", ".2f", ".0f"))
+    report.plot({"check": {row[0]: [(row[1], row[2])] for row in rows}}, "time, s", "over solving and a start-up")
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@ from chutecalc.solver.collocation import Rule, newton, rule, stiff_newton, trans
 from chutecalc.solver.slide import Course, field, frozen_rates, place_rates, rates
 
 SAFETY = 30.0
+NEWTON_SAFETY = 3.0
 ROOT_SAFETY = 1000.0  # next to rest a zero of the pull may lie between the start and the first node, unseen
 ROUNDING = 1e-15  # of a panel, relative
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
@@ -186,11 +187,11 @@ def _panel(
         smoothness = np.minimum(smoothness, np.maximum(resolved, 1.0))
     inside = updates[0] * smoothness ** (coarse - fine)
     end = inside * smoothness**-fine
-    safety, newton_part = (ROOT_SAFETY if way == ROOT else SAFETY), updates[-1] ** 2
+    safety, newton_part = (ROOT_SAFETY if way == ROOT else SAFETY), NEWTON_SAFETY * updates[-1] ** 2
     return Panel(
         knots,
         growth,
-        np.where(sound, safety * (newton_part + end), np.inf),
-        np.where(sound, safety * (newton_part + 0.1 * inside), np.inf),
+        np.where(sound, newton_part + safety * end, np.inf),
+        np.where(sound, newton_part + 0.1 * safety * inside, np.inf),
         ROUNDING + rounding / np.maximum(decay, 1.0),
     )
