@@ -73,7 +73,10 @@ def _at_an_end(values: Array) -> Mask:
 
 
 def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
-    """The largest along the first axis, by the parabola through it and its neighbours, and the bracket of those."""
+    """The largest along the first axis, by the parabola through it and its neighbours, and the bracket of those.
+
+    Beside a kink there is no parabola: where the second difference next to it is another one, the value itself counts.
+    """
     top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
     left, right = np.maximum(top - 1, 0), np.minimum(top + 1, len(values) - 1)
     near = np.stack([left, top, right])
@@ -82,5 +85,10 @@ def _best(values: Array, shares: Array) -> tuple[Extreme, Array, Array]:
     f = np.where(inside, f, f[1])
     bend = f[2] - 2.0 * f[1] + f[0]  # equally spaced
     shift = np.where(bend < 0.0, 0.5 * (f[0] - f[2]) / np.where(bend < 0.0, bend, 1.0), 0.0)
+    beside = top + np.where(shift < 0.0, -2, 2)
+    there = (beside >= 0) & (beside < len(values))
+    outer = np.take_along_axis(values, np.clip(beside, 0, len(values) - 1)[None], axis=0)[0]
+    next_bend = outer - 2.0 * np.where(shift < 0.0, f[0], f[2]) + f[1]
+    shift = np.where(there & ~(np.abs(next_bend - bend) <= 0.5 * np.abs(bend)), 0.0, shift)
     value = f[1] - 0.25 * (f[0] - f[2]) * shift
     return Extreme(value, x[1] + shift * (x[2] - x[1])), x[0], x[2]

@@ -182,11 +182,13 @@ class Printer:
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return
+        length, power = (said(belt, f"acceleration_{name}") for name in ("length_m", "power_kw"))
+        reached = belt["acceleration_length_m"][0] < float("inf")
         yield (
             f"receiver  {said(belt, 'velocity_along_m_s')} along the belt ({said(belt, 'velocity_ratio')} of its own),"
             f" {said(belt, 'velocity_across_m_s')} into it ({said(belt, 'impact_pressure_kpa')}); belt wear"
-            f" {said(belt, 'wear_w_m2')}, at its speed after {said(belt, 'acceleration_length_m')} with"
-            f" {said(belt, 'acceleration_power_kw')}"
+            f" {said(belt, 'wear_w_m2')}, "
+            + (f"at its speed after {length} with {power}" if reached else "never at its speed")
         )
         yield f"receiver  {_advice(solution, said)}"
 
