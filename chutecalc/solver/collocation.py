@@ -6,7 +6,7 @@ the linearised equation is scalar: with J = ∂f/∂u, P = exp ∫J and A = u0 +
 The end value is exact to order 2N in the panel's width, the values between to order N + 1.
 """
 
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -152,7 +152,13 @@ def interpolation(count: int, at: Array) -> Array:
     Returns:
         Shape (points, count + 2): the barycentric form of Lagrange interpolation; a knot gives its own value.
     """
-    own = rule(count)
+    return _interpolation(count, at.tobytes())
+
+
+@lru_cache(maxsize=32)
+def _interpolation(count: int, places: bytes) -> Array:
+    """The same; tables ask for the same places again and again."""
+    own, at = rule(count), np.frombuffer(places)
     gaps = at[:, None] - own.knots
     exact = gaps == 0.0
     terms = own.weights / np.where(exact, 1.0, gaps)
