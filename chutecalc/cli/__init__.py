@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import typer
 
 from chutecalc import __version__
-from chutecalc.cli import check, columns, dem, new, run, schema
+from chutecalc.cli import check, columns, dem, new, run, schema, sweep
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 ISSUES = "the issue tracker of chutecalc"
@@ -25,6 +25,7 @@ app = typer.Typer(
 app.command("run")(run.run)
 app.command("check")(check.check)
 app.command("dem")(dem.dem)
+app.command("sweep")(sweep.sweep)
 app.command("new")(new.new)
 app.command("schema")(schema.schema)
 app.command("columns")(columns.columns)
