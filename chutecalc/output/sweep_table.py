@@ -18,6 +18,13 @@ from chutecalc.units import UNITS
 MOST_SHOWN, SHOWN_WITH_FILE = 1000, 40
 """Rows that are printed where nothing, or a file too, has them all."""
 
+ANGLES = {
+    "chamfer": ("chamfer angle", "β"),
+    "internal_friction": ("internal friction", "δ"),
+    "friction": ("wall friction", "φ"),
+}
+VARIED = "varied"
+
 
 def column_of(sweep: Sweep, name: str) -> Column:
     """How people read a column of a sweep's rows."""
@@ -28,8 +35,20 @@ def column_of(sweep: Sweep, name: str) -> Column:
         return known[name]
     units = sorted((unit for table in UNITS.values() for unit in table if unit and name.endswith(f"_{unit}")), key=len)
     unit = units[-1] if units else ""
-    heading = name.removesuffix(f"_{unit}").removeprefix("segments.").removeprefix("sections.").removeprefix("liners.")
-    return Column(name, heading.replace("_", " ").replace(".", " "), "", "varied", "number", unit)
+    *place, key = name.removesuffix(f"_{unit}").split(".")
+    words, symbol = ANGLES.get(key, (key.replace("_", " "), ""))
+    heading = " ".join([*place[1:], symbol or words])
+    return Column(name, heading, symbol, VARIED, words, unit)
+
+
+def parameter_label(column: Column) -> str:
+    """A parameter as an axis is labelled.
+
+    >>> parameter_label(Column("friction_deg", "φ", "φ", VARIED, "wall friction", "deg"))
+    'wall friction φ, °'
+    """
+    words = f"{column.dimension} {column.heading}" if column.symbol else column.heading
+    return ", ".join(part for part in (words, UNIT_TEXT.get(column.unit, column.unit)) if part)
 
 
 class ShownRows:
@@ -72,7 +91,7 @@ class ShownRows:
         lists = [f"{parameter.name} ({len(parameter.values):,})" for parameter in sweep.parameters]
         how = f", {sweep.keep} kept" if sweep.kept.names else ""
         top = (
-            sweep.top and f", the {sweep.top.count} of {'largest' if sweep.top.largest else 'least'} {sweep.top.column}"
+            sweep.top and f", the {sweep.top.rows} of {'largest' if sweep.top.largest else 'least'} {sweep.top.column}"
         )
         return (" with " if sweep.parallel else " by ").join(lists) + how + (top or "")
 
@@ -82,7 +101,7 @@ class ShownRows:
         block = joined(self.kept)
         shown = {name: column_of(self.sweep, name) for name in self.sweep.header}
         for name, column in shown.items():
-            unit = UNIT_TEXT.get(column.unit, column.unit) if column.meaning == "varied" else column.unit_text(units)
+            unit = UNIT_TEXT.get(column.unit, column.unit) if column.meaning == VARIED else column.unit_text(units)
             text = name in TEXT
             table.add_column(f"{column.heading}\n{unit}", justify="left" if text else "right", no_wrap=True)
         cells = [_texts(column, block[name], units) for name, column in shown.items()]
@@ -111,8 +130,8 @@ def _texts(column: Column, values: Any, units: str) -> list[str]:
     """A column's cells."""
     if values.dtype.kind != "f":
         return [str(value).replace("_", " ") if column.name == "status" else str(value) for value in values.tolist()]
-    if column.meaning == "varied":
-        return [f"{value:.10g}" for value in values.tolist()]
+    if column.meaning == VARIED:
+        return [f"{value:.6g}" for value in values.tolist()]
     if column.name == "error_estimate":
         return ["" if value != value else f"{value:.0e}" for value in values.tolist()]
     return [column.shown(value, units) for value in values.tolist()]

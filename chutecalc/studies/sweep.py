@@ -39,15 +39,16 @@ Block = dict[str, Any]
 class Top(NamedTuple):
     """The rows that are wanted of all: so many, those with the largest or least values of a column."""
 
-    count: int
+    rows: int
     column: str
     largest: bool
 
     def best(self, block: Block) -> Index:
         """The places of the best rows, best first; the earlier first where they are equal. Empty cells are no rows."""
         values = -block[self.column] if self.largest else block[self.column]
-        order = np.argsort(values, kind="stable")
-        return order[np.isfinite(values[order])][: self.count]
+        order: Index = np.argsort(values, kind="stable")
+        best: Index = order[np.isfinite(values[order])][: self.rows]
+        return best
 
 
 class Sweep:
@@ -110,7 +111,7 @@ class Sweep:
     def block_size(self) -> int:
         """Designs of a block."""
         if self.profiles:
-            stations = solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size
+            stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
             return max(1, min(DESIGNS, STATIONS // max(stations, 1)))
         return WITH_FINDINGS if "findings" in self.columns else DESIGNS
 
@@ -269,7 +270,7 @@ class Sweep:
         faults: list[Fault] = []
         for changes in ({path: values} for path, values in ends.items()):
             faults += self._faults(changes)
-        faults = faults or self._faults(first)
+        faults = faults or [*self._faults(first)]
         if faults:
             raise SpecError(list(dict.fromkeys(faults)), self.chute.source)
 
