@@ -19,6 +19,7 @@ MOST_LINES = 8
 """Values of a second parameter that are lines; more make contours."""
 MOST_PANELS = 6
 LEVELS = 10
+CROSSES = 0.02  # of a panel's height between the crosses of one line and the next
 WIDTH, HEIGHT = 4.6, 3.3  # inches of a panel
 FEW = 12  # points of a line that are marked
 STEEP = 4.0  # of designs on the way to a stall what is more than so many times the median is cut
@@ -89,7 +90,9 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
         "" if second is None else f"{column_of(sweep, second.name).heading} = {value:g}{_unit(sweep, second)}"
         for value in chosen
     ]
-    for value, label, look in zip(chosen, labels, looks([(label,) for label in labels]), strict=True):
+    for number, (value, label, look) in enumerate(
+        zip(chosen, labels, looks([(label,) for label in labels]), strict=True)
+    ):
         rows = np.ones(len(block["status"]), bool) if second is None else block[second.name] == value
         x, y = block[along.name][rows], column.converted(block[column.name][rows], units)
         order = np.argsort(x, kind="stable")
@@ -98,7 +101,15 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
         failed = (block["status"][rows] != "ok") & (block["status"][rows] != IMPOSSIBLE)
         if failed.any():
             place: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "clip_on": False}
-            axes.plot(x[failed], np.zeros(failed.sum()), "x", color=look["color"], markersize=4, gid="failed", **place)
+            axes.plot(
+                x[failed],
+                np.full(failed.sum(), CROSSES * number),
+                "x",
+                color=look["color"],
+                markersize=4,
+                gid="failed",
+                **place,
+            )
     whole = column.converted(block[column.name], units)
     if _top(whole, block["status"] == "ok") < _finite(whole).max():
         axes.set_ylim(top=_top(whole, block["status"] == "ok"))
@@ -124,7 +135,8 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
             x, y, values, levels=levels, cmap=MAP, extend="max" if values.max() > levels[-1] else "neither"
         )
         drawn = axes.contour(x, y, values, levels=filled.levels, colors=INK, linewidths=0.6)
-        for label in axes.clabel(drawn, fontsize=SMALL):
+        told = levels[levels <= (top if values.max() <= levels[-1] else 0.5 * top)]  # those of a peak are too close
+        for label in axes.clabel(drawn, told, fontsize=SMALL) if told.size else ():
             label.set_bbox({"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.75})
         bar = axes.figure.colorbar(filled, ax=axes)
         bar.outline.set_visible(False)
