@@ -3,8 +3,8 @@
     python benchmarks/sweep.py [--quick] [--out FOLDER]
 
 The worked example over 1000 radii and 1000 wall friction angles, all of which flow. 'solving' is `exits` (for exit
-columns) or `solve` (for what needs the whole way) on the same blocks with as many threads; 'sweep' is the command, with its
-Parquet file. Times are of the processor, all threads together, and of the wall clock; memory is the sweep's largest.
+columns) or `solve` (for what needs the whole way) on the same blocks with as many threads; 'sweep' is the command, with
+its Parquet file. Times are of the processor, all threads together, and of the clock; memory is the sweep's largest.
 """
 
 import resource

@@ -23,9 +23,9 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command("run")(run.run)
+app.command("sweep")(sweep.sweep)
 app.command("check")(check.check)
 app.command("dem")(dem.dem)
-app.command("sweep")(sweep.sweep)
 app.command("new")(new.new)
 app.command("schema")(schema.schema)
 app.command("columns")(columns.columns)

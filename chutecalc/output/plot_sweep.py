@@ -82,7 +82,7 @@ def _finite(values: Any) -> Any:
 
 
 def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, column: Column, units: str) -> None:
-    """Lines over the parameter with the most values; a cross on the axis where a design fails."""
+    """Lines over the parameter with the most values; a cross above the panel where a design fails."""
     along = varied[0] if sweep.parallel else max(varied, key=lambda each: len(each.values))
     second = None if sweep.parallel else next((each for each in varied if each is not along), None)
     chosen = [None] if second is None else np.unique(second.values).tolist()
@@ -90,9 +90,8 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
         "" if second is None else f"{column_of(sweep, second.name).heading} = {value:g}{_unit(sweep, second)}"
         for value in chosen
     ]
-    for number, (value, label, look) in enumerate(
-        zip(chosen, labels, looks([(label,) for label in labels]), strict=True)
-    ):
+    fail = 0
+    for value, label, look in zip(chosen, labels, looks([(label,) for label in labels]), strict=True):
         rows = np.ones(len(block["status"]), bool) if second is None else block[second.name] == value
         x, y = block[along.name][rows], column.converted(block[column.name][rows], units)
         order = np.argsort(x, kind="stable")
@@ -103,7 +102,7 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
             place: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "clip_on": False}
             axes.plot(
                 x[failed],
-                np.full(failed.sum(), CROSSES * number),
+                np.full(failed.sum(), 1.0 + CROSSES * fail),
                 "x",
                 color=look["color"],
                 markersize=4,
@@ -130,7 +129,7 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
     values = np.ma.masked_invalid(laid(column.converted(block[column.name], units)))
     if values.count():
         top = float(column.converted(_top(block[column.name], block["status"] == "ok"), units))
-        levels = MaxNLocator(LEVELS).tick_values(float(values.min()), top)
+        levels = np.asarray(MaxNLocator(LEVELS).tick_values(float(values.min()), top))
         filled = axes.contourf(
             x, y, values, levels=levels, cmap=MAP, extend="max" if values.max() > levels[-1] else "neither"
         )
