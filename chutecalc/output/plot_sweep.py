@@ -109,6 +109,7 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
                 gid="failed",
                 **place,
             )
+            fail += 1
     whole = column.converted(block[column.name], units)
     if _top(whole, block["status"] == "ok") < _finite(whole).max():
         axes.set_ylim(top=_top(whole, block["status"] == "ok"))
