@@ -152,7 +152,7 @@ def test_values_that_only_together_cannot_be(capsys, tmp_path):
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
     said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
-    for words in ("radius_m = -1 to 3", "less than 90", "no unit that fits", "no spool", "there are"):
+    for words in ("radius_m = -1 to 3", "less than 90", "no unit that fits", "no spool", "There are"):
         assert words in said
 
 
