@@ -180,7 +180,7 @@ class _Run:
                 sinks.append(ParquetRows(stream, header))
             if stream := outputs.enter_context(open_whole(json)):
                 sinks.append(JsonRows(stream, self.sweep))
-            for block in [best_of(blocks, self.sweep.top)] if self.sweep.top else blocks:
+            for block in best_of(blocks, self.sweep.top) if self.sweep.top else blocks:
                 for sink in sinks:
                     sink.write(block)
             for sink in sinks:

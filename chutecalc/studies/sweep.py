@@ -291,13 +291,14 @@ def chosen(block: Block, rows: Index) -> Block:
     return {name: values[rows] for name, values in block.items()}
 
 
-def best_of(blocks: Iterable[Block], top: Top) -> Block:
-    """The best rows of all blocks, best first; blocks come in order."""
+def best_of(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
+    """The best rows of all blocks as one, best first; blocks come in order."""
     kept: Block = {}
     for block in blocks:
         both = {name: np.concatenate([kept[name], block[name]]) for name in block} if kept else block
         kept = chosen(both, np.sort(top.best(both)))
-    return chosen(kept, top.best(kept))
+    if kept:
+        yield chosen(kept, top.best(kept))
 
 
 def _codes(run: Solution) -> Any:
