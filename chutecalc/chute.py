@@ -53,7 +53,7 @@ class Chute:
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
         except GeometryError as error:
-            raise SpecError(placed(error.faults, data, text), source) from None
+            raise SpecError(placed(error.faults, data, text), source, error.designs) from None
 
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
         """Variants of this chute: parallel arrays put at spec paths, design k taking entry k of each.

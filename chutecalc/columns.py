@@ -133,6 +133,51 @@ FRICTION_COLUMNS = {
 }
 """Columns of the friction study, in the order of the CSV."""
 
+WAYS = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
+"""What a sweep's rows tell of a station column, by the first word of their names."""
+RECEIVER_COLUMNS = {
+    column.name: column
+    for column in (
+        Column("velocity_along_m_s", "along belt", "", "velocity along the belt", "velocity", "m_s", 3, "fpm", 1),
+        Column("velocity_across_m_s", "onto belt", "", "velocity onto the belt", "velocity", "m_s", 3, "fpm", 1),
+        Column("velocity_ratio", "belt ratio", "", "velocity along the belt over the belt's", "number", "", 4),
+        Column("impact_pressure_kpa", "belt impact", "", "impact pressure on the belt", "pressure", "kpa", 3, "psf", 1),
+        Column("wear_w_m2", "belt wear", "", "friction power per area of the belt", "power", "w_m2", 1),
+        Column("acceleration_length_m", "belt slip", "", "length in which it accelerates", "length", "m", 3, "ft", 2),
+        Column("acceleration_power_kw", "belt power", "", "power that accelerates it", "power", "kw", 3),
+        Column("matching_slope_deg", "matching slope", "", "exit slope with the belt's velocity", "angle", "deg", 2),
+        Column(
+            "matching_velocity_m_s", "matching", "", "exit velocity that would match", "velocity", "m_s", 3, "fpm", 1
+        ),
+    )
+}
+"""What a stream does to the belt that it goes to; in a sweep's rows behind ``receiver_``."""
+_ALONG_ALONE = ("s_m", "x_m", "z_m", "time_s")
+
+
+def row_columns() -> dict[str, Column]:
+    """What a sweep's rows can tell of a design, by name.
+
+    >>> row_columns()["max_depth_m"].label("metric")
+    'max depth H, m'
+    """
+    found = {
+        "status": Column("status", "status", "", "how the design ends; impossible: a section that cannot be"),
+        "findings": Column("findings", "findings", "", "codes of the findings, see README"),
+        "error_estimate": Column("error_estimate", "error", "", "of the exit velocity, relative", "number", "", 14),
+    }
+    for way, where in WAYS.items():
+        for name, column in COLUMNS.items():
+            if column.dimension and (way == "exit" or name not in _ALONG_ALONE):
+                symbol = "" if column.heading == column.symbol else column.symbol
+                found[f"{way}_{name}"] = column._replace(
+                    name=f"{way}_{name}", heading=f"{way} {column.heading}", symbol=symbol, meaning=where
+                )
+    return found | {
+        f"receiver_{name}": column._replace(name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()
+    }
+
+
 _PEOPLE = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
 """Units that messages change for people in the United States."""
 _INCHES = ("depth_m", "chamfer_m", "wall_height_m")

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class ExitStatus(IntEnum):
@@ -54,9 +54,11 @@ class Fault(NamedTuple):
 class SpecError(ChutecalcError):
     """A spec that cannot be used; ``faults`` lists all that is wrong with it."""
 
-    def __init__(self, faults: Sequence[Fault], source: str = "spec") -> None:
+    def __init__(self, faults: Sequence[Fault], source: str = "spec", designs: Any = None) -> None:
         self.faults = tuple(faults)
         self.source = source
+        self.designs = designs
+        """Of variants whose values are right one by one and do not go together: a mask of those, of length 1 or n."""
         super().__init__("\n".join(fault.text(source) for fault in self.faults))
 
     def __reduce__(self) -> tuple[type[Exception], tuple[object, ...]]:

@@ -9,7 +9,10 @@ from chutecalc.along import Numbers, Part
 from chutecalc.physics.arrays import Array, Mask
 
 SAMPLES = np.linspace(0.0, 1.0, 65)
+FEW = SAMPLES[::4]
+"""Enough to begin with where nothing else is read from the samples."""
 ROUNDS, GRID = 2, np.linspace(0.0, 1.0, 17)  # each round leaves an eighth of the bracket around an extreme
+BETWEEN = np.linspace(0.0, 1.0, 9)  # from FEW to what SAMPLES have
 
 
 class Extreme(NamedTuple):
@@ -25,13 +28,14 @@ Wanted = tuple[str, float]
 """A column's name, and ``LEAST`` or ``LARGEST``."""
 
 
-def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
+def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted], samples: Array = SAMPLES) -> dict[Wanted, Extreme]:
     """Extremes of quantities along a part, found between its samples too.
 
     Args:
         part: of the way.
-        sampled: its columns at ``SAMPLES``.
+        sampled: its columns at the samples.
         wanted: which.
+        samples: ``SAMPLES`` or ``FEW``; with the second, two extremes less than a sixteenth apart may pass as one.
 
     Returns:
         One for each. Inside, it is that of the parabola through three places 5e-4 of the way apart: for what varies
@@ -40,11 +44,12 @@ def extremes(part: Part, sampled: Numbers, wanted: Sequence[Wanted]) -> dict[Wan
     """
     signs = np.array([sign for _, sign in wanted])[:, None]
     values = np.stack([sampled[name] for name, _ in wanted], axis=1) * signs  # (places, wanted, designs)
-    best, low, high = _best(values, np.broadcast_to(SAMPLES[:, None, None], values.shape))
+    best, low, high = _best(values, np.broadcast_to(samples[:, None, None], values.shape))
     settled = _at_an_end(values)
     open_ = np.flatnonzero(~settled.all(axis=1)).tolist()
-    for _ in range(ROUNDS if open_ else 0):
-        grid = low[open_] + (high - low)[open_] * GRID[:, None, None]
+    rounds = [*([BETWEEN] if samples is FEW else []), *[GRID] * ROUNDS]
+    for places in rounds if open_ else ():
+        grid = low[open_] + (high - low)[open_] * places[:, None, None]
         columns = part.at(grid.reshape(-1, grid.shape[2]), {wanted[item][0] for item in open_})
         finer = [columns[wanted[item][0]].reshape(grid.shape)[:, k] for k, item in enumerate(open_)]
         found, low[open_], high[open_] = _best(np.stack(finer, axis=1) * signs[open_], grid)

@@ -1,6 +1,6 @@
 """What came out: the stream at every place of every design, by the names of the column catalogue."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -10,7 +10,7 @@ from chutecalc.along import Numbers, Part
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status, Stream, stretched
 from chutecalc.errors import UsageError
-from chutecalc.extremes import LARGEST, LEAST, SAMPLES, Extreme, Wanted, extremes
+from chutecalc.extremes import FEW, LARGEST, LEAST, SAMPLES, Extreme, Wanted, extremes
 from chutecalc.findings import WARNING, WORST, Finding, findings, in_order
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.belt import discharge, loading
@@ -94,6 +94,26 @@ class Solution:
                 ends = part.at(np.ones(1), names)
                 here = (part.leg.status == Status.OK) & (self.codes == Status.OK)
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
+        return found
+
+    def extreme_columns(self, wanted: Sequence[Wanted]) -> dict[Wanted, Array]:
+        """The least or largest values of some columns on all guiding surfaces together, without the others.
+
+        Args:
+            wanted: pairs of a column's name and ``LEAST`` or ``LARGEST``.
+
+        Returns:
+            Arrays of shape (designs,), up to where a stream ends; NaN where there is no such quantity.
+        """
+        names = list(dict.fromkeys(name for name, _ in wanted))
+        found = {item: np.full(self.count, np.nan) for item in wanted}
+        for part in self.parts:
+            if part.contact is not None and wanted:
+                here = extremes(part, part.at(FEW, names), wanted, FEW)
+                found = {
+                    (name, sign): (np.fmax if sign == LARGEST else np.fmin)(values, here[name, sign].value)
+                    for (name, sign), values in found.items()
+                }
         return found
 
     @cached_property

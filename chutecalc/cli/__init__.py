@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import typer
 
 from chutecalc import __version__
-from chutecalc.cli import check, columns, dem, new, run, schema
+from chutecalc.cli import check, columns, dem, new, run, schema, sweep
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 ISSUES = "the issue tracker of chutecalc"
@@ -23,6 +23,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command("run")(run.run)
+app.command("sweep")(sweep.sweep)
 app.command("check")(check.check)
 app.command("dem")(dem.dem)
 app.command("new")(new.new)

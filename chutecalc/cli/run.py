@@ -105,7 +105,7 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
     errors: list[SpecError] = []
     for spec in _without_baselines(specs):
         try:
-            chute = parse(_standard_input(), STANDARD_INPUT) if spec == "-" else load(spec)
+            chute = parse(standard_input(), STANDARD_INPUT) if spec == "-" else load(spec)
             chutes.append(chute.put(changes) if changes else chute)
         except SpecError as error:
             errors.append(error)
@@ -121,7 +121,7 @@ def _without_baselines(specs: list[str]) -> list[str]:
     return [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs
 
 
-def _standard_input() -> str:
+def standard_input() -> str:
     """The spec that comes in by a pipe."""
     import sys
 

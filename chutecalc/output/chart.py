@@ -1,12 +1,14 @@
-"""A run as a small chart on a terminal: velocity and depth along the stream."""
+"""Small charts on a terminal: velocity and depth along the stream of a run, columns over the parameter of a sweep."""
 
 import numpy as np
 
 from chutecalc.columns import COLUMNS, Column
 from chutecalc.errors import ExtraMissingError
+from chutecalc.output.sweep_table import column_of
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
+from chutecalc.studies.sweep import TEXT, Block, Sweep
 
 CHARTED = ("velocity_m_s", "depth_m")
 NARROWEST, WIDEST = 60, 120
@@ -43,32 +45,61 @@ def print_chart(printer: Printer, solution: Solution) -> None:
         printer: to print with, in its units.
         solution: of one design.
     """
-    width = min(printer.console.width, WIDEST) if printer.console.is_terminal else PIPED
-    if width < NARROWEST:
-        printer.text(f"no chart: it takes {NARROWEST} columns, and there are {width}")
+    width = _width(printer)
+    if not width:
         return
     stations = solution.stations(points=width)
     s = COLUMNS["s_m"].converted(stations["s_m"][0], printer.units)
     for name in CHARTED:
         values = COLUMNS[name].converted(stations[name][0], printer.units)
         if np.isfinite(values).any():
-            for line in _chart(s, values, COLUMNS[name], width, printer.units):
+            for line in _chart(s, values, COLUMNS[name], width, printer.units, COLUMNS["s_m"]):
                 printer.text(line)
 
 
-def _chart(s: Array, values: Array, column: Column, width: int, units: str) -> list[str]:
+def print_sweep_chart(printer: Printer, sweep: Sweep, block: Block) -> None:
+    """Prints the first two columns of numbers of a sweep over its first parameter, or that there is no room for them.
+
+    Args:
+        printer: to print with, in its units.
+        sweep: over one parameter, or parallel lists.
+        block: all its rows.
+    """
+    width = _width(printer)
+    along = next(each.name for each in sweep.parameters if len(each.values) > 1)
+    order = np.argsort(block[along], kind="stable")
+    numbers = [name for name in sweep.columns if name not in TEXT and np.isfinite(block[name]).any()]
+    for name in numbers[: len(CHARTED)] if width else ():
+        column = column_of(sweep, name)
+        values = column.converted(block[name][order], printer.units)
+        printer.text()
+        for line in _chart(block[along][order], values, column, width, printer.units, column_of(sweep, along)):
+            printer.text(line)
+
+
+def _width(printer: Printer) -> int:
+    """Columns of a chart; 0, and a word on that, where there is no room."""
+    width = min(printer.console.width, WIDEST) if printer.console.is_terminal else PIPED
+    if width < NARROWEST:
+        printer.text(f"no chart: it takes {NARROWEST} columns, and there are {width}")
+        return 0
+    return width
+
+
+def _chart(s: Array, values: Array, column: Column, width: int, units: str, along: Column) -> list[str]:
     """The lines of one chart, without colour."""
     import plotille
 
-    along, known = COLUMNS["s_m"], np.isfinite(values)
+    known = np.isfinite(values)
     figure = plotille.Figure()
     figure.width, figure.height, figure.with_colors = width - BESIDE, HEIGHT, False
-    figure.x_label, figure.y_label = f"{along.symbol}, {along.unit_text(units)}", ""
+    figure.x_label, figure.y_label = f"{along.symbol or along.heading}, {along.unit_text(units)}", ""
     digits = column.us_digits if units == "us" and column.us_unit else column.digits
     figure.x_ticks_fkt = lambda low, _: f"{low:.1f}"
     figure.y_ticks_fkt = lambda low, _: f"{low:{TICK}.{digits}f}"
     reached = s[np.isfinite(s)]
-    figure.set_x_limits(0.0, max(float(reached.max()), 1e-9))
+    low = 0.0 if along is COLUMNS["s_m"] else float(reached.min())
+    figure.set_x_limits(low, max(float(reached.max()), low + 1e-9))
     figure.set_y_limits(0.0, _top(values[known]))
     for run in np.split(np.arange(len(s)), np.flatnonzero(np.diff(known.astype(int))) + 1):
         if known[run[0]]:

@@ -21,7 +21,7 @@ def write_stations(stream: IO[str], tables: Iterable[tuple[str, dict[str, Any]]]
     writer.writerow(COLUMNS)
     for spec, table in tables:
         reached = np.isfinite(table["s_m"][0])
-        columns = [_cells(table[name][0][reached]) for name in COLUMNS if name != "spec"]
+        columns = [cells(table[name][0][reached]) for name in COLUMNS if name != "spec"]
         writer.writerows((spec, *row) for row in zip(*columns, strict=True))
 
 
@@ -29,10 +29,10 @@ def write_columns(stream: IO[str], columns: Mapping[str, Any]) -> None:
     """Writes arrays of one length as columns under their names."""
     writer = csv.writer(stream)
     writer.writerow(columns)
-    writer.writerows(zip(*map(_cells, columns.values()), strict=True))
+    writer.writerows(zip(*map(cells, columns.values()), strict=True))
 
 
-def _cells(values: Any) -> list[Any]:
+def cells(values: Any) -> list[Any]:
     """A column as CSV writes it; Python's own text of a float is the shortest that reads back as the same number."""
     if values.dtype.kind != "f":
         return list(values.tolist())

@@ -31,6 +31,23 @@ def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
             raise UsageError(f"{file} is an input: writing there would overwrite it")
 
 
+def check_openable(target: str | None) -> None:
+    """That a file which is written later can be.
+
+    Raises:
+        OutputError: it cannot.
+    """
+    if target in (None, STANDARD_STREAM):
+        return
+    path = Path(os.path.realpath(str(target)))
+    if path.is_dir():
+        raise OutputError(f"{target} is a folder: name a file in it")
+    if not path.parent.is_dir():
+        raise OutputError(f"{target} cannot be written: there is no folder {path.parent}")
+    if not os.access(path if path.exists() and not path.is_file() else path.parent, os.W_OK):
+        raise OutputError(f"{target} cannot be written: Permission denied")
+
+
 @contextmanager
 def open_whole(target: str | None, mode: str = "w") -> Iterator[IO[Any] | None]:
     """A stream that becomes the file when the block ends, and leaves no trace when it fails.

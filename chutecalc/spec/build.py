@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Belt, Contact, Design, Fall, Receiver, Segment
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.belt import discharge
 from chutecalc.physics.motion import FLOOR, ROOF
 from chutecalc.physics.pressure import vertical_pressure_ratio
@@ -20,6 +20,7 @@ from chutecalc.units import to_si
 
 LONGEST = 1e5  # m, as of every length
 VERTICAL = np.array([np.pi / 2])
+EVERY = np.ones(1, dtype=bool)
 
 
 def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None) -> Design:
@@ -36,15 +37,16 @@ def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None
     geometry = _Geometry(spec, drawn_slopes or {})
     design = geometry.design()
     if geometry.faults:
-        raise GeometryError(geometry.faults)
+        raise GeometryError(geometry.faults, geometry.faulty)
     return design
 
 
 class GeometryError(Exception):
     """A spec whose keys and values are right one by one, and do not go together."""
 
-    def __init__(self, faults: list[PlacedFault]) -> None:
-        self.faults = faults
+    def __init__(self, faults: list[PlacedFault], designs: Mask) -> None:
+        """All faults, and a mask of the designs that have them, of length 1 or n."""
+        self.faults, self.designs = faults, designs
         super().__init__(f"{len(faults)} faults of geometry")
 
 
@@ -76,9 +78,13 @@ class _Geometry:
     def __init__(self, spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
         self.spec, self.drawn_slopes = spec, drawn_slopes
         self.faults: list[PlacedFault] = []
+        self.faulty: Mask = np.zeros(1, dtype=bool)
 
-    def fault(self, place: Place, value: Any, problem: str, remedy: str) -> None:
-        self.faults.append(PlacedFault(place, problem, remedy, value))
+    def fault(self, designs: Mask, place: Place, value: Any, problem: str, remedy: str) -> None:
+        """Notes a fault where there are designs that have it."""
+        if designs.any():
+            self.faults.append(PlacedFault(place, problem, remedy, value))
+            self.faulty = self.faulty | designs
 
     def design(self) -> Design:
         """The design; of no use where there are faults."""
@@ -131,9 +137,9 @@ class _Geometry:
         sections = {name: self.section(name, section) for name, section in self.spec.sections.items()}
         tables = {name: facets(section, ratio) for name, section in sections.items()}
         walls = {name: self.wall(liner) for name, liner in self.spec.liners.items()}
-        if (velocity == 0.0).any() and self.spec.segments[0].kind != "fall":
-            remedy = "give a velocity, or begin with a fall"
-            self.fault(("inlet", "velocity_m_s"), self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
+        if self.spec.segments[0].kind != "fall":
+            place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
+            self.fault(velocity == 0.0, place, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
         slope: Array | None = VERTICAL if (velocity == 0.0).all() else inlet_slope
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
@@ -141,7 +147,7 @@ class _Geometry:
                 vertical = slope is not None and bool((slope == np.pi / 2).all())
                 if vertical and segment.run_m is not None:
                     problem = "is never reached: the stream falls straight down"
-                    self.fault(("segments", number, "run_m"), segment.run_m, problem, "give drop_m")
+                    self.fault(EVERY, ("segments", number, "run_m"), segment.run_m, problem, "give drop_m")
                 drop, run = _optional(segment.drop_m), _optional(segment.run_m)
                 built.append(Fall(name, segment.kind, drop, run))
                 slope = VERTICAL if vertical else None
@@ -207,7 +213,7 @@ class _Geometry:
             alike = alike and len(one.facets) == len(other.facets)
         if not alike:
             problem = f"tapers from {first} to {last}, which differ in more than numbers"
-            self.fault((*place, "section"), None, problem, "give both the same shape and the same keys")
+            self.fault(EVERY, (*place, "section"), None, problem, "give both the same shape and the same keys")
             return first, None
         return first, last if last != first else None
 
@@ -227,10 +233,9 @@ class _Geometry:
     def straight_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
         """Length of a flat segment, from whichever of its three measures is given."""
         length = self._flat_length(place, segment, slope)
-        if (length > LONGEST).any():
-            key = "drop_m" if segment.drop_m is not None else "run_m"
-            problem = f"makes the segment {float(length.max()):.3g} m long: more than {LONGEST:g} m"
-            self.fault((*place, key), getattr(segment, key), problem, "change it, or the slope")
+        key = "drop_m" if segment.drop_m is not None else "run_m"
+        problem = f"makes the segment {float(length.max()):.3g} m long: more than {LONGEST:g} m"
+        self.fault(length > LONGEST, (*place, key), getattr(segment, key), problem, "change it, or the slope")
         return np.minimum(length, LONGEST)
 
     def _flat_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
@@ -238,15 +243,11 @@ class _Geometry:
         if segment.length_m is not None:
             return _array(segment.length_m, "length")
         if segment.drop_m is not None:
-            if (slope == 0.0).any():
-                self.fault(
-                    (*place, "drop_m"), segment.drop_m, "gives a level segment no length", "give length_m or run_m"
-                )
+            problem = "gives a level segment no length"
+            self.fault(slope == 0.0, (*place, "drop_m"), segment.drop_m, problem, "give length_m or run_m")
             return _array(segment.drop_m, "length") / np.where(slope != 0.0, np.abs(np.sin(slope)), 1.0)
-        if (slope == np.pi / 2).any():
-            self.fault(
-                (*place, "run_m"), segment.run_m, "gives a vertical segment no length", "give length_m or drop_m"
-            )
+        problem = "gives a vertical segment no length"
+        self.fault(slope == np.pi / 2, (*place, "run_m"), segment.run_m, problem, "give length_m or drop_m")
         return _array(segment.run_m, "length") / np.where(slope != np.pi / 2, np.cos(slope), 1.0)
 
     def check_turn(self, place: Place, segment: model.Arc, entry: Array | None, exit_: Array) -> None:
@@ -254,15 +255,14 @@ class _Geometry:
         if entry is None:
             return
         key, start = (*place, "to_slope_deg"), f"{np.degrees(entry.flat[0]):.6g}°"
-        if segment.kind == "hood" and (exit_ <= entry).any():
+        if segment.kind == "hood":
             problem = (
                 f"has to be steeper than where the hood begins, {start}: only a roof that steepens guides a stream"
             )
-            self.fault(key, segment.to_slope_deg, problem, "give a steeper slope, or make it a curve")
-        elif (exit_ == entry).any():
-            self.fault(
-                key, segment.to_slope_deg, f"leaves the curve no length: it begins at {start}", "give another slope"
-            )
+            self.fault(exit_ <= entry, key, segment.to_slope_deg, problem, "give a steeper slope, or make it a curve")
+        else:
+            problem = f"leaves the curve no length: it begins at {start}"
+            self.fault(exit_ == entry, key, segment.to_slope_deg, problem, "give another slope")
 
     def section(self, name: str, section: model.Section) -> Section:
         """A cross-section in numbers."""
@@ -276,11 +276,9 @@ class _Geometry:
         assert isinstance(section, model.Chamfered | model.Vee)
         base = _array(section.base_m, "length") if isinstance(section, model.Chamfered) else np.zeros(1)
         angle = _array(section.chamfer_deg, "angle")
-        if ((base == 0.0) & (angle == np.pi / 2)).any():
-            place: Place = ("sections", name, "chamfer_deg")
-            self.fault(
-                place, section.chamfer_deg, "leaves a section without a base no width", "give less than 90°, or a base"
-            )
+        place, problem = ("sections", name, "chamfer_deg"), "leaves a section without a base no width"
+        narrow = (base == 0.0) & (angle == np.pi / 2)
+        self.fault(narrow, place, section.chamfer_deg, problem, "give less than 90°, or a base")
         top = np.array([np.inf]) if section.chamfer_m is None else _array(section.chamfer_m, "length")
         return Polygon(base, (top,), (angle,), wall)
 
@@ -289,15 +287,13 @@ class _Geometry:
         lengths = [_array(facet.length_m, "length") for facet in section.facets]
         slopes = [_array(facet.slope_deg, "angle") for facet in section.facets]
         for number, (lower, upper) in enumerate(pairwise(slopes), 2):
-            if (upper < lower).any():
-                value = section.facets[number - 1].slope_deg
-                problem = "is flatter than the facet before it"
-                self.fault((*place, number - 1, "slope_deg"), value, problem, "order them from the centre outwards")
-        if (slopes[-1] == 0.0).any():
-            self.fault(place, None, "are all level, and hold no stream", "add one that rises")
-        if (slopes[0] == np.pi / 2).any():
-            value, problem = section.facets[0].slope_deg, "leaves the section no width"
-            self.fault((*place, 0, "slope_deg"), value, problem, "begin with a facet that is less steep")
+            value, remedy = section.facets[number - 1].slope_deg, "order them from the centre outwards"
+            problem = "is flatter than the facet before it"
+            self.fault(upper < lower, (*place, number - 1, "slope_deg"), value, problem, remedy)
+        self.fault(slopes[-1] == 0.0, place, None, "are all level, and hold no stream", "add one that rises")
+        value, problem = section.facets[0].slope_deg, "leaves the section no width"
+        remedy = "begin with a facet that is less steep"
+        self.fault(slopes[0] == np.pi / 2, (*place, 0, "slope_deg"), value, problem, remedy)
         base = np.zeros(1)
         while len(slopes) > 1 and (slopes[0] == 0.0).all():
             base = base + 2.0 * lengths.pop(0)

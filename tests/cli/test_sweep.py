@@ -1,0 +1,379 @@
+"""``chutecalc sweep`` through ``main``: rows, files, what is refused, and what a killed sweep leaves."""
+
+import csv
+import io
+import json
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import tomli_w
+
+import chutecalc
+from chutecalc.cli import main
+from chutecalc.studies import sweep as rows_of
+from chutecalc.studies.parameters import read_values
+from tests.conftest import ROOT, spec
+
+SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
+HOOD = str(ROOT / "specs/coal_hood_spoon.toml")
+DRAWN = {"body": {"shape": "chamfered", "base_m": 0.3, "chamfer_deg": 45.0, "chamfer_m": 0.2}}
+
+
+def written(tmp_path, **tables):
+    """A spec as a file."""
+    path = tmp_path / "chute.toml"
+    path.write_text(tomli_w.dumps(spec(**tables)), encoding="utf-8")
+    return str(path)
+
+
+def swept(capsys, *arguments):
+    """The rows of a sweep as dictionaries of text."""
+    assert main(["sweep", *arguments, "--csv", "-"]) == 0
+    return list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+
+
+def refused(capsys, *arguments, status=2):
+    """What is said of a wrong sweep."""
+    assert main(["sweep", *arguments]) == status
+    shown = capsys.readouterr()
+    assert shown.out == ""
+    assert "Traceback" not in shown.err
+    return shown.err
+
+
+def test_one_value_is_a_run(capsys):
+    (row,) = swept(capsys, "radius=3", SPOON)
+    assert main(["run", SPOON, "--json", "-"]) == 0
+    run = json.loads(capsys.readouterr().out)
+    assert list(row) == ["radius_m", "status", *rows_of.DEFAULT]
+    assert row["status"] == run["status"] == "ok"
+    for name in ("velocity_m_s", "depth_m", "slope_deg"):
+        assert float(row[f"exit_{name}"]) == run["exit"][name]
+    spoon = run["segments"][-1]
+    assert float(row["max_depth_m"]) == spoon["maximum"]["depth_m"]
+    assert float(row["min_velocity_m_s"]) == spoon["minimum"]["velocity_m_s"]
+
+
+def test_a_grid_is_its_rows_one_by_one(capsys):
+    grid = swept(capsys, "radius=1:3:1", "phi=25,35,40", SPOON)
+    assert [(float(row["radius_m"]), float(row["friction_deg"])) for row in grid] == [
+        (radius, phi) for radius in (1, 2, 3) for phi in (25, 35, 40)
+    ]
+    for row in grid:
+        (alone,) = swept(capsys, f"radius={row['radius_m']}", f"phi={row['friction_deg']}", SPOON)
+        assert alone == row
+    assert {row["status"] for row in grid} == {"ok", "stall"}
+    assert all(row["exit_velocity_m_s"] == row["max_depth_m"] == "" for row in grid if row["status"] != "ok")
+
+
+def test_extremes_inside_a_segment_are_those_of_a_run(capsys):
+    for row in swept(capsys, "segments.hood.radius_m=1,1.3", HOOD, "--columns", "max_depth_m,min_velocity_m_s"):
+        chute = chutecalc.load(HOOD).vary({"segments.hood.radius_m": float(row["segments.hood.radius_m"])})
+        ways = [way for way in chutecalc.solve(chute).segments if way.kind != "fall"]
+        deepest = max(way.maximum["depth_m"][0] for way in ways)
+        slowest = min(way.minimum["velocity_m_s"][0] for way in ways)
+        assert float(row["max_depth_m"]) == pytest.approx(deepest, rel=1e-10)  # as extremes promise
+        assert float(row["min_velocity_m_s"]) == pytest.approx(slowest, rel=1e-10)
+
+
+def test_a_unit_is_its_twin(capsys):
+    metres = swept(capsys, "radius_m=1:3:0.5", SPOON)
+    for millimetres in (
+        swept(capsys, "radius_mm=1000:3000:500", SPOON),
+        swept(capsys, "segments.spoon.radius_mm=1000:3000:500", SPOON),
+    ):
+        for one, other in zip(metres, millimetres, strict=True):
+            assert [*one.values()][1:] == [*other.values()][1:]
+
+
+def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch):
+    arguments = ("radius=1:4:#9", "phi=20:40:#7", SPOON)
+    whole = swept(capsys, *arguments)
+    monkeypatch.setattr(rows_of, "DESIGNS", 4)
+    assert swept(capsys, *arguments, "--jobs", "3") == whole
+    assert swept(capsys, *arguments, "--jobs", "1") == whole
+
+
+def test_a_short_name_means_every_such_key(capsys):
+    both = swept(capsys, "phi=24", HOOD)
+    apart = swept(capsys, "liners.steel.friction_deg=24", "liners.ceramic.friction_deg=24", HOOD)
+    assert both[0]["exit_velocity_m_s"] == apart[0]["exit_velocity_m_s"]
+    assert "segments.hood.radius_m or segments.spoon.radius_m" in refused(capsys, "radius=2", HOOD)
+
+
+def test_parallel_lists(capsys):
+    rows = swept(capsys, "--zip", "radius=1,2,3", "phi=25,26,27", "rate=500", SPOON)
+    assert [row["radius_m"] + row["friction_deg"] for row in rows] == ["1.025.0", "2.026.0", "3.027.0"]
+    assert {row["rate_t_h"] for row in rows} == {"500.0"}
+    assert "one length" in refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
+
+
+@pytest.mark.parametrize("keep", ["width", "depth"])
+def test_what_is_kept(keep, capsys, tmp_path):
+    path = written(tmp_path, sections=DRAWN)
+    for row in swept(capsys, "beta=30:90:15", "--keep", keep, path):
+        beta, first = np.radians(float(row["chamfer_deg"])), np.radians(45.0)
+        width = 0.3 + 2 * 0.2 * np.cos(first)
+        length = 0.2 if keep == "width" else 0.2 * np.sin(first) / np.sin(beta)
+        left = width - 2 * length * np.cos(beta)
+        section = {"body": {**DRAWN["body"], "chamfer_deg": np.degrees(beta), "base_m": left, "chamfer_m": length}}
+        alone = chutecalc.solve(chutecalc.parse(spec(sections=section)))
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+    (same,) = swept(capsys, "beta=45", "--keep", keep, path)
+    (base,) = swept(capsys, "beta=45", path)
+    assert same == base
+
+
+def test_impossible_designs_keep_their_rows(capsys, tmp_path):
+    path = written(tmp_path, sections=DRAWN)
+    rows = swept(capsys, "beta=10:50:5", "rate=500,1000", "--keep", "depth", path)
+    cotangent = 0.3 + 2 * 0.2 * np.sqrt(0.5)  # B + 2 C cos β over the height of the chamfer is 2 cot β at the limit
+    limit = np.degrees(np.arctan(2 * 0.2 * np.sqrt(0.5) / cotangent))
+    for row in rows:
+        impossible = float(row["chamfer_deg"]) < limit
+        assert (row["status"] == "impossible") == impossible
+        assert (row["exit_velocity_m_s"] == "") == impossible
+    assert main(["sweep", "beta=10:50:5", "--keep", "depth", path]) == 0
+    assert "left out: 4 impossible" in capsys.readouterr().out
+
+
+def test_values_that_only_together_cannot_be(capsys, tmp_path):
+    path = written(tmp_path, sections=DRAWN)
+    rows = swept(capsys, "base=0,0.3", "beta=45,90", path)
+    assert [row["status"] for row in rows] == ["ok", "impossible", "ok", "ok"]
+    slopes = swept(capsys, "segments.hood.to_slope_deg=10,15,80", HOOD)
+    assert [row["status"] for row in slopes] == ["impossible", "impossible", "ok"]
+
+
+def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
+    monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
+    said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
+    for words in ("radius_m = -1 to 3", "less than 90", "no unit that fits", "no spool", "There are"):
+        assert words in said
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["radius", SPOON], "has no values"),
+        (["rad=1", SPOON], "no short name"),
+        (["radius=a:b", SPOON], "no range"),
+        (["radius=1:2:0", SPOON], "never lead"),
+        (["radius=1:2:-1", SPOON], "never lead"),
+        (["radius=1:2:#0", SPOON], "no count"),
+        (["radius=nan", SPOON], "no number"),
+        (["radius=0:1e9:1e-9", SPOON], "more than"),
+        (["radius=1", "radius=2", SPOON], "given twice"),
+        (["radius=1", "segments.spoon.radius_mm=2", SPOON], "given twice"),
+        (["segments.spoon.kind=1,2", SPOON], "segments.2.kind"),
+        (["segments.1.onto_next=1,2", SPOON], "segments.1.onto_next"),
+        (["title=1,2", SPOON], "no short name"),
+        (["material.name=1,2", SPOON], "text in quotes"),
+        (["model.friction_law=1,2", SPOON], "model.friction_law"),
+        ([SPOON], "nothing is varied"),
+        (["beta", SPOON, HOOD], "one spec"),
+        (["phi=20"], "without a spec"),
+        (["beta", "--zip"], "--zip"),
+        (["beta", SPOON, "--area", "0.1"], "--area"),
+        (["beta", SPOON, "--keep", "width"], "chamfer_m"),
+        (["radius=1,2", SPOON, "--keep", "width"], "beta"),
+        (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
+        (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
+        (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
+        (["beta", SPOON, "--top", "3", "--by", "status:max"], "numbers"),
+        (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
+        (["beta", SPOON, "--resume"], "--resume goes on with a file"),
+        (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),
+        (["beta", SPOON, "--csv", "-", "--json", "-"], "standard output"),
+        (["beta", SPOON, "--parquet", "-"], "standard output"),
+        (["beta", "radius=1,2", "rate=1,2", SPOON, "--plot", "a.svg"], "one or two parameters"),
+        (["beta", "nowhere.toml"], "no such file"),
+    ],
+)
+def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
+    assert words in refused(capsys, *arguments)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_ranges_are_decimal():
+    assert read_values("x", "0.1:0.7:0.1").tolist() == [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
+    assert read_values("x", "90:15:-25").tolist() == [90, 65, 40, 15]
+    assert read_values("x", "15:90:40").tolist() == [15, 55]
+    assert read_values("x", "15:90:#16").tolist() == list(range(15, 91, 5))
+    assert read_values("x", "0:1:#3, 7").tolist() == [0, 0.5, 1, 7]
+
+
+def test_the_best_rows(capsys, monkeypatch):
+    rows = [row for row in swept(capsys, "radius=1:4:#9", "phi=20:40:#7", SPOON) if row["status"] == "ok"]
+    rows.sort(key=lambda row: -float(row["exit_velocity_m_s"]))
+    monkeypatch.setattr(rows_of, "DESIGNS", 4)
+    best = swept(capsys, "radius=1:4:#9", "phi=20:40:#7", SPOON, "--top", "5", "--by", "exit_velocity_m_s:max")
+    assert best == rows[:5]
+    few = swept(capsys, "phi=20,44", SPOON, "--top", "5", "--by", "exit_wear_w_m2:min")
+    assert len(few) == 1
+    assert "exit_wear_w_m2" in few[0]
+
+
+@pytest.mark.parametrize("how", [("--points", "3"), ("--stations", "0.7")])
+def test_profiles_are_those_of_runs(how, capsys, tmp_path, monkeypatch):
+    monkeypatch.setattr(rows_of, "STATIONS", 20)
+    rows = swept(capsys, "phi=20,35,44", SPOON, *how)
+    for phi in ("20", "35", "44"):
+        target = tmp_path / "run.csv"
+        main(["run", SPOON, "--set", f"liners.wall.friction_deg={phi}", *how, "--csv", str(target)])
+        capsys.readouterr()
+        alone = list(csv.DictReader(io.StringIO(target.read_bytes().decode())))
+        own = [row for row in rows if float(row["friction_deg"]) == float(phi)]
+        assert len(own) == len(alone)
+        for one, other in zip(own, alone, strict=True):
+            assert all(one[name] == other[name] for name in other if name != "spec")
+    assert {row["status"] for row in rows} == {"ok", "stall"}
+
+
+def test_findings_and_ends(capsys):
+    (row,) = swept(
+        capsys, "radius=3", SPOON, "--columns", "findings,exit_froude,exit_time_s,error_estimate,max_wear_w_m2"
+    )
+    run = chutecalc.solve(chutecalc.load(SPOON))
+    assert row["findings"].split() == [finding.code for finding in run.findings()]
+    assert float(row["exit_time_s"]) == run.exit["time_s"][0]
+    assert float(row["max_wear_w_m2"]) == run.segments[-1].maximum["wear_w_m2"][0]
+    (fast,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_froude")
+    assert float(fast["exit_froude"]) == pytest.approx(float(row["exit_froude"]), rel=1e-9)  # rtol is 1e-10
+    belt = str(ROOT / "specs/belt_hood_spoon.toml")
+    (row,) = swept(capsys, "rate=1800", belt, "--columns", "receiver_velocity_ratio")
+    assert float(row["receiver_velocity_ratio"]) > 0.5
+
+
+def test_every_format_has_the_same_rows(capsys, tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    files = [str(tmp_path / f"rows.{kind}") for kind in ("csv", "parquet", "json")]
+    outputs = [
+        word for kind, file in zip(("csv", "parquet", "json"), files, strict=True) for word in (f"--{kind}", file)
+    ]
+    assert main(["sweep", "phi=20,44", "beta=45,90", SPOON, *outputs]) == 0
+    assert "stall" in capsys.readouterr().out
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv", "rows.json", "rows.parquet"]
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "rows.csv").read_bytes().decode())))
+    document = json.loads((tmp_path / "rows.json").read_text(encoding="utf-8"))
+    assert document["chutecalc"] == chutecalc.__version__
+    assert document["rows"] == parquet.read_table(files[1]).to_pylist()
+    for one, other in zip(rows, document["rows"], strict=True):
+        assert list(one) == list(other)
+        assert one == {name: "" if value is None else str(value) for name, value in other.items()}
+
+
+def test_parquet_needs_its_extra(capsys, monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    said = refused(capsys, "beta", SPOON, "--parquet", str(tmp_path / "a.parquet"), status=3)
+    assert "pip install 'chutecalc[parquet]'" in said
+
+
+@pytest.mark.parametrize(
+    "arguments", [["phi=20:40:5"], ["radius=1:4:1", "phi=20:40:5"], ["radius=1:4:#9", "phi=20:40:#9"]]
+)
+def test_pictures(arguments, tmp_path, capsys):
+    files = [tmp_path / name for name in ("one.svg", "two.svg")]
+    for file in files:
+        assert main(["sweep", *arguments, SPOON, "--plot", str(file), "--units", "us"]) == 0
+    assert files[0].read_bytes() == files[1].read_bytes()
+    assert len(files[0].read_bytes()) > 10_000
+    assert "fpm" in files[0].read_text(encoding="utf-8") or "<path" in files[0].read_text(encoding="utf-8")
+
+
+def test_a_chart(capsys):
+    assert main(["sweep", "beta", SPOON, "--chart"]) == 0
+    out = capsys.readouterr().out
+    assert "exit velocity v, m/s" in out
+    assert "(β, °)" in out
+
+
+def test_the_study_is_the_papers(capsys):
+    assert main(["sweep", "beta", "delta=30,55", "--keep", "width"]) == 0
+    out = capsys.readouterr().out
+    assert "0.49739" in out
+    assert "left out: β = 0° to 35°" in out
+
+
+LONG = ["radius=1:4:#400", "phi=20:40:#400"]
+
+
+def started(target, *more):
+    """A long sweep in a process of its own."""
+    command = [sys.executable, "-m", "chutecalc", "sweep", *LONG, SPOON, "--csv", str(target), "--jobs", "1", *more]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def stopped(target, how):
+    """The same, stopped by a signal once it has blocks; what it said."""
+    process = started(target)
+    folder = target.with_name(f"{target.name}.part")
+    while process.poll() is None and len(list(folder.glob("[0-9]*.npz"))) < 2:
+        time.sleep(0.02)
+    process.send_signal(how)
+    said = process.communicate()[1]
+    return process.returncode, said
+
+
+def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
+    target, whole = tmp_path / "rows.csv", tmp_path / "whole.csv"
+    assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
+    status, _ = stopped(target, signal.SIGKILL)
+    assert status == -signal.SIGKILL
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv.part", "whole.csv"]
+    capsys.readouterr()
+    assert "--resume" in refused(capsys, *LONG, SPOON, "--csv", str(target))
+    other = refused(capsys, LONG[0], "phi=20:41:#400", SPOON, "--csv", str(target), "--resume")
+    assert "another sweep: it differs in the parameters" in other
+    before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "rows.csv.part").glob("[0-9]*")}
+    assert 0 < len(before) < 10
+    assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
+    assert target.read_bytes() == whole.read_bytes()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv", "whole.csv"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are others there")
+def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
+    target, whole = tmp_path / "rows.csv", tmp_path / "whole.csv"
+    assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
+    status, said = stopped(target, signal.SIGINT)
+    assert status == 130
+    assert "--resume goes on" in said
+    part = target.read_bytes()
+    assert part == whole.read_bytes()[: len(part)]
+    assert 1 < part.count(b"\r\n") < 160_001
+    assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
+    assert target.read_bytes() == whole.read_bytes()
+
+
+def test_another_spec_or_version_is_not_resumed(tmp_path, capsys, monkeypatch):
+    target = tmp_path / "rows.csv"
+    monkeypatch.setattr("chutecalc.output.blocks.BlockStore.remove", lambda self: None)
+    assert main(["sweep", "phi=20,30", SPOON, "--csv", str(target)]) == 0
+    capsys.readouterr()
+    again = ["phi=20,30", SPOON, "--csv", str(target), "--resume"]
+    assert main(["sweep", *again]) == 0
+    capsys.readouterr()
+    square = [word.replace("chamfered", "square") for word in again]
+    assert "differs in the spec" in refused(capsys, *square)
+    assert "differs in --columns" in refused(capsys, *again, "--columns", "exit_depth_m")
+    monkeypatch.setattr("chutecalc.studies.sweep.__version__", "0.0.1")
+    assert "the version of chutecalc" in refused(capsys, *again)
+
+
+def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
+    asked = []
+    monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    monkeypatch.setattr("chutecalc.cli.sweep.MEANT", 3)
+    monkeypatch.setattr("typer.confirm", lambda text, **_: asked.append(text))
+    assert main(["sweep", "phi=20:30:1", SPOON]) == 2
+    assert "11 designs" in asked[0]
+    assert main(["sweep", "phi=20:30:1", SPOON, "--yes"]) == 0
+    assert len(asked) == 1
