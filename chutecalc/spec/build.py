@@ -140,7 +140,7 @@ class _Geometry:
         if self.spec.segments[0].kind != "fall":
             place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
             self.fault(velocity == 0.0, place, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
-        slope: Array | None = VERTICAL if (velocity == 0.0).all() else inlet_slope
+        slope: Array | None = np.where(velocity == 0.0, VERTICAL, inlet_slope)  # a stream at rest falls
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
             if isinstance(segment, model.Fall):
