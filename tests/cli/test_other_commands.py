@@ -64,9 +64,9 @@ def test_version_and_help(capsys):
     assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}\n"
     assert main(["--help"]) == 0
     listed = capsys.readouterr().out
-    for command in ("run", "check", "new", "schema", "columns"):
+    for command in ("run", "sweep", "check", "dem", "new", "schema", "columns"):
         assert command in listed
-    for later in ("sweep", "optimise", "uncertainty", "explain"):
+    for later in ("optimise", "uncertainty", "explain"):
         assert later not in listed
     assert main(["run", "-h"]) == 0
     assert "--stations" in capsys.readouterr().out

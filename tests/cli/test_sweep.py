@@ -301,7 +301,7 @@ def test_the_study_is_the_papers(capsys):
     assert "left out: β = 0° to 35°" in out
 
 
-LONG = ["radius=1:4:#400", "phi=20:40:#400"]
+LONG = ["radius=2:4:#300", "phi=15:24:#300"]
 
 
 def started(target, *more):
@@ -329,10 +329,10 @@ def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv.part", "whole.csv"]
     capsys.readouterr()
     assert "--resume" in refused(capsys, *LONG, SPOON, "--csv", str(target))
-    other = refused(capsys, LONG[0], "phi=20:41:#400", SPOON, "--csv", str(target), "--resume")
+    other = refused(capsys, LONG[0], "phi=15:25:#300", SPOON, "--csv", str(target), "--resume")
     assert "another sweep: it differs in the parameters" in other
     before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "rows.csv.part").glob("[0-9]*")}
-    assert 0 < len(before) < 10
+    assert 0 < len(before) < 6
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
     assert target.read_bytes() == whole.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv", "whole.csv"]
@@ -347,7 +347,7 @@ def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
     assert "--resume goes on" in said
     part = target.read_bytes()
     assert part == whole.read_bytes()[: len(part)]
-    assert 1 < part.count(b"\r\n") < 160_001
+    assert 1 < part.count(b"\r\n") < 90_001
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
     assert target.read_bytes() == whole.read_bytes()
 
