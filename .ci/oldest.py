@@ -6,7 +6,8 @@ import tomllib
 from pathlib import Path
 
 project = tomllib.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))["project"]
-extras = {name: items for name, items in project["optional-dependencies"].items() if name != "bench"}  # never of the package
+# What the benchmarks measure against is never a part of the package.
+extras = {name: items for name, items in project["optional-dependencies"].items() if name != "bench"}
 for requirement in [*project["dependencies"], *(item for extra in extras.values() for item in extra)]:
     match = re.fullmatch(r"([A-Za-z0-9._-]+)(?:\[[a-z,]+\])?>=([0-9.]+)", requirement)
     if match is None:
