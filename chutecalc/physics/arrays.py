@@ -18,6 +18,11 @@ def real(values: Values) -> Array:
     return np.asarray(values, dtype=np.float64)
 
 
+def shared(values: Array) -> Array:
+    """One value where it is that of all designs, shape (1,): what follows from it alone is then worked out once."""
+    return values[:1] if len(values) > 1 and (values == values[0]).all() else values
+
+
 def sine_and_cosine(angle: Array) -> tuple[Array, Array]:
     """Both from t = tan(angle/2), 2 t/(1 + t²) and (1 - t²)/(1 + t²): a third of the time, and right to 4e-16.
 

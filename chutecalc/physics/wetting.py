@@ -76,8 +76,10 @@ def excess_friction(facet: Facets, area: Array, equilibrium: bool = False) -> tu
 class Excess:
     """:func:`excess_friction` of one facet a design for many areas: what the area does not change is worked out once.
 
-    Per area there are two square roots and divisions and some twelve products and sums, in place where that is
-    possible: most of the solver's time is spent here.
+    Per area there are one square root, two divisions and some seven products and sums, in place where that is possible:
+    most of the solver's time is spent here. With W the surface's width and w that at the facet's foot, C = 2 (A -
+    A_foot)/(sin β (W + w)). On a facet that stands on no other X/A is then K (1 - cos β) sin β (C/A) C, and its
+    logarithmic growth with the area w/W of it.
     """
 
     def __init__(self, facet: Facets, equilibrium: bool) -> None:
@@ -87,49 +89,52 @@ class Excess:
         self.arcs = bool(facet.radius.any())
         self.twice = 2.0 / facet.sine
         self.spread = 2.0 * facet.cosine * self.twice
-        self.foot = self.twice * facet.area
-        self.apex = facet.width**2 - self.spread * facet.area  # of the surface's width², where its flanks would meet
-        self.excess = _Load(facet.excess, facet.excess_rise, facet.own_excess, facet.sine * facet.own_excess)
-        own, rise = facet.own_shortfall, facet.shortfall_rise
-        self.shortfall = _Load(facet.shortfall, rise, own, facet.sine * own)
+        self.apex = facet.width * facet.width
+        """Of the surface's width², where its flanks would meet."""
+        if self.stacked:
+            self.apex = self.apex - self.spread * facet.area
+        self.loads = [_Load(facet.excess, facet.excess_rise, facet.sine * facet.own_excess)]
+        """What the friction law takes shares of: X, and for the equilibrium law the shortfall."""
+        if equilibrium:
+            self.loads.append(_Load(facet.shortfall, facet.shortfall_rise, facet.sine * facet.own_shortfall))
 
     def at(self, area: Array) -> tuple[Array, Array]:
         """χ and A dχ/dA at areas, shape (..., designs)."""
         width = self.spread * area
         width += self.apex
         np.sqrt(width, out=width)
-        wetted = self.twice * area
-        if self.stacked:
-            wetted -= self.foot
-        wetted /= width + self.facet.width
-        excess, growth = self._share(self.excess, area, wetted, width)
-        curved = self.facet.radius > 0.0
-        bend = _arc(self.facet, area) if self.arcs else None
-        if bend:
-            excess, growth = np.where(curved, bend.excess, excess), np.where(curved, bend.excess_growth, growth)
+        reach = width + self.facet.width
+        np.divide(self.twice, reach, out=reach)
+        wetted = reach * (area - self.facet.area if self.stacked else area)
+        reach *= wetted
+        shares = [self._share(load, area, wetted, reach, width) for load in self.loads]
+        if self.arcs:
+            bend, curved = _arc(self.facet, area), self.facet.radius > 0.0
+            (excess, growth), *rest = shares
+            shares = [(np.where(curved, bend.excess, excess), np.where(curved, bend.excess_growth, growth))]
+            shares += [
+                (np.where(curved, bend.missing, missing), np.where(curved, bend.missing_growth, growth))
+                for missing, growth in rest
+            ]
         if not self.equilibrium:
-            return excess, growth
-        missing, missing_growth = self._share(self.shortfall, area, wetted, width)
-        if bend:
-            missing = np.where(curved, bend.missing, missing)
-            missing_growth = np.where(curved, bend.missing_growth, missing_growth)
+            return shares[0]
+        (excess, growth), (missing, missing_growth) = shares
         carried = 1.0 - missing
         return excess / carried, (growth + excess * missing_growth / carried) / carried
 
-    def _share(self, load: "_Load", area: Array, wetted: Array, width: Array) -> tuple[Array, Array]:
-        """A load over the area, and its logarithmic growth with it."""
-        share = load.bend * wetted
-        if self.stacked:
-            share += self.facet.sine * load.rise
-        share *= wetted
-        if self.stacked:
-            share += load.foot
-        share /= area
-        growth = (load.own + load.own) * wetted
-        if self.stacked:
-            growth += load.rise
+    def _share(self, load: "_Load", area: Array, wetted: Array, climb: Array, width: Array) -> tuple[Array, Array]:
+        """A load over the area, and its logarithmic growth with it; ``climb`` is C²/(A - A_foot).
+
+        What other facets below add is 0 to the last digit where there is none.
+        """
+        share = climb * load.bend
+        growth = share * self.facet.width
         growth /= width
-        growth -= share
+        if self.stacked:
+            hollow, below = self.facet.area / area, (load.foot + self.facet.sine * load.rise * wetted) / area
+            growth += share * hollow + (load.rise / width - below)
+            share *= 1.0 - hollow
+            share += below
         return share, growth
 
 
@@ -138,7 +143,6 @@ class _Load(NamedTuple):
 
     foot: Array
     rise: Array
-    own: Array
     bend: Array
     """own sin β."""
 

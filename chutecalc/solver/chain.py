@@ -7,7 +7,7 @@ import numpy as np
 
 from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched
 from chutecalc.errors import Fault, SpecError
-from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.physics.arrays import Array, Index, Mask, shared
 from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
@@ -283,7 +283,7 @@ def _overwrite(record: Stream, part: Stream, rows: Index) -> Stream:
 
 def _surface(contact: Contact, number: int, start: Stream, drawn: Place) -> Surface:
     """The segment as it stands: a curve tangent to a falling stream takes its slope."""
-    slope = start.slope if contact.entry_slope is None else contact.entry_slope
+    slope = shared(start.slope) if contact.entry_slope is None else contact.entry_slope
     turn = contact.exit_slope - slope
     if contact.radius is None:
         assert contact.length is not None

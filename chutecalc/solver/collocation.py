@@ -1,9 +1,9 @@
 """One panel of Gauss-Legendre collocation for a scalar equation u' = f(p, u), many designs at once.
 
-The unknown is held at the Gauss nodes of the panel; its integral from the panel's start to each node and to the end is
-one small matrix product. Newton's method on the integral equation (Newton-Kantorovich) needs no linear solver, because
-the linearised equation is scalar: with J = ∂f/∂u, P = exp ∫J and A = u0 + ∫f, the next iterate is A + P ∫ (J/P)(A - u).
-The end value is exact to order 2N in the panel's width, the values between to order N + 1.
+The unknown is held at the Gauss nodes of the panel; an integral from the panel's start to each node and to the end is
+one small matrix product. Newton's method (Newton-Kantorovich) needs no linear solver, because the linearised equation
+is scalar: with J = ∂f/∂u, P = exp ∫J, the next iterate is P (u0 + ∫ (f - J u)/P). As f - J u does not change with u to
+first order, the end value is exact to order 2N in the panel's width, the values between to order N + 1.
 """
 
 from functools import cache, lru_cache
@@ -167,49 +167,52 @@ def _interpolation(count: int, places: bytes) -> Array:
     return matrix
 
 
-def newton(own: Rule, rates: Array, growth_rates: Array, unknown: Array, start: Array) -> tuple[Array, Array]:
-    """One Newton-Kantorovich step for u = start + ∫ f.
+def integrate(own: Rule, forcing: Array, growth: Array, start: Array) -> tuple[Array, Array]:
+    """Solves the linear equation u' = forcing + growth u over a panel of width 1, by its integrating factor.
 
     Args:
         own: the rule with N nodes.
-        rates: f at the current iterate times the panel's width, shape (N, designs).
-        growth_rates: ∂f/∂u likewise.
-        unknown: the current iterate u at the nodes, shape (N, designs).
+        forcing: at the nodes, shape (N, designs).
+        growth: likewise, or of shape (designs,) where it is the same at all nodes.
         start: u at the panel's start, shape (designs,).
 
     Returns:
-        The next iterate at nodes and end, and P = exp ∫ ∂f/∂u there: how much a small change of ``start`` has grown;
-        both of shape (N + 1, designs). At the fixed point u is the collocation solution, whatever ∂f/∂u was. Where
-        ∫ ∂f/∂u falls below about -20 the nodes do not resolve P, and :func:`stiff_newton` is wanted.
+        u at the rule's knots, shape (N + 2, designs), and P = exp ∫ growth at nodes and end, shape (N + 1, designs):
+        how much a small change of ``start`` has grown. Where ∫ growth falls below about -20 the nodes do not resolve
+        P, and :func:`integrate_stiff` is wanted.
     """
-    picard: Array = own.integral @ rates
-    picard += start
-    growth = np.exp(own.integral @ growth_rates)
-    gap = picard[:-1] - unknown
-    gap *= growth_rates
-    gap /= growth[:-1]
-    correction: Array = own.integral @ gap
-    correction *= growth
-    correction += picard
-    return correction, growth
+    factor = own.integral @ growth if growth.ndim == 2 else own.knots[1:, None] * growth
+    np.exp(factor, out=factor)
+    knots = np.empty((len(own.knots), factor.shape[1]))
+    knots[0] = start
+    inner = knots[1:]
+    np.matmul(own.integral, forcing / factor[:-1], out=inner)
+    inner += start
+    inner *= factor
+    return knots, factor
 
 
-def stiff_newton(own: Rule, rates: Array, growth_rates: Array, unknown: Array, start: Array) -> tuple[Array, Array]:
-    """The same step with the linearised equation collocated too: a system of N equations a design.
+def integrate_stiff(own: Rule, forcing: Array, growth: Array, start: Array) -> tuple[Array, Array]:
+    """The same with the equation collocated: a system of N equations a design.
 
-    It costs ten times :func:`newton` and takes any step through a stream that clings to a balance: Gauss collocation is
-    A-stable. Arguments and results as there.
+    It costs ten times :func:`integrate` and takes any step through a stream that clings to a balance: Gauss
+    collocation is A-stable. Arguments and results as there.
     """
-    picard: Array = own.integral @ rates
-    picard += start
-    couplings = own.integral * growth_rates.T[:, None, :]  # (designs, N + 1, N)
-    residuals = np.stack([(picard[:-1] - unknown).T, np.ones(unknown.T.shape)], axis=2)
+    couplings = own.integral * growth.T[:, None, :]  # (designs, N + 1, N)
+    system = np.eye(len(own.nodes)) - couplings[:, :-1]
+    inner, rates = np.zeros_like(forcing), forcing
     try:
-        solved = np.linalg.solve(np.eye(len(own.nodes)) - couplings[:, :-1], residuals)
+        for _ in range(2):  # forcing and growth u nearly cancel: the second time regains the digits that this has cost
+            rise = own.integral @ rates
+            rise += start
+            wanted = np.stack([(rise[:-1] - inner).T, np.ones(inner.T.shape)], axis=2)
+            solved = np.linalg.solve(system, wanted)
+            inner = inner + solved[:, :, 0].T
+            rates = forcing + growth * inner
     except np.linalg.LinAlgError:
-        return np.full(picard.shape, np.nan), np.full(picard.shape, np.nan)
+        return np.full((len(own.knots), len(start)), np.nan), np.full(rise.shape, np.nan)
     spread = couplings @ solved
-    return picard + spread[:, :, 0].T, 1.0 + spread[:, :, 1].T
+    return np.concatenate([start[None], rise + spread[:, :, 0].T]), 1.0 + spread[:, :, 1].T
 
 
 def product(matrix: Array, columns: Array) -> Array:

@@ -41,9 +41,10 @@ class Effort(NamedTuple):
 
 def effort(rtol: float, complete: bool) -> Effort:
     """What it takes to have velocities right within a relative error."""
-    quick = ((6, 8), (8, 16), (16, 24)) if rtol >= 1e-7 else ((8, 16), (16, 24))
-    whole, later = (((8, 24), (16, 24)), (8, 24)) if complete else (quick, (8, 16))
-    return Effort(whole, later, 0.2 * rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
+    first = (6, 8) if rtol >= 1e-7 else (6, 12) if rtol >= 1e-11 else (8, 16)
+    quick = dict.fromkeys((first, (8, 16), (16, 24)))
+    whole, later = (((8, 24), (16, 24)), (8, 24)) if complete else (tuple(quick), (8, 16))
+    return Effort(whole, later, rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
 
 
 class Piece(NamedTuple):
@@ -172,32 +173,34 @@ class Front:
         self.reach[rows] = np.maximum(0.25 * (self.reach[rows] if by_root else step), LEAST_STEP)
         self.tired[rows] |= by_root
 
-    def accept(self, trial: Trial, chosen: Index) -> None:
+    def accept(self, trial: Trial, chosen: Index | slice) -> None:
         """Moves designs to the ends of their panels; ``chosen`` are columns of the trial."""
         rows, panel = trial.rows[chosen], trial.panel
         start, end = trial.start[chosen], trial.end[chosen]
-        growth, knots = panel.growth[chosen], panel.knots[:, chosen]
+        growth, last = panel.growth[chosen], panel.knots[-1, chosen]
         error = panel.error[chosen] + panel.rounding[chosen]
+        keep = self.effort.complete and rows.size > 0
+        knots = panel.knots[:, chosen] if keep or trial.by_root else panel.knots
         if trial.by_root:
-            first, last = np.abs(slope_at(knots, 0)), np.abs(slope_at(knots, -1))  # dc over the panel's width in r
+            fast, slow = np.abs(slope_at(knots, 0)), np.abs(slope_at(knots, -1))  # dc over the panel's width in r
             width = np.abs(end - start)
-            carried = self.error[rows] * start * first / (4.0 * width)
-            shift = np.abs(growth) * carried + error * np.abs(knots[-1] - knots[0]) + PLACE_ROUNDING
+            carried = self.error[rows] * start * fast / (4.0 * width)
+            shift = np.abs(growth) * carried + error * np.abs(last - knots[0]) + PLACE_ROUNDING
             stopped = end == 0.0
-            self.error[rows] = np.where(stopped, shift, shift * 4.0 * width / (end * last))
-            self.place[rows], self.y[rows] = knots[-1], end**4
+            self.error[rows] = np.where(stopped, shift, shift * 4.0 * width / (end * slow))
+            self.place[rows], self.y[rows] = last, end**4
             self.status[rows[stopped]] = Status.STALL
             self.stride[rows] = np.minimum(2.0 * self.stride[rows], 1.0)
         else:
-            self.error[rows] = np.abs(growth) * self.error[rows] * self.y[rows] / knots[-1] + error
-            self.place[rows], self.y[rows] = end, knots[-1]
+            self.error[rows] = np.abs(growth) * self.error[rows] * self.y[rows] / last + error
+            self.place[rows], self.y[rows] = end, last
             before = np.where(np.isfinite(self.aim[rows]), self.reach[rows], LEAST_STEP)  # cut short by an event
             self.reach[rows] = np.maximum(4.0 * (end - start), before)
             self.stride[rows] = np.where(self.tired[rows], 0.5, self.stride[rows])
             self.tired[rows] = False
             self.arrive(rows[end >= self.limit[rows]])
         self.aim[rows] = np.nan
-        if self.effort.complete and rows.size:
+        if keep:
             self.pieces.append(Piece(rows, self.facet[rows], self.piece[rows], trial.by_root, start, end, knots))
 
     def arrive(self, rows: Index) -> None:

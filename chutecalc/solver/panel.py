@@ -15,12 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Mask
-from chutecalc.solver.collocation import Rule, newton, rule, stiff_newton, transfer
-from chutecalc.solver.slide import Course, field, frozen_rates, place_rates, rates
+from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.solver.collocation import integrate, integrate_stiff, rule, transfer
+from chutecalc.solver.slide import Course, Field, Linear, field, frozen, linearised, place_rates
 
-SAFETY = 30.0
-NEWTON_SAFETY = 3.0
+SAFETY = 150.0
+NEWTON_SAFETY = 2.0
 ROOT_SAFETY = 1000.0  # next to rest a zero of the pull may lie between the start and the first node, unseen
 ROUNDING = 1e-15  # of a panel, relative
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
@@ -28,7 +28,7 @@ PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update
 WHOLE, PLACE, CLINGING, ROOT = range(4)
 """Ways to a panel: in c the attempt at a whole stretch, which most need no more than, a panel of several, and one along
 which a stream clings to a balance; and in r."""
-WAYS = {WHOLE: (newton, 1, 1), PLACE: (newton, 2, 2), CLINGING: (stiff_newton, 4, 1)}
+WAYS = {WHOLE: (integrate, 1, 1), PLACE: (integrate, 2, 2), CLINGING: (integrate_stiff, 4, 1)}
 """The step of each in c, and how often it is taken on the coarse rule and on the fine one."""
 
 
@@ -53,33 +53,53 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     coarse, fine = rule(pair[0]), rule(pair[1])
     at = field(course, start + width * coarse.nodes[:, None], width)
     first = y0 / at.unit
-    y = np.repeat(first[None], pair[0], axis=0)
     # From a balance that clings, freezing friction leads far astray; towards one the linearised equation leads well.
-    ends, _ = step(coarse, *(rates(at, y) if way == CLINGING else frozen_rates(at, first, y)), y, first)
+    near = linearised(at, np.repeat(first[None], pair[0], axis=0)) if way == CLINGING else frozen(at, first)
+    knots, _ = step(coarse, near.forcing, near.growth, first)
     for _ in range(iterations):
-        y = ends[:-1]
-        ends, coarse_growth = step(coarse, *rates(at, y), y, first)
-    last = ends[-1]
-    guess = transfer(*pair) @ np.concatenate([first[None], ends])
+        near = linearised(at, knots[1:-1])
+        knots, coarse_growth = step(coarse, near.forcing, near.growth, first)
+    last = knots[-1]
+    guess = transfer(*pair) @ knots
     at = field(course, start + width * fine.nodes[:, None], width)
     updates = []
     for _ in range(refinements):
-        ends, growth = step(fine, *rates(at, guess), guess, first)
-        guess -= ends[:-1]
-        guess /= ends[:-1]
-        last_gap = np.maximum(ends[-2] / ends[-1], 1.0)  # what is small at the last node may not be so at a slow end
-        updates.append(np.maximum.reduce(np.abs(guess, out=guess)) * last_gap)
-        guess = ends[:-1].copy()
-    knots = np.concatenate([y0[None], ends * at.unit])
-    sound = np.minimum.reduce(ends) > 0.0
-    lifted = knots - _arc_velocity(course, start) ** 2 if course.arcs else knots
-    smoothness = _smoothness(fine, lifted, 0.4)
-    panel = _panel(knots, growth[-1], sound, updates, smoothness, ROUNDING / ends[-1], pair, way)
+        near = linearised(at, guess)
+        knots, growth = step(fine, near.forcing, near.growth, first)
+        inner, end = knots[1:-1], knots[-1]
+        guess /= inner
+        guess -= 1.0
+        update, guess = guess, inner
+        last_gap = np.maximum(inner[-1] / end, 1.0)  # what is small at the last node may not be so at a slow end
+        updates.append(np.maximum.reduce(np.abs(update)) * last_gap)
+    sound = np.minimum.reduce(knots) > 0.0
+    scaled = knots * at.unit
+    scaled[0] = y0
+    smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, start) ** 2 if course.arcs else knots, 1.0)
+    newton = NEWTON_SAFETY * last_gap**2 * _left(course, at, near, update)
+    panel = _panel(scaled, growth[-1], sound, updates[0], newton, smoothness, ROUNDING / end, pair, way)
     if way != CLINGING:
         return panel
     # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share of it.
-    kept = np.abs(last / ends[-1] - 1.0) * np.minimum(np.abs(growth[-1] / coarse_growth[-1]), 1.0)
+    kept = np.abs(last / end - 1.0) * np.minimum(np.abs(growth[-1] / coarse_growth[-1]), 1.0)
     return panel._replace(error=panel.error + kept)
+
+
+def _left(course: Course, at: Field, near: Linear, update: Array) -> Array:
+    """What Newton leaves of an update, relative: the integral of its square with half of Y ∂²f/∂Y².
+
+    That is at most A χ'/Y times 3/8 of the load from gravity and 1/4 of that from the bend; on a crest and under a hood
+    the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
+    """
+    weight = np.abs(near.bending)
+    opposed = course.slide.turn > 0.0
+    if opposed.any():
+        weight += np.where(opposed, 2.0 * (np.abs(near.bending - near.growth) - np.abs(at.bend)), 0.0)
+    update *= update
+    weight *= update
+    weight *= rule(len(update)).integral[-1][:, None]
+    left: Array = np.add.reduce(weight)
+    return left
 
 
 def panel_by_root(course: Course, start: Array, width: Array, place: Array, pair: tuple[int, int]) -> Panel:
@@ -89,60 +109,64 @@ def panel_by_root(course: Course, start: Array, width: Array, place: Array, pair
     first, _ = place_rates(course, start, width, place)
     c = place + first / (4.0 * width * start**3) * (root**4 - start**4)
     for _ in range(4):
-        ends, _ = newton(coarse, *place_rates(course, root, width, c), c, place)
-        c = ends[:-1]
-    guess = transfer(*pair) @ np.concatenate([place[None], ends])
+        change, growth = place_rates(course, root, width, c)
+        knots, _ = integrate(coarse, change - growth * c, growth, place)
+        c = knots[1:-1]
+    guess = transfer(*pair) @ knots
     root = start + width * fine.nodes[:, None]
-    change, change_growth = place_rates(course, root, width, guess)
-    ends, growth = newton(fine, change, change_growth, guess, place)
+    change, growth = place_rates(course, root, width, guess)
+    knots, growth = integrate(fine, change - growth * guess, growth, place)
     # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
-    within = (np.minimum.reduce(ends) >= place) & (np.maximum.reduce(ends) < 2.0)
+    within = (np.minimum.reduce(knots) >= place) & (np.maximum.reduce(knots) < 2.0)
     sound = (np.minimum.reduce(change) > 0.0) & within
-    noise = np.maximum.reduce(np.abs(ends[:-1] - guess)) - PLACE_ROUNDING
-    update = np.maximum(noise, 0.0) / np.maximum(np.abs(ends[-1] - place), PLACE_ROUNDING)
+    noise = np.maximum.reduce(np.abs(knots[1:-1] - guess)) - PLACE_ROUNDING
+    update = np.maximum(noise, 0.0) / np.maximum(np.abs(knots[-1] - place), PLACE_ROUNDING)
     pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
-    smoothness = np.minimum(_smoothness(fine, pull, 0.2), _flank_smoothness(course, start, width, place))
-    return _panel(np.concatenate([place[None], ends]), growth[-1], sound, [update], smoothness, 0.0, pair, ROOT)
+    smoothness = np.minimum(_smoothness(pair[1], pull, 0.2), _flank_smoothness(course, start, width, place))
+    return _panel(knots, growth[-1], sound, update, NEWTON_SAFETY * update**2, smoothness, 0.0, pair, ROOT)
 
 
-def _smoothness(own: Rule, values: Array, share: float) -> Array:
-    """ρ of the largest ellipse around the panel that is free of the zeros of what has these values at its knots.
+def _smoothness(count: int, values: Array, share: float) -> Array:
+    """ρ of the largest ellipse around the panel that is free of the zeros of what has these values at a rule's knots.
 
-    A chord from one knot to the next points to a zero. Beyond the panel's ends, at x on (-1, 1) stretched to the
-    panel, it leaves |x| + √(x² - 1). Within the panel there is none on the real axis; one as far off it, b, leaves 1 +
-    η with η √(c (1 - c)) + η²/4 = b at the place c. As values bend, a chord may point too far: only a share of the way
-    counts.
+    The end may be left out.
+
+    A chord from one knot to the next points to a zero. With the panel stretched to (-1, 1) an ellipse of half axis a
+    has ρ = a + √(a² - 1). A zero beyond the panel's end is on the one with a = |x|; within the panel there is none on
+    the real axis, and one as far off it, s, above the knot k has a² - 1 = (√(p² + 4 s²) - p)/2 with p = 1 - k² - s².
+    Only a share of the distance counts where values bend so that a chord points too far.
     """
-    shape = _shape(len(own.nodes))
-    gaps, bulge, low = (item[: len(values) - 1] for item in shape)
-    beyond = values[:-1] / np.diff(values, axis=0)  # the chord's reach beyond its first knot, in gaps, and less than 0
-    beyond *= gaps
-    off = np.abs(beyond)
-    off *= share
-    off += bulge**2
-    np.sqrt(off, out=off)
-    off -= bulge
-    off *= 2.0
-    beyond -= low
-    np.abs(beyond, out=beyond)
-    beyond -= 0.5
-    beyond *= 2.0 * share
-    np.maximum(beyond, 0.0, out=beyond)
-    stretched = beyond + 2.0
-    stretched *= beyond
-    np.sqrt(stretched, out=stretched)
-    stretched += beyond
-    np.maximum(stretched, off, out=stretched)
-    smallest: Array = np.minimum.reduce(stretched)
-    return 1.0 + smallest
+    chosen, places, gaps = _chords(count)
+    if len(values) < count + 2:
+        chosen, places, gaps = chosen[:-1], places[:-1], gaps[:-1]
+    values = values[chosen]
+    reach = values[:-1] / (values[1:] - values[:-1])
+    reach *= gaps * share
+    beyond = places - reach
+    beyond *= beyond
+    beyond -= 1.0
+    reach *= reach
+    flat = (1.0 - places**2) - reach
+    reach *= 4.0
+    reach += flat * flat
+    np.sqrt(reach, out=reach)
+    reach -= flat
+    reach *= 0.5
+    np.maximum(reach, beyond, out=reach)
+    nearest: Array = np.minimum.reduce(reach)
+    return np.sqrt(1.0 + nearest) + np.sqrt(nearest)
 
 
 @cache
-def _shape(count: int) -> tuple[Array, Array, Array]:
-    """Of the gaps between a rule's knots: width, √(c (1 - c)) at the end nearer to the panel's, and c - 1/2."""
-    knots = rule(count).knots[:, None]
-    bulge = np.sqrt(knots * (1.0 - knots))
-    return np.diff(knots, axis=0), np.minimum(bulge[1:], bulge[:-1]), knots[:-1] - 0.5
+def _chords(count: int) -> tuple[Index, Array, Array]:
+    """Between which of a rule's knots chords are laid, where they start on (-1, 1), and how wide they are.
+
+    Every second knot will do, and at the ends, where layers hide, each.
+    """
+    inner = np.arange(3, count // 2 + 1, 2)
+    chosen = np.unique(np.concatenate([[0, 1], inner, count + 1 - inner, [count, count + 1]]))
+    places = 2.0 * rule(count).knots[chosen][:, None] - 1.0
+    return chosen, places[:-1], np.diff(places, axis=0)
 
 
 def _arc_velocity(course: Course, place: Array) -> Array:
@@ -171,7 +195,8 @@ def _panel(
     knots: Array,
     growth: Array,
     sound: Mask,
-    updates: list[Array],
+    update: Array,
+    newton: Array,
     smoothness: Array,
     rounding: Array | float,
     pair: tuple[int, int],
@@ -186,13 +211,7 @@ def _panel(
     if way != CLINGING:  # where a stream clings to a balance, such terms have died out before
         resolved = 4.0 / np.e * np.sqrt(coarse * fine) / decay
         smoothness = np.minimum(smoothness, np.maximum(resolved, 1.0))
-    inside = updates[0] * smoothness ** (coarse - fine)
-    end = inside * smoothness**-fine
-    safety, newton_part = (ROOT_SAFETY if way == ROOT else SAFETY), NEWTON_SAFETY * updates[-1] ** 2
-    return Panel(
-        knots,
-        growth,
-        np.where(sound, newton_part + safety * end, np.inf),
-        np.where(sound, newton_part + 0.1 * safety * inside, np.inf),
-        ROUNDING + rounding / np.maximum(decay, 1.0),
-    )
+    inside = np.where(sound, update, np.inf) * smoothness ** (coarse - fine)
+    inside *= ROOT_SAFETY if way == ROOT else SAFETY
+    error = newton + inside * smoothness**-fine
+    return Panel(knots, growth, error, newton + 0.1 * inside, ROUNDING + rounding / np.maximum(decay, 1.0))

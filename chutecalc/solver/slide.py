@@ -157,39 +157,59 @@ def field(course: Course, place: Array, width: Array) -> Field:
     )
 
 
-def rates(at: Field, y: Array) -> tuple[Array, Array]:
-    """DY over the panel and its derivative to Y at the field's places: dy/ds = 2 [g sin a - (1 + χ) τ n/σ]."""
-    area = np.sqrt(y)
-    np.divide(at.flow, area, out=area)
-    drag, growth = at.branch.excess.at(area)
+class Linear(NamedTuple):
+    """The equation over a panel as it is near an iterate: dY/dx = forcing + growth Y."""
+
+    forcing: Array
+    growth: Array
+    """∂f/∂Y."""
+    bending: Array
+    """Of ``growth``, what comes with the change of friction: by it Newton's method is none that ends at once."""
+
+
+def linearised(at: Field, y: Array) -> Linear:
+    """The equation at an iterate Y at the field's places.
+
+    With f = sin a - (1 + χ) (p + b Y) the derivative to Y is h/Y - (1 + χ) b, where h = A χ' (p + b Y)/2, and what it
+    leaves of f is sin a - (1 + χ) p - h. Adhesion adds to p, and to h by its own change with depth.
+    """
+    thin = np.sqrt(y)
+    np.divide(1.0, thin, out=thin)
+    area = at.flow * thin
+    drag, bending = at.branch.excess.at(area)
     drag += 1.0
-    hold, hold_growth = at.bend * y, at.bend
-    hold += at.press  # μ_w n/g
-    if at.adhesion is not None:
+    press, hold = at.press, at.bend * y
+    if at.adhesion is None:
+        hold += press  # μ_w n/g
+        bending *= hold
+    else:
         depth, width = depth_and_width(at.branch.facet, area)
         stuck = at.adhesion / depth
-        hold += stuck
-        hold_growth = hold_growth + stuck * area / (2.0 * y * width * depth)
-    growth *= hold
-    growth /= y + y
-    growth -= drag * hold_growth
-    hold *= drag
-    return at.sine - hold, growth
+        press = press + stuck
+        hold += press
+        bending *= hold
+        bending -= drag * stuck * area / (width * depth)
+    bending *= 0.5
+    forcing = np.multiply(drag, press, out=hold)
+    np.subtract(at.sine, forcing, out=forcing)
+    forcing -= bending
+    bending *= thin
+    bending *= thin
+    growth = np.multiply(drag, at.bend, out=drag)
+    np.subtract(bending, growth, out=growth)
+    return Linear(forcing, growth, bending)
 
 
-def frozen_rates(at: Field, y0: Array, y: Array) -> tuple[Array, Array]:
-    """The same with μ_e kept at its value for Y0: linear in Y, solved exactly by one Newton step from anywhere.
-
-    Close enough to start Newton from; exact where friction is constant.
-    """
+def frozen(at: Field, y0: Array) -> Linear:
+    """The same with μ_e as at Y0: near enough for Newton to start from, and right where friction is constant."""
     area = at.flow / np.sqrt(y0)
-    chi, _ = at.branch.excess.at(area)
-    drag = 1.0 + chi
-    hold = at.bend * y
-    hold += at.press
+    drag, _ = at.branch.excess.at(area)
+    drag += 1.0
+    press = at.press
     if at.adhesion is not None:
-        hold += at.adhesion / depth_and_width(at.branch.facet, area)[0]
-    return at.sine - drag * hold, np.broadcast_to(-drag * at.bend, y.shape)
+        press = press + at.adhesion / depth_and_width(at.branch.facet, area)[0]
+    growth = np.broadcast_to(-drag * at.bend, np.broadcast_shapes(press.shape, drag.shape))
+    return Linear(at.sine - drag * press, growth, np.zeros(1))
 
 
 TAPER_STEP = 1e-6

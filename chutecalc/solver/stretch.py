@@ -11,12 +11,12 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.physics.arrays import Array, Index, Mask, shared
 from chutecalc.solver.collocation import rule
 from chutecalc.solver.crossing import LEVEL, first_crossing
 from chutecalc.solver.front import CHOKE, END, RUNNING, Effort, Front, Piece, Trial
 from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, panel_by_place, panel_by_root
-from chutecalc.solver.slide import Slide, field, rates
+from chutecalc.solver.slide import Slide, field, linearised
 
 STOPPING, STARTING = 0.5, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
 SHY, AWAY = 0.667, 2.0  # of the distance to rest ahead or behind: as far as a panel in c may reach
@@ -119,8 +119,9 @@ def _start_events(front: Front, rows: Index) -> None:
 def _change(front: Front, rows: Index) -> tuple[Array, Array]:
     """dy/dc where the designs stand, and its derivative to y."""
     at = field(front.course(rows), front.place[rows], np.ones(1))
-    change, growth = rates(at, front.y[rows] / at.unit)
-    return change * at.unit, growth
+    y = front.y[rows] / at.unit
+    near = linearised(at, y)
+    return (near.forcing + near.growth * y) * at.unit, near.growth
 
 
 def _cross_boundaries(front: Front, rows: Index, change: Array) -> bool:
@@ -184,16 +185,11 @@ def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int
             panel = panel_by_root(course, start, end - start, place, pair)
         else:
             start = place
-            panel = panel_by_place(course, _shared(start), _shared(end - start), y, pair, way)
+            panel = panel_by_place(course, shared(start), shared(end - start), y, pair, way)
         good = panel.error <= tolerance
         if front.effort.complete:
             good &= panel.inner_error <= front.effort.inner_tolerance
         _judge(front, Trial(padded, by_root, start, end, panel, good), len(chunk))
-
-
-def _shared(values: Array) -> Array:
-    """One value where it is that of all designs: what follows from it alone is then worked out once."""
-    return values[:1] if (values == values[0]).all() else values
 
 
 def _judge(front: Front, trial: Trial, count: int) -> None:
@@ -201,10 +197,11 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     rows, start, end = trial.rows[:count], trial.start[:count], trial.end[:count]
     good = trial.good[:count]
     front.hopeful[rows] = ~good & np.isfinite(trial.panel.error[:count])
-    if not good.all():
+    all_good = bool(good.all())
+    if not all_good:
         front.retreat(rows[~good], trial.by_root, (end - start)[~good])
     if not (front.events or trial.by_root):
-        front.accept(trial, np.flatnonzero(good))
+        front.accept(trial, slice(count) if all_good else np.flatnonzero(good))
         return
     along = trial.start + rule(len(trial.panel.knots) - 2).knots[:, None] * (trial.end - trial.start)
     along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Belt, Contact, Design, Fall, Receiver, Segment
-from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.arrays import Array, Mask, shared
 from chutecalc.physics.belt import discharge
 from chutecalc.physics.motion import FLOOR, ROOF
 from chutecalc.physics.pressure import vertical_pressure_ratio
@@ -140,7 +140,7 @@ class _Geometry:
         if self.spec.segments[0].kind != "fall":
             place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
             self.fault(velocity == 0.0, place, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
-        slope: Array | None = np.where(velocity == 0.0, VERTICAL, inlet_slope)  # a stream at rest falls
+        slope: Array | None = shared(np.where(velocity == 0.0, VERTICAL, inlet_slope))  # a stream at rest falls
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
             if isinstance(segment, model.Fall):
