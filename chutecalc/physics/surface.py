@@ -53,11 +53,12 @@ def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
     >>> float(x[0].round(12)), float(z[0].round(12)), float(slope[0])
     (3.0, -3.0, 0.0)
     """
-    half = 0.5 * surface.turn * place
+    turned = surface.turn * place
+    half = 0.5 * turned
     middle = surface.slope + half
-    half = np.where(half == 0.0, 1e-20, half)  # its sine over itself is 1 there
+    half[half == 0.0] = 1e-20  # its sine over itself is 1 there
     chord = surface.length * place * (np.sin(half) / half)
-    return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + surface.turn * place
+    return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + turned
 
 
 def landing(surface: Surface, path: Flight, known: Index) -> Landing:

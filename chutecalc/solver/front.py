@@ -79,7 +79,9 @@ class Front:
         self.slide, self.effort = slide, effort
         self.place, self.y, self.error = place.copy(), y.copy(), error.copy()
         table = slide.facets_at(place)
-        self.facet = np.broadcast_to(wetted_facet(table, slide.area(y)), y.shape).copy()
+        self.facet = np.zeros(y.shape, dtype=np.intp)
+        if len(table.area) > 1:
+            self.facet[:] = wetted_facet(table, slide.area(y))
         self.piece = np.zeros(y.shape, dtype=np.intp)
         if len(slide.wall.starts) > 1:
             self.piece = wall_piece(slide.wall, slide.stress(place, y, take_facet(table, self.facet)))

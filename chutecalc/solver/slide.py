@@ -162,9 +162,12 @@ class Linear(NamedTuple):
 
     forcing: Array
     growth: Array
-    """∂f/∂Y."""
+    """∂f/∂Y; of shape (designs,) where it is the same at all places."""
     bending: Array
     """Of ``growth``, what comes with the change of friction: by it Newton's method is none that ends at once."""
+
+
+NOTHING = np.zeros(1)
 
 
 def linearised(at: Field, y: Array) -> Linear:
@@ -208,8 +211,7 @@ def frozen(at: Field, y0: Array) -> Linear:
     press = at.press
     if at.adhesion is not None:
         press = press + at.adhesion / depth_and_width(at.branch.facet, area)[0]
-    growth = np.broadcast_to(-drag * at.bend, np.broadcast_shapes(press.shape, drag.shape))
-    return Linear(at.sine - drag * press, growth, np.zeros(1))
+    return Linear(at.sine - drag * press, -drag * at.bend, NOTHING)
 
 
 TAPER_STEP = 1e-6

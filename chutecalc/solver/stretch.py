@@ -231,8 +231,7 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
 def _result(front: Front) -> Stretch:
     """Where each design ended; a choke comes before whatever was found beyond it."""
     place, y, error = front.choke
-    choked = np.isfinite(place)
-    if not choked.any():
+    if CHOKE not in front.events or not (choked := np.isfinite(place)).any():
         none = np.full(place.shape, np.nan)
         return Stretch(front.status, front.place, front.y, front.error, none, front.status, front.pieces)
     return Stretch(

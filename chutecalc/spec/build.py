@@ -69,7 +69,7 @@ def _optional(length: Any) -> Array | None:
 
 def _array(value: Any, dimension: str) -> Array:
     """A number of the spec in SI, of length 1 or n."""
-    return np.atleast_1d(np.asarray(to_si(value, dimension), dtype=np.float64))
+    return np.array(to_si(value, dimension), dtype=np.float64, ndmin=1)
 
 
 class _Geometry:
