@@ -13,6 +13,7 @@ import typer
 
 from chutecalc.cli.run import STANDARD_INPUT, Units, standard_input
 from chutecalc.errors import ExitStatus, UsageError
+from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
     from chutecalc.chute import Chute
@@ -261,17 +262,13 @@ def _check_extras(parquet: str | None, plot: str | None, chart: bool) -> None:
     if parquet == "-":
         raise UsageError("--parquet writes a file: standard output takes --csv or --json")
     if parquet:
-        from chutecalc.output.rows import require_parquet
-
-        require_parquet()
+        require_extra("parquet")
     if plot:
         from chutecalc.output.plot import picture_format
 
         picture_format(plot)
     if chart:
-        from chutecalc.output.chart import require_chart
-
-        require_chart()
+        require_extra("chart")
 
 
 def _check_drawn(sweep: Sweep, plot: str | None, chart: bool) -> None:

@@ -3,7 +3,6 @@
 import numpy as np
 
 from chutecalc.columns import COLUMNS, Column
-from chutecalc.errors import ExtraMissingError
 from chutecalc.output.sweep_table import column_of
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
@@ -24,18 +23,6 @@ EMPTY = " \u2800"
 """A blank, and one of Braille."""
 STEEP = 12.0
 """What is more than so many times its median is cut there, as in pictures."""
-
-
-def require_chart() -> None:
-    """That charts can be drawn.
-
-    Raises:
-        ExtraMissingError: Plotille is not installed.
-    """
-    try:
-        import plotille  # noqa: F401
-    except ImportError:
-        raise ExtraMissingError("--chart needs Plotille: pip install 'chutecalc[chart]'") from None
 
 
 def print_chart(printer: Printer, solution: Solution) -> None:

@@ -9,7 +9,6 @@ from typing import IO, Any, Protocol
 import numpy as np
 
 from chutecalc import __version__
-from chutecalc.errors import ExtraMissingError
 from chutecalc.output.csv import cells
 from chutecalc.output.json import FORMAT
 from chutecalc.studies.sweep import TEXT, Block, Sweep
@@ -134,18 +133,6 @@ class ParquetRows:
             table = self.arrow.concat_tables(self.waiting).unify_dictionaries()
             self.writer.write_table(table, row_group_size=len(table) or None)
             self.waiting = []
-
-
-def require_parquet() -> None:
-    """That Parquet can be written.
-
-    Raises:
-        ExtraMissingError: PyArrow is not installed.
-    """
-    try:
-        import pyarrow  # noqa: F401
-    except ImportError:
-        raise ExtraMissingError("--parquet needs PyArrow: pip install 'chutecalc[parquet]'") from None
 
 
 def _plain(values: Any) -> list[Any]:
