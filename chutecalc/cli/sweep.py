@@ -150,13 +150,15 @@ class _Run:
 
     def _solved(self, numbers: list[int]) -> Generator[tuple[int, Block], None, None]:
         """Blocks as they are solved, with a bar of progress."""
-        from chutecalc.output.sweep_table import progress
+        from chutecalc.output.progress import progress
 
         done = self.sweep.count - sum(self._size(number) for number in numbers)
-        with progress(self.sweep.count, done) as advance, closing(self.sweep.blocks(numbers, self.jobs)) as blocks:
+        with progress("designs") as told, closing(self.sweep.blocks(numbers, self.jobs)) as blocks:
+            told(done, self.sweep.count)
             for number, block in blocks:
                 yield number, block
-                advance(self._size(number))
+                done += self._size(number)
+                told(done, self.sweep.count)
 
     def _size(self, number: int) -> int:
         """How many designs a block has."""
