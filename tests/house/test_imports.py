@@ -14,7 +14,7 @@ LEVELS = [
     {"columns", "spec"},
     {"solver"},
     {"along"},
-    {"extremes"},
+    {"extremes", "belts", "stations"},
     {"findings"},
     {"solution"},
     {"chute"},
