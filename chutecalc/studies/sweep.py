@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from chutecalc import __version__
-from chutecalc.batch import NOT_AT_EXIT, exits
+from chutecalc.batch import CHUNK, NOT_AT_EXIT, exits
 from chutecalc.chute import Chute, check_tolerance, solve
 from chutecalc.columns import COLUMNS, WAYS, row_columns
 from chutecalc.design import Status
@@ -31,8 +31,8 @@ IMPOSSIBLE = "impossible"
 TEXT = ("status", "findings", "segment", "kind")
 """Columns that are text."""
 EXTREME = {"max": LARGEST, "min": LEAST}
-DESIGNS, WITH_FINDINGS, STATIONS = 16384, 1024, 262_144
-"""A block: so many designs, so many where findings are asked for, or about so many stations."""
+WITH_FINDINGS, STATIONS = 1024, 262_144
+"""Designs of a block where findings are asked for, and stations, about; a block is a chunk of a batch otherwise."""
 Block = dict[str, Any]
 """Arrays of one length by column name."""
 
@@ -113,8 +113,8 @@ class Sweep:
         """Designs of a block."""
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
-            return max(1, min(DESIGNS, STATIONS // max(stations, 1)))
-        return WITH_FINDINGS if "findings" in self.columns else DESIGNS
+            return max(1, min(CHUNK, STATIONS // max(stations, 1)))
+        return WITH_FINDINGS if "findings" in self.columns else CHUNK
 
     @property
     def block_count(self) -> int:

@@ -93,7 +93,7 @@ def test_a_unit_is_its_twin(capsys):
 def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch):
     arguments = ("radius=1:4:#9", "phi=20:40:#7", SPOON)
     whole = swept(capsys, *arguments)
-    monkeypatch.setattr(rows_of, "DESIGNS", 4)
+    monkeypatch.setattr(rows_of, "CHUNK", 4)
     assert swept(capsys, *arguments, "--jobs", "3") == whole
     assert swept(capsys, *arguments, "--jobs", "1") == whole
 
@@ -212,7 +212,7 @@ def test_ranges_are_decimal():
 def test_the_best_rows(capsys, monkeypatch):
     rows = [row for row in swept(capsys, "radius=1:4:#9", "phi=20:40:#7", SPOON) if row["status"] == "ok"]
     rows.sort(key=lambda row: -float(row["exit_velocity_m_s"]))
-    monkeypatch.setattr(rows_of, "DESIGNS", 4)
+    monkeypatch.setattr(rows_of, "CHUNK", 4)
     best = swept(capsys, "radius=1:4:#9", "phi=20:40:#7", SPOON, "--top", "5", "--by", "exit_velocity_m_s:max")
     assert best == rows[:5]
     few = swept(capsys, "phi=20,44", SPOON, "--top", "5", "--by", "exit_wear_w_m2:min")
