@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 from rich.table import Table
 
 from chutecalc.columns import COLUMNS, Column, row_columns
@@ -60,12 +61,12 @@ class ShownRows:
 
     def write(self, block: Block) -> None:
         """Takes a block."""
-        words = block["status"].tolist()
-        self.rows += len(words)
-        self.ends.update(words)
-        possible = [k for k, word in enumerate(words) if word != IMPOSSIBLE][: self.most - self.count]
-        if possible:
-            self.kept.append(chosen(block, possible))  # type: ignore[arg-type]
+        status = block["status"]
+        self.rows += len(status)
+        self.ends.update(status.tolist())
+        possible = np.flatnonzero(status != IMPOSSIBLE)[: self.most - self.count]
+        if possible.size:
+            self.kept.append(chosen(block, possible))
             self.count += len(possible)
 
     def close(self) -> None:
