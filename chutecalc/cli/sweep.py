@@ -246,8 +246,8 @@ def _friction_study(
 
 
 def _refuse(options: dict[str, Any], why: str) -> None:
-    """Options that were given and do not fit."""
-    given = [name for name, value in options.items() if value]
+    """Options that were given, whatever their value, and do not fit."""
+    given = [name for name, value in options.items() if value is not None and value is not False]
     if given:
         raise UsageError(f"{', '.join(given)} {why}")
 
