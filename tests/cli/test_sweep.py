@@ -14,8 +14,8 @@ import tomli_w
 
 import chutecalc
 from chutecalc.cli import main
+from chutecalc.ranges import read_values
 from chutecalc.studies import sweep as rows_of
-from chutecalc.studies.parameters import read_values
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")

@@ -10,7 +10,7 @@ import chutecalc
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
     {"errors", "units", "physics"},
-    {"design"},
+    {"design", "ranges"},
     {"columns", "spec"},
     {"solver"},
     {"along"},
