@@ -24,7 +24,6 @@ from chutecalc.solution import Solution
 from chutecalc.studies.grid import Grid
 from chutecalc.studies.kept import Kept
 from chutecalc.studies.parameters import Parameter
-from chutecalc.units import same_quantity
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
 IMPOSSIBLE = "impossible"
@@ -270,8 +269,7 @@ class Sweep:
         }
         faults: list[Fault] = []
         for path, values in ends.items():
-            named = len(same_quantity(path.rpartition(".")[2])) > 1  # else it may be a key that takes no number at all
-            faults += (() if named else self._faults({path: float(values[0])})) or self._faults({path: values})
+            faults += self._faults({path: values})
         faults = faults or [*self._faults(first)]
         if faults:
             raise SpecError(list(dict.fromkeys(faults)), self.chute.source)
@@ -279,8 +277,7 @@ class Sweep:
     def _faults(self, changes: Block) -> tuple[Fault, ...]:
         """What is wrong with values, unless it is that no such section can be."""
         try:
-            single = all(isinstance(value, float) for value in changes.values())
-            (self.chute.put if single else self.chute.vary)(changes)
+            self.chute.vary(changes)
         except SpecError as error:
             return error.faults if error.designs is None else ()
         return ()

@@ -172,7 +172,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["segments.spoon.kind=1,2", SPOON], "segments.2.kind"),
         (["segments.1.onto_next=1,2", SPOON], "segments.1.onto_next"),
         (["title=1,2", SPOON], "no short name"),
-        (["material.name=1,2", SPOON], "text in quotes"),
+        (["material.name=1,2", SPOON], "material.name = 1 to 2 cannot be varied"),
         (["model.friction_law=1,2", SPOON], "model.friction_law"),
         ([SPOON], "nothing is varied"),
         (["beta", SPOON, HOOD], "one spec"),
