@@ -7,7 +7,8 @@ from chutecalc.output.sweep_table import column_of
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
-from chutecalc.studies.sweep import TEXT, Block, Sweep
+from chutecalc.studies.block import TEXT, Block
+from chutecalc.studies.sweep import Sweep
 
 CHARTED = ("velocity_m_s", "depth_m")
 NARROWEST, WIDEST = 60, 120

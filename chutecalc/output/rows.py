@@ -11,7 +11,8 @@ import numpy as np
 from chutecalc import __version__
 from chutecalc.output.csv import cells
 from chutecalc.output.json import FORMAT
-from chutecalc.studies.sweep import TEXT, Block, Sweep
+from chutecalc.studies.block import TEXT, Block
+from chutecalc.studies.sweep import Sweep
 
 GROUP = 131_072
 """Rows of a group in Parquet, at most a block more."""

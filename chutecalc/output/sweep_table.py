@@ -10,7 +10,8 @@ from rich.table import Table
 from chutecalc.columns import COLUMNS, Column, row_columns
 from chutecalc.output.rows import joined
 from chutecalc.output.table import Printer
-from chutecalc.studies.sweep import IMPOSSIBLE, TEXT, Block, Sweep, chosen
+from chutecalc.studies.block import IMPOSSIBLE, TEXT, Block, chosen
+from chutecalc.studies.sweep import Sweep
 from chutecalc.units import TEXT as UNIT_TEXT
 from chutecalc.units import UNITS
 

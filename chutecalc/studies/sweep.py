@@ -8,7 +8,7 @@ from collections.abc import Generator, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from difflib import get_close_matches
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -21,34 +21,15 @@ from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.extremes import LARGEST, LEAST
 from chutecalc.physics.arrays import Index
 from chutecalc.solution import Solution
+from chutecalc.studies.block import IMPOSSIBLE, TEXT, Block, Top, chosen
 from chutecalc.studies.grid import Grid
 from chutecalc.studies.kept import Kept
 from chutecalc.studies.parameters import Parameter
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
-IMPOSSIBLE = "impossible"
-TEXT = ("status", "findings", "segment", "kind")
-"""Columns that are text."""
 EXTREME = {"max": LARGEST, "min": LEAST}
 WITH_FINDINGS, STATIONS = 1024, 262_144
 """Designs of a block where findings are asked for, and stations, about; a block is a chunk of a batch otherwise."""
-Block = dict[str, Any]
-"""Arrays of one length by column name."""
-
-
-class Top(NamedTuple):
-    """The rows that are wanted of all: so many, those with the largest or least values of a column."""
-
-    rows: int
-    column: str
-    largest: bool
-
-    def best(self, block: Block) -> Index:
-        """The places of the best rows, best first; the earlier first where they are equal. Empty cells are no rows."""
-        values = -block[self.column] if self.largest else block[self.column]
-        order: Index = np.argsort(values, kind="stable")
-        best: Index = order[np.isfinite(values[order])][: self.rows]
-        return best
 
 
 class Sweep:
@@ -281,21 +262,6 @@ class Sweep:
         except SpecError as error:
             return error.faults if error.designs is None else ()
         return ()
-
-
-def chosen(block: Block, rows: Index) -> Block:
-    """Some rows of a block."""
-    return {name: values[rows] for name, values in block.items()}
-
-
-def best_of(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
-    """The best rows of all blocks as one, best first; blocks come in order."""
-    kept: Block = {}
-    for block in blocks:
-        both = {name: np.concatenate([kept[name], block[name]]) for name in block} if kept else block
-        kept = chosen(both, np.sort(top.best(both)))
-    if kept:
-        yield chosen(kept, top.best(kept))
 
 
 def _codes(run: Solution) -> Any:
