@@ -12,6 +12,7 @@ chutecalc does in that time: build the numbers from the checked spec, solve, vel
 
 import csv
 from functools import partial
+from importlib.util import find_spec
 from itertools import groupby
 from pathlib import Path
 
@@ -92,11 +93,7 @@ def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.nd
     found |= {f"odeint {rtol}": partial(with_odeint, float(rtol), grid, case) for rtol in theirs}
     found |= {f"Runge-Kutta 4 {n}": partial(with_steps, 4, n, grid, case) for n in ((100,) if quick else (100, 1000))}
     found |= {"Euler 1000": partial(with_steps, 1, 1000, grid, case)}
-    try:
-        import heyoka  # noqa: F401
-    except ImportError:
-        return found
-    if "chamfer_m" not in case:
+    if "chamfer_m" not in case and find_spec("heyoka"):
         found |= {f"heyoka {rtol}": partial(with_heyoka, float(rtol), grid, case) for rtol in theirs}
     return found
 

@@ -14,9 +14,10 @@ from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
 from chutecalc.solver.chain import run_chain
-from chutecalc.spec.build import GeometryError, build
+from chutecalc.spec.build import build
 from chutecalc.spec.faults import faults_of, placed, value_text
 from chutecalc.spec.file import parse_text, read_text
+from chutecalc.spec.geometry import GeometryError
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.spec.paths import with_values
 

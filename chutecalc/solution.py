@@ -1,22 +1,22 @@
 """What came out: the stream at every place of every design, by the names of the column catalogue."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from chutecalc.along import Numbers, Part
+from chutecalc.belts import entering, received
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status, Stream, stretched
-from chutecalc.errors import UsageError
 from chutecalc.extremes import FEW, LARGEST, LEAST, SAMPLES, Extreme, Wanted, extremes
-from chutecalc.findings import WARNING, WORST, Finding, findings, in_order
+from chutecalc.findings import WORST, Finding, findings, in_order
+from chutecalc.findings.warnings import not_accelerated
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.belt import discharge, loading
 from chutecalc.solver.chain import Leg
+from chutecalc.stations import at_stations
 
-MOST_STATIONS = 1_000_000
 EXTREMES = (
     "velocity_m_s",
     "depth_m",
@@ -125,46 +125,15 @@ class Solution:
         ``matching_velocity_m_s`` the exit velocity that would do so at the slope there is; infinite or NaN where there
         is none.
         """
-        belt, design = self.design.receiver, self.design
-        if belt is None:
+        if self.design.receiver is None:
             return {}
         end = self.exit_columns(("velocity_m_s", "slope_deg"))
-        velocity, slope = end["velocity_m_s"], np.radians(end["slope_deg"])
-        onto = loading(velocity, slope, *belt, design.density, design.mass_rate, design.gravity)
-        aside = np.cos(slope - belt.slope)
-        with np.errstate(all="ignore"):
-            turn = np.arccos(np.where(velocity >= belt.velocity, belt.velocity / velocity, np.nan))
-            return {
-                "velocity_along_m_s": onto.along,
-                "velocity_across_m_s": onto.across,
-                "velocity_ratio": onto.velocity_ratio,
-                "impact_pressure_kpa": onto.impact_pressure / 1000.0,
-                "wear_w_m2": onto.wear,
-                "acceleration_length_m": onto.acceleration_length,
-                "acceleration_power_kw": onto.acceleration_power / 1000.0,
-                "matching_slope_deg": np.degrees(belt.slope + np.where(slope >= belt.slope, turn, -turn)),
-                "matching_velocity_m_s": np.where(aside > 0.0, belt.velocity / aside, np.inf),
-            }
+        return received(self.design.receiver, self.design, end["velocity_m_s"], np.radians(end["slope_deg"]))
 
     @cached_property
     def inlet(self) -> Numbers:
         """The stream where it enters, each of shape (designs,); from a belt also V²/(g r) and its lower edge."""
-        design = self.design
-        x, z = design.inlet_place
-        numbers = {
-            "x_m": x,
-            "z_m": z,
-            "slope_deg": np.degrees(design.inlet_slope),
-            "velocity_m_s": design.inlet_velocity,
-        }
-        if design.belt is not None:
-            belt = design.belt
-            middle = discharge(belt.velocity, belt.incline, belt.middle_radius, design.gravity)
-            reach = belt.lower_radius / belt.middle_radius
-            numbers["discharge_froude"] = middle.froude
-            numbers["lower_edge_x_m"] = belt.centre[0] + middle.x * reach
-            numbers["lower_edge_z_m"] = belt.centre[1] + middle.z * reach
-        return {name: np.broadcast_to(values, self.count) for name, values in numbers.items()}
+        return {name: np.broadcast_to(values, self.count) for name, values in entering(self.design).items()}
 
     @cached_property
     def error_estimate(self) -> Array:
@@ -221,29 +190,10 @@ class Solution:
     def findings(self) -> list[Finding]:
         """Failures, warnings and notes, each with a mask of the designs that it is about."""
         found = findings(self.parts, self.samples, self.extremes, self.count)
-        return found if self.design.receiver is None else in_order([*found, *self._not_accelerated()])
-
-    def _not_accelerated(self) -> Iterator[Finding]:
-        """The receiving belt cannot bring the stream to its velocity."""
-        assert self.design.receiver is not None
-        belt = self.receiver
-        numbers = {
-            "velocity_along_m_s": belt["velocity_along_m_s"],
-            "belt_velocity_m_s": np.broadcast_to(self.design.receiver.velocity, self.count),
-            "belt_slope_deg": np.broadcast_to(np.degrees(self.design.receiver.slope), self.count),
-        }
-        mask = np.isposinf(belt["acceleration_length_m"])
-        if mask.any():
-            yield Finding(
-                "not_accelerated",
-                WARNING,
-                self.segments[-1].name,
-                mask,
-                self.exit["s_m"],
-                "the belt never brings the stream from {velocity_along_m_s} to its own {belt_velocity_m_s}: friction on"
-                " it is too small for its slope of {belt_slope_deg}",
-                numbers,
-            )
+        if self.design.receiver is None:
+            return found
+        s, last = self.exit_columns(("s_m",))["s_m"], self.design.segments[-1].name
+        return in_order([*found, *not_accelerated(self.design.receiver, self.receiver, s, last)])
 
     def stations(
         self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()
@@ -268,29 +218,8 @@ class Solution:
         >>> table["segment"][0].tolist()
         ['fall', 'fall', 'fall', 'spoon', 'spoon', 'spoon']
         """
-        if points is not None and spacing is not None:
-            raise UsageError("stations go by points or by spacing, not by both")
-        if points is not None and not 2 <= points <= MOST_STATIONS:
-            raise UsageError(f"points has to be from 2 to {MOST_STATIONS}, not {points}")
-        if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
-            raise UsageError(f"the spacing of stations has to be greater than 0 m, not {spacing:g}")
         names = list(columns) or [name for name in COLUMNS if name != "spec"]
-        unknown = [name for name in names if name not in COLUMNS or name == "spec"]
-        if unknown:
-            raise UsageError(f"there is no column {', '.join(unknown)}; chutecalc columns lists what there is")
-        blocks = [self._stations(part, points or 101, spacing, names) for part in self.parts]
-        return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in blocks[0]}
-
-    def _stations(self, part: Part, points: int, spacing: float | None, names: list[str]) -> dict[str, Any]:
-        """The stations of one part, each of shape (designs, stations)."""
-        shares = np.linspace(0.0, 1.0, points) if spacing is None else _spaced(part, spacing)
-        shape = (self.count, len(shares))
-        labels = {"segment": part.name, "kind": part.kind}
-        numbers = part.at(shares, [name for name in names if name not in labels] or ["s_m"])
-        return {
-            name: np.full(shape, labels[name]) if name in labels else stretched(numbers[name].T, shape)
-            for name in names
-        }
+        return at_stations(self.parts, self.count, points, spacing, names)
 
     def _result(self, part: Part, sampled: Numbers, found: dict[Wanted, Extreme]) -> SegmentResult:
         """A part's ends and extremes."""
@@ -330,19 +259,3 @@ def _joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
 def _labels(codes: Index) -> Any:
     """Statuses as users read them."""
     return np.array([status.label for status in Status])[codes]
-
-
-def _spaced(part: Part, spacing: float) -> Array:
-    """Shares of the way at multiples of a spacing and at its ends, (places, designs); NaN past a design's end."""
-    begin, end = part.ends()
-    scale = 1.0 if part.contact is None else part.contact.surface.length
-    first, way = begin * scale, (end - begin) * scale
-    longest = float(np.nan_to_num(first + way).max())
-    if longest / spacing >= MOST_STATIONS:
-        raise UsageError(f"a spacing of {spacing:g} m makes more than {MOST_STATIONS} stations on {longest:.6g} m")
-    travelled = spacing * np.arange(int(longest / spacing) + 1)[:, None] - first
-    slack = 1e-12 * (first + way)
-    inside = (travelled > slack) & (travelled < way - slack)
-    shares = np.where(inside, travelled / np.where(way > 0.0, way, 1.0), np.nan)
-    ends = np.where(np.isnan(way), np.nan, np.array([[0.0], [1.0]]))
-    return np.concatenate([ends[:1], shares, ends[1:]])

@@ -145,7 +145,7 @@ def _run(campaign: Campaign, jobs: int | None, mpi: int, lmp: str) -> None:
     """Runs what is needed; says before how long that takes."""
     from chutecalc.dem.campaign import expected_seconds
     from chutecalc.dem.engine import Engine, cores
-    from chutecalc.output.dem_progress import progress
+    from chutecalc.output.progress import progress
 
     if not any(campaign.outcome(group).needed for group in campaign.groups):
         return
@@ -157,7 +157,7 @@ def _run(campaign: Campaign, jobs: int | None, mpi: int, lmp: str) -> None:
         f" {campaign.store.folder}: a second call goes on from there",
         err=True,
     )
-    with progress() as told:
+    with progress("cases", slow=True) as told:
         campaign.run(engine, at_once, told)
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from chutecalc.errors import AllSpecsError, ExitStatus, SpecError, UsageError
+from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
     from chutecalc.chute import Chute
@@ -91,9 +92,7 @@ def _check_extras(plot: str | None, chart: bool) -> None:
 
         picture_format(plot)
     if chart:
-        from chutecalc.output.chart import require_chart
-
-        require_chart()
+        require_extra("chart")
 
 
 def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:

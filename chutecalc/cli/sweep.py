@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Generator, Iterable
-from contextlib import ExitStack, closing
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 import typer
 
 from chutecalc.cli.run import STANDARD_INPUT, Units, standard_input
-from chutecalc.errors import ExitStatus, UsageError
+from chutecalc.errors import UsageError
+from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
     from chutecalc.chute import Chute
-    from chutecalc.output.rows import Rows
-    from chutecalc.output.sweep_table import ShownRows
-    from chutecalc.studies.sweep import Block, Sweep, Top
+    from chutecalc.studies.block import Top
+    from chutecalc.studies.sweep import Sweep
 
 MEANT = 10_000_000
 """Designs that a person can have meant."""
@@ -88,6 +85,7 @@ def sweep(
     _refuse(study, "belongs to the friction study: with a spec, vary phi or base, or change the spec")
     if not given:
         raise UsageError("nothing is varied: add a parameter, such as beta, rate=500,1000 or segments.1.drop_m=1:3:0.5")
+    from chutecalc.cli.sweep_run import SweepRun
     from chutecalc.output.files import check_openable, check_targets
     from chutecalc.output.sweep_table import MOST_SHOWN
     from chutecalc.studies.parameters import read_parameters
@@ -109,110 +107,7 @@ def sweep(
     _check_drawn(asked, plot, chart)
     if asked.count > MEANT and not yes:
         _ask(asked)
-    return _Run(asked, targets, chart, resume, jobs, units).run()
-
-
-class _Run:
-    """A sweep on its way to its outputs."""
-
-    def __init__(
-        self, sweep: Sweep, targets: dict[str, str | None], chart: bool, resume: bool, jobs: int | None, units: Units
-    ) -> None:
-        from chutecalc.output.blocks import BlockStore
-
-        self.sweep, self.targets, self.chart, self.jobs, self.units = sweep, targets, chart, jobs, units
-        files = [file for kind, file in targets.items() if kind != "plot" and file and _is_regular(file)]
-        if resume and not files:
-            raise UsageError("--resume goes on with a file: give the --csv, --parquet or --json that was written")
-        self.store = BlockStore(files[0], sweep.identity(), resume) if files else None
-
-    def run(self) -> int:
-        """Solves, writes, prints."""
-        count, store = self.sweep.block_count, self.store
-        if store is None:
-            with closing(self._solved(list(range(count)))) as blocks:
-                self._write((block for _, block in blocks), whole=True)
-            return ExitStatus.OK
-        try:
-            with closing(self._solved([number for number in range(count) if number not in store])) as blocks:
-                for number, block in blocks:
-                    store.save(number, block)
-        except KeyboardInterrupt:
-            self._write(store.blocks(count), whole=False)
-            done = next((number for number in range(count) if number not in store), count)
-            told = f"{min(done * self.sweep.block_size, self.sweep.count):,} of {self.sweep.count:,} designs"
-            print(f"chutecalc: {told} are written; --resume goes on from {store.name}", file=sys.stderr)
-            raise
-        self._write(store.blocks(count), whole=True)
-        store.remove()
-        return ExitStatus.OK
-
-    def _solved(self, numbers: list[int]) -> Generator[tuple[int, Block], None, None]:
-        """Blocks as they are solved, with a bar of progress."""
-        from chutecalc.output.sweep_table import progress
-
-        done = self.sweep.count - sum(self._size(number) for number in numbers)
-        with progress(self.sweep.count, done) as advance, closing(self.sweep.blocks(numbers, self.jobs)) as blocks:
-            for number, block in blocks:
-                yield number, block
-                advance(self._size(number))
-
-    def _size(self, number: int) -> int:
-        """How many designs a block has."""
-        return min(self.sweep.block_size, self.sweep.count - number * self.sweep.block_size)
-
-    def _write(self, blocks: Iterable[Block], whole: bool) -> None:
-        """Writes files from blocks and, where all are there, draws and prints."""
-        from chutecalc.output.files import open_whole
-        from chutecalc.output.rows import CsvRows, JsonRows, KeptRows, ParquetRows
-        from chutecalc.output.sweep_table import MOST_SHOWN, SHOWN_WITH_FILE, ShownRows
-        from chutecalc.studies.sweep import best_of
-
-        header = self.sweep.header
-        csv, parquet, json = (self.targets[kind] for kind in ("csv", "parquet", "json"))
-        files = [file for file in (csv, parquet, json) if file]
-        shown, kept = ShownRows(self.sweep, SHOWN_WITH_FILE if files else MOST_SHOWN), KeptRows()
-        with ExitStack() as outputs:
-            sinks: list[Rows] = [shown, *([kept] if self.chart or self.targets["plot"] else [])]
-            if stream := outputs.enter_context(open_whole(csv)):
-                sinks.append(CsvRows(stream, header))
-            if stream := outputs.enter_context(open_whole(parquet, "wb")):
-                sinks.append(ParquetRows(stream, header))
-            if stream := outputs.enter_context(open_whole(json)):
-                sinks.append(JsonRows(stream, self.sweep))
-            for block in best_of(blocks, self.sweep.top) if self.sweep.top else blocks:
-                for sink in sinks:
-                    sink.write(block)
-            for sink in sinks:
-                sink.close()
-        if whole:
-            self._draw(kept.block)
-            self._print(shown, kept.block, files)
-
-    def _draw(self, block: Block) -> None:
-        """The picture."""
-        plot = self.targets["plot"]
-        if plot:
-            from chutecalc.output.files import open_whole
-            from chutecalc.output.plot import picture_format, save
-            from chutecalc.output.plot_sweep import draw_sweep
-
-            with open_whole(plot, "wb") as stream:
-                assert stream is not None
-                save(draw_sweep(self.sweep, block, self.units), stream, picture_format(plot))
-
-    def _print(self, shown: ShownRows, block: Block, files: list[str]) -> None:
-        """The table, unless data goes where it would."""
-        from chutecalc.output.table import Printer
-
-        if "-" in files:
-            return
-        printer = Printer(self.units)
-        shown.show(printer, files)
-        if self.chart:
-            from chutecalc.output.chart import print_sweep_chart
-
-            print_sweep_chart(printer, self.sweep, block)
+    return SweepRun(asked, targets, chart, resume, jobs, units).run()
 
 
 def _friction_study(
@@ -243,8 +138,8 @@ def _friction_study(
 
 
 def _refuse(options: dict[str, Any], why: str) -> None:
-    """Options that were given and do not fit."""
-    given = [name for name, value in options.items() if value]
+    """Options that were given, whatever their value, and do not fit."""
+    given = [name for name, value in options.items() if value is not None and value is not False]
     if given:
         raise UsageError(f"{', '.join(given)} {why}")
 
@@ -261,17 +156,13 @@ def _check_extras(parquet: str | None, plot: str | None, chart: bool) -> None:
     if parquet == "-":
         raise UsageError("--parquet writes a file: standard output takes --csv or --json")
     if parquet:
-        from chutecalc.output.rows import require_parquet
-
-        require_parquet()
+        require_extra("parquet")
     if plot:
         from chutecalc.output.plot import picture_format
 
         picture_format(plot)
     if chart:
-        from chutecalc.output.chart import require_chart
-
-        require_chart()
+        require_extra("chart")
 
 
 def _check_drawn(sweep: Sweep, plot: str | None, chart: bool) -> None:
@@ -293,7 +184,7 @@ def _check_drawn(sweep: Sweep, plot: str | None, chart: bool) -> None:
 
 def _top(top: int | None, by: str | None) -> Top | None:
     """What is best."""
-    from chutecalc.studies.sweep import Top
+    from chutecalc.studies.block import Top
 
     if top is None and by is None:
         return None
@@ -309,8 +200,3 @@ def _ask(sweep: Sweep) -> None:
         lists = " × ".join(f"{len(parameter.values):,} {parameter.name}" for parameter in sweep.parameters)
         if not typer.confirm(f"{lists}: {sweep.count:,} designs. Go on?", err=True):
             raise UsageError("nothing was solved")
-
-
-def _is_regular(target: str) -> bool:
-    """Whether it is a file, or can become one: no stream, pipe or device."""
-    return target != "-" and (os.path.isfile(target) or not os.path.exists(target))

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Sequence
-from decimal import Decimal, InvalidOperation
 from itertools import product
 from typing import NamedTuple
 
@@ -12,9 +11,10 @@ from chutecalc.dem.pour import check_room
 from chutecalc.dem.trough import Trough
 from chutecalc.errors import UsageError
 from chutecalc.physics.pressure import vertical_pressure_ratio
+from chutecalc.ranges import read_values
 
 MOST = 1000
-"""Numbers in a list."""
+"""Numbers of a range."""
 BETA, BASE, AREA = "15:90:15", 0.5, "0.05"
 """Of the paper's Figure 5."""
 
@@ -44,29 +44,20 @@ class Wanted(NamedTuple):
 
 
 def numbers(text: str, name: str, low: float, high: float) -> list[float]:
-    """The numbers of ``30,45,60`` or ``15:90:15``, with the last where a step lands on it, in decimal arithmetic.
+    """The numbers of a list, each once.
 
     Args:
-        text: as given.
+        text: as :func:`chutecalc.ranges.read_values` takes it.
         name: of the option, for messages.
         low, high: bounds, both allowed.
 
     Raises:
-        UsageError: it is none of these, or out of bounds.
+        UsageError: it is none, or they are out of bounds.
 
     >>> numbers("0.1:0.3:0.1", "--x", 0.0, 1.0), numbers("1,2.5", "--x", 0.0, 9.0)
     ([0.1, 0.2, 0.3], [1.0, 2.5])
     """
-    try:
-        if ":" in text:
-            first, last, step = (Decimal(part) for part in text.split(":"))
-            if not (step > 0 and last >= first and (last - first) / step < MOST):
-                raise UsageError(f"{name} takes FIRST:LAST:STEP with a step above 0, rising, not {text!r}")
-            values = [float(first + k * step) for k in range(int((last - first) / step) + 1)]
-        else:
-            values = [float(Decimal(part)) for part in text.split(",")]
-    except (InvalidOperation, ValueError):
-        raise UsageError(f"{name} takes numbers, as 30,45,60 or 15:90:15, not {text!r}") from None
+    values = read_values(name, text, MOST).tolist()
     for value in values:
         if not low <= value <= high:
             raise UsageError(f"{name} has to be from {low:g} to {high:g}, not {value:g}")

@@ -10,7 +10,7 @@ from chutecalc.extremes import Extreme, Wanted
 from chutecalc.findings import failures, warnings
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
 
-__all__ = ["WARNING", "WORST", "Finding", "findings", "in_order"]
+__all__ = ["WORST", "Finding", "findings", "in_order"]
 
 CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
     failures.stall,

@@ -4,9 +4,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.design import Status
+from chutecalc.along import Numbers
+from chutecalc.design import Receiver, Status
 from chutecalc.extremes import SAMPLES
 from chutecalc.findings.finding import NOTE, WARNING, Finding, Scene, finding
+from chutecalc.physics.arrays import Array
 from chutecalc.physics.friction import equilibrium_friction
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.pressure import greatest_wall_friction
@@ -205,3 +207,27 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Finding]:
     template = "drawn tangent to the stream, from {slope_deg}, the curve changes with the flow; from_slope_deg fixes it"
     s = scene.part.leg.start.distance
     yield from finding(scene, "geometry_follows_flow", NOTE, np.isfinite(slope), s, template, slope_deg=slope)
+
+
+def not_accelerated(belt: Receiver, received: Numbers, s: Array, segment: str) -> Iterator[Finding]:
+    """The receiving belt cannot bring the stream to its velocity.
+
+    Args:
+        belt: that receives it.
+        received: what the stream does to it, of :func:`chutecalc.belts.received`.
+        s: where the stream leaves the chute, shape (designs,).
+        segment: the last.
+    """
+    mask = np.isposinf(received["acceleration_length_m"])
+    if not mask.any():
+        return
+    template = (
+        "the belt never brings the stream from {velocity_along_m_s} to its own {belt_velocity_m_s}: friction on it is"
+        " too small for its slope of {belt_slope_deg}"
+    )
+    numbers = {
+        "velocity_along_m_s": received["velocity_along_m_s"],
+        "belt_velocity_m_s": np.broadcast_to(belt.velocity, len(s)),
+        "belt_slope_deg": np.broadcast_to(np.degrees(belt.slope), len(s)),
+    }
+    yield Finding("not_accelerated", WARNING, segment, mask, s, template, numbers)

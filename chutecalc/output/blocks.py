@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import OutputError, UsageError, WriteError
-from chutecalc.studies.sweep import Block
+from chutecalc.studies.block import Block
 
 IDENTITY = "sweep.json"
 

@@ -3,12 +3,12 @@
 import numpy as np
 
 from chutecalc.columns import COLUMNS, Column
-from chutecalc.errors import ExtraMissingError
 from chutecalc.output.sweep_table import column_of
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
-from chutecalc.studies.sweep import TEXT, Block, Sweep
+from chutecalc.studies.block import TEXT, Block
+from chutecalc.studies.sweep import Sweep
 
 CHARTED = ("velocity_m_s", "depth_m")
 NARROWEST, WIDEST = 60, 120
@@ -24,18 +24,6 @@ EMPTY = " \u2800"
 """A blank, and one of Braille."""
 STEEP = 12.0
 """What is more than so many times its median is cut there, as in pictures."""
-
-
-def require_chart() -> None:
-    """That charts can be drawn.
-
-    Raises:
-        ExtraMissingError: Plotille is not installed.
-    """
-    try:
-        import plotille  # noqa: F401
-    except ImportError:
-        raise ExtraMissingError("--chart needs Plotille: pip install 'chutecalc[chart]'") from None
 
 
 def print_chart(printer: Printer, solution: Solution) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import IO, Any
 from xml.etree import ElementTree
 
+from rich.console import JustifyMethod
 from rich.table import Table
 from rich.text import Text
 
@@ -50,8 +51,8 @@ def _drifts(verdict: Verdict) -> Table:
     """A row a column: from where on along the chute it is off, and where it is most."""
     table = Table(box=None, header_style="bold", padding=(0, 0, 0, 2))
     for heading in ("column", "off from", "s\nm", "most at", "s\nm", "was", "is", "off by"):
-        side = "left" if heading in ("column", "off from", "most at") else "right"
-        table.add_column(heading, no_wrap=True, justify=side)  # type: ignore[arg-type]
+        side: JustifyMethod = "left" if heading in ("column", "off from", "most at") else "right"
+        table.add_column(heading, no_wrap=True, justify=side)
     for first, most in worst(verdict.drifts):
         table.add_row(most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}")
     return table

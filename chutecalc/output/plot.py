@@ -3,7 +3,8 @@
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
-from chutecalc.errors import ExtraMissingError, UsageError
+from chutecalc.errors import UsageError
+from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,10 +23,7 @@ def picture_format(file: str) -> str:
     ending = Path(file).suffix.lower().removeprefix(".")
     if ending not in FORMATS:
         raise UsageError(f"--plot draws .svg, .png or .pdf, told by the file's ending: {file} has none of them")
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        raise ExtraMissingError("--plot needs Matplotlib: pip install 'chutecalc[plot]'") from None
+    require_extra("plot")
     return ending
 
 

@@ -70,14 +70,7 @@ def _draw_friction(axes: Axes, study: FrictionStudy, units: str) -> None:
         axes.plot(rows["chamfer_deg"], rows["equivalent_friction"], **look, label=name, gid="friction")
     best = [(each.inside_deg, each.inside_friction) for each in study.best() if np.isfinite(each.inside_deg)]
     if best:
-        star: dict[str, Any] = {
-            "marker": "*",
-            "markersize": 11,
-            "color": "white",
-            "markeredgecolor": INK,
-            "linestyle": "",
-        }
-        axes.plot(*np.transpose(best), **star, label="best β inside the range", gid="best")
+        axes.plot(*np.transpose(best), **STAR, label="best β inside the range", gid="best")
     axes.axhline(np.tan(np.radians(study.wall_friction_deg)), color=PALE, linewidth=1.0, label="tan φ", gid="wall")
     label_axes(axes, FRICTION_COLUMNS["chamfer_deg"], FRICTION_COLUMNS["equivalent_friction"], units)
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

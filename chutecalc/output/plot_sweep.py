@@ -11,8 +11,9 @@ from matplotlib.ticker import MaxNLocator
 from chutecalc.columns import Column
 from chutecalc.output.plot_style import INK, MAP, SMALL, looks, mathematical, styled
 from chutecalc.output.sweep_table import column_of, parameter_label
+from chutecalc.studies.block import IMPOSSIBLE, TEXT, Block
 from chutecalc.studies.parameters import Parameter
-from chutecalc.studies.sweep import IMPOSSIBLE, TEXT, Block, Sweep
+from chutecalc.studies.sweep import Sweep
 from chutecalc.units import TEXT as UNIT_TEXT
 
 MOST_LINES = 8

@@ -9,10 +9,10 @@ from typing import IO, Any, Protocol
 import numpy as np
 
 from chutecalc import __version__
-from chutecalc.errors import ExtraMissingError
 from chutecalc.output.csv import cells
 from chutecalc.output.json import FORMAT
-from chutecalc.studies.sweep import TEXT, Block, Sweep
+from chutecalc.studies.block import TEXT, Block
+from chutecalc.studies.sweep import Sweep
 
 GROUP = 131_072
 """Rows of a group in Parquet, at most a block more."""
@@ -134,18 +134,6 @@ class ParquetRows:
             table = self.arrow.concat_tables(self.waiting).unify_dictionaries()
             self.writer.write_table(table, row_group_size=len(table) or None)
             self.waiting = []
-
-
-def require_parquet() -> None:
-    """That Parquet can be written.
-
-    Raises:
-        ExtraMissingError: PyArrow is not installed.
-    """
-    try:
-        import pyarrow  # noqa: F401
-    except ImportError:
-        raise ExtraMissingError("--parquet needs PyArrow: pip install 'chutecalc[parquet]'") from None
 
 
 def _plain(values: Any) -> list[Any]:

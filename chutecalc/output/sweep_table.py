@@ -1,17 +1,17 @@
-"""The rows of a sweep for people, and its progress."""
+"""The rows of a sweep for people."""
 
-import sys
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
+import numpy as np
 from rich.table import Table
 
 from chutecalc.columns import COLUMNS, Column, row_columns
 from chutecalc.output.rows import joined
 from chutecalc.output.table import Printer
-from chutecalc.studies.sweep import IMPOSSIBLE, TEXT, Block, Sweep, chosen
+from chutecalc.studies.block import IMPOSSIBLE, TEXT, Block, chosen
+from chutecalc.studies.sweep import Sweep
 from chutecalc.units import TEXT as UNIT_TEXT
 from chutecalc.units import UNITS
 
@@ -62,12 +62,12 @@ class ShownRows:
 
     def write(self, block: Block) -> None:
         """Takes a block."""
-        words = block["status"].tolist()
-        self.rows += len(words)
-        self.ends.update(words)
-        possible = [k for k, word in enumerate(words) if word != IMPOSSIBLE][: self.most - self.count]
-        if possible:
-            self.kept.append(chosen(block, possible))  # type: ignore[arg-type]
+        status = block["status"]
+        self.rows += len(status)
+        self.ends.update(status.tolist())
+        possible = np.flatnonzero(status != IMPOSSIBLE)[: self.most - self.count]
+        if possible.size:
+            self.kept.append(chosen(block, possible))
             self.count += len(possible)
 
     def close(self) -> None:
@@ -135,27 +135,3 @@ def _texts(column: Column, values: Any, units: str) -> list[str]:
     if column.name == "error_estimate":
         return ["" if value != value else f"{value:.0e}" for value in values.tolist()]
     return [column.shown(value, units) for value in values.tolist()]
-
-
-@contextmanager
-def progress(total: int, done: int) -> Iterator[Any]:
-    """What is called with so many designs more; a bar with rate and time left, on a terminal's standard error alone."""
-    if not sys.stderr.isatty():
-        yield lambda count: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, ProgressColumn, TimeRemainingColumn
-    from rich.text import Text
-
-    class Rate(ProgressColumn):
-        """Designs a second."""
-
-        def render(self, task: Any) -> Text:
-            """As text."""
-            speed = task.finished_speed or task.speed
-            return Text(f"{speed:,.0f} designs/s" if speed else "")
-
-    columns = (BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("sweep", total=total, completed=done)
-        yield lambda count: bar.advance(task, count)

@@ -81,7 +81,8 @@ def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
         if item == "[key]":  # pydantic's name for a key itself
             continue
         if isinstance(here, dict):
-            if not tagged and item in (here.get("kind"), here.get("shape")):
+            tags = [tag for tag in (here.get("kind"), here.get("shape")) if isinstance(tag, str)]
+            if not tagged and item in tags:
                 tagged = True
                 continue
             here = here.get(item)

@@ -65,7 +65,8 @@ def _step(here: Any, item: str) -> tuple[Any, list[str]]:
             here[item] = {}
         return here.get(item), [key for key, value in here.items() if isinstance(value, dict | list)]
     if isinstance(here, list):
-        named = [table.get("name") if isinstance(table, dict) else None for table in here]
+        given = [table.get("name") if isinstance(table, dict) else None for table in here]
+        named = [name if isinstance(name, str) else None for name in given]
         names = [name or str(number) for number, name in enumerate(named, 1)]
         if _is_number(item) and 1 <= int(item) <= len(here):
             return here[int(item) - 1], names

@@ -176,7 +176,7 @@ class Table(BaseModel):
     def _in_first_units(
         cls, data: dict[str, Any], broken: list[Rule]
     ) -> tuple[dict[str, Any], dict[str, str], set[str]]:
-        """The table with documented keys and units alone, as what the user wrote them, and what unknown keys meant."""
+        """The table with documented keys and units alone, as what the user wrote them, and keys whose fault is told."""
         table: dict[str, Any] = {}
         written: dict[str, str] = {}
         meant: set[str] = set()
@@ -193,6 +193,10 @@ class Table(BaseModel):
                 continue
             written[name] = key
             quantity = cls.quantities().get(name)
+            if quantity is None and isinstance(value, np.ndarray):
+                broken.append(Rule((key,), *_NOT_VARIED))
+                meant.add(name)
+                continue
             table[name] = _converted(value, quantity.dimension, unit) if quantity else value
         return table, written, meant
 
@@ -235,6 +239,8 @@ class Table(BaseModel):
             return _detail((key,), f"{item['msg']} {limits}".rstrip(), "change the value")
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")
+            if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
+                return _detail((*place, tag), *_NOT_VARIED)
             return _detail((*place, tag), "is missing or not known", f"give one of {', '.join(cls.choices[tag])}")
         if kind == "string_pattern_mismatch":
             return _detail(place, "is no name", "use letters, digits, - and _, and begin with a letter or _")
@@ -244,6 +250,7 @@ class Table(BaseModel):
         return _detail(place, f"has to be {expected}" if expected else item["msg"], "change it")
 
 
+_NOT_VARIED = "cannot be varied: it is no quantity", "use the path of a quantity, such as flow.rate_t_h"
 _EXPECTED = {
     "string_type": "text in quotes",
     "dict_type": "a table",

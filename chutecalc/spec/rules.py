@@ -79,9 +79,15 @@ def names(table: dict[str, Any]) -> Iterator[Rule]:
             if name in seen:
                 yield Rule((*place, "name"), f"is the name of segment {seen[name]} too", "choose another name")
             seen.setdefault(name, number + 1)
-        if segment.get("kind") in GUIDED:
+        if _guides(segment):
             yield from _reference(table, segment, place, "section", "sections")
             yield from _reference(table, segment, place, "liner", "liners")
+
+
+def _guides(segment: dict[str, Any]) -> bool:
+    """Whether a segment says that it guides the stream."""
+    kind = segment.get("kind")
+    return isinstance(kind, str) and kind in GUIDED
 
 
 def _reference(
@@ -119,11 +125,11 @@ def placement(table: dict[str, Any]) -> Iterator[Rule]:
         after = listed[number + 1] if number + 1 < len(listed) else {}
         starts = [key for key in segment if str(key).startswith("start_")]
         place = ("segments", number)
-        if segment.get("onto_next") is True and after.get("kind") not in GUIDED:
+        if segment.get("onto_next") is True and not _guides(after):
             yield Rule(
                 (*place, "onto_next"), "needs a segment after it that guides the stream", "add one, or give drop_m"
             )
-        if before.get("onto_next") is True and segment.get("kind") in GUIDED:
+        if before.get("onto_next") is True and _guides(segment):
             if not starts:
                 yield Rule((*place, "start_m"), "is missing: the fall before it goes onto_next", "add start_m = [x, z]")
             if segment.get("kind") in ("curve", "hood") and not any(

@@ -1,20 +1,14 @@
 """What a sweep varies: arguments such as ``beta=15:90:5`` as spec paths and values."""
 
-import math
 from collections.abc import Iterator
-from decimal import Decimal, InvalidOperation
-from fractions import Fraction
 from typing import Any, NamedTuple
-
-import numpy as np
 
 from chutecalc.chute import Chute
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
+from chutecalc.ranges import read_values
 from chutecalc.units import same_quantity
 
-MOST_VALUES = 100_000_000
-"""Of one parameter."""
 SHORT = {
     "beta": ("sections", "chamfer_deg"),
     "delta": ("material", "internal_friction_deg"),
@@ -75,59 +69,6 @@ def split_argument(argument: str, bare: dict[str, str]) -> tuple[str, Array]:
     if not (name and equals):
         raise UsageError(f"{argument!r} has no values: write NAME=VALUES, such as beta=15:90:5 or rate=500,1000")
     return name, read_values(name, text)
-
-
-def read_values(name: str, text: str) -> Array:
-    """Numbers and ranges, in decimal arithmetic.
-
-    Args:
-        name: for messages.
-        text: items between commas: numbers, ``a:b:step`` with b where a step lands on it, ``a:b:#n`` for n numbers.
-
-    Raises:
-        UsageError: what is none of these.
-
-    >>> read_values("beta", "0.1:0.3:0.1").tolist(), read_values("beta", "15:90:#4").tolist()
-    ([0.1, 0.2, 0.3], [15.0, 40.0, 65.0, 90.0])
-    """
-    return np.concatenate([_item(name, item.strip()) for item in text.split(",")])
-
-
-def _item(name: str, item: str) -> Array:
-    """A number or a range."""
-    parts = item.split(":")
-    if len(parts) == 1:
-        return np.array([float(_number(name, item))])
-    if len(parts) != 3:
-        raise UsageError(f"{name}: {item!r} is no range: write FROM:TO:STEP or FROM:TO:#COUNT")
-    first, last = _number(name, parts[0]), _number(name, parts[1])
-    if parts[2].startswith("#"):
-        text = parts[2][1:]
-        count = int(text) if text.isascii() and text.isdecimal() and len(text) < 20 else 0
-        if count < 1 or (count == 1 and first != last):
-            raise UsageError(f"{name}: {parts[2]!r} is no count: write # and a number from 2, such as #16")
-        step = (last - first) / max(count - 1, 1)
-    else:
-        step = _number(name, parts[2])
-        if step == 0 or (last - first) / step < 0:
-            raise UsageError(f"{name}: steps of {parts[2].strip()} never lead from {parts[0]} to {parts[1]}")
-        count = math.floor((last - first) / step) + 1
-    if count > MOST_VALUES:
-        raise UsageError(f"{name}: {item} is {count:.3g} values, more than {MOST_VALUES:,}")
-    common = math.lcm(first.denominator, step.denominator)
-    start, stride = int(first * common), int(step * common)
-    return np.array([(start + k * stride) / common for k in range(count)])  # integers: each rounded once
-
-
-def _number(name: str, text: str) -> Fraction:
-    """A decimal number, exactly."""
-    try:
-        number = Decimal(text.strip())
-        if number.is_finite() and (number == 0 or -300 < number.adjusted() < 300):
-            return Fraction(number)
-    except InvalidOperation:
-        pass
-    raise UsageError(f"{name}: {text.strip()!r} is no number")
 
 
 def _parameter(argument: str, chute: Chute) -> Parameter:

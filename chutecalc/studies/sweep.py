@@ -8,12 +8,12 @@ from collections.abc import Generator, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from difflib import get_close_matches
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from chutecalc import __version__
-from chutecalc.batch import NOT_AT_EXIT, exits
+from chutecalc.batch import CHUNK, NOT_AT_EXIT, exits
 from chutecalc.chute import Chute, check_tolerance, solve
 from chutecalc.columns import COLUMNS, WAYS, row_columns
 from chutecalc.design import Status
@@ -21,35 +21,15 @@ from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.extremes import LARGEST, LEAST
 from chutecalc.physics.arrays import Index
 from chutecalc.solution import Solution
+from chutecalc.studies.block import IMPOSSIBLE, TEXT, Block, Top, chosen
 from chutecalc.studies.grid import Grid
 from chutecalc.studies.kept import Kept
 from chutecalc.studies.parameters import Parameter
-from chutecalc.units import same_quantity
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
-IMPOSSIBLE = "impossible"
-TEXT = ("status", "findings", "segment", "kind")
-"""Columns that are text."""
 EXTREME = {"max": LARGEST, "min": LEAST}
-DESIGNS, WITH_FINDINGS, STATIONS = 16384, 1024, 262_144
-"""A block: so many designs, so many where findings are asked for, or about so many stations."""
-Block = dict[str, Any]
-"""Arrays of one length by column name."""
-
-
-class Top(NamedTuple):
-    """The rows that are wanted of all: so many, those with the largest or least values of a column."""
-
-    rows: int
-    column: str
-    largest: bool
-
-    def best(self, block: Block) -> Index:
-        """The places of the best rows, best first; the earlier first where they are equal. Empty cells are no rows."""
-        values = -block[self.column] if self.largest else block[self.column]
-        order: Index = np.argsort(values, kind="stable")
-        best: Index = order[np.isfinite(values[order])][: self.rows]
-        return best
+WITH_FINDINGS, STATIONS = 1024, 262_144
+"""Designs of a block where findings are asked for, and stations, about; a block is a chunk of a batch otherwise."""
 
 
 class Sweep:
@@ -113,8 +93,8 @@ class Sweep:
         """Designs of a block."""
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
-            return max(1, min(DESIGNS, STATIONS // max(stations, 1)))
-        return WITH_FINDINGS if "findings" in self.columns else DESIGNS
+            return max(1, min(CHUNK, STATIONS // max(stations, 1)))
+        return WITH_FINDINGS if "findings" in self.columns else CHUNK
 
     @property
     def block_count(self) -> int:
@@ -270,8 +250,7 @@ class Sweep:
         }
         faults: list[Fault] = []
         for path, values in ends.items():
-            named = len(same_quantity(path.rpartition(".")[2])) > 1  # else it may be a key that takes no number at all
-            faults += (() if named else self._faults({path: float(values[0])})) or self._faults({path: values})
+            faults += self._faults({path: values})
         faults = faults or [*self._faults(first)]
         if faults:
             raise SpecError(list(dict.fromkeys(faults)), self.chute.source)
@@ -279,26 +258,10 @@ class Sweep:
     def _faults(self, changes: Block) -> tuple[Fault, ...]:
         """What is wrong with values, unless it is that no such section can be."""
         try:
-            single = all(isinstance(value, float) for value in changes.values())
-            (self.chute.put if single else self.chute.vary)(changes)
+            self.chute.vary(changes)
         except SpecError as error:
             return error.faults if error.designs is None else ()
         return ()
-
-
-def chosen(block: Block, rows: Index) -> Block:
-    """Some rows of a block."""
-    return {name: values[rows] for name, values in block.items()}
-
-
-def best_of(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
-    """The best rows of all blocks as one, best first; blocks come in order."""
-    kept: Block = {}
-    for block in blocks:
-        both = {name: np.concatenate([kept[name], block[name]]) for name in block} if kept else block
-        kept = chosen(both, np.sort(top.best(both)))
-    if kept:
-        yield chosen(kept, top.best(kept))
 
 
 def _codes(run: Solution) -> Any:

@@ -147,7 +147,8 @@ def test_the_section_of_a_chute(tmp_path, capsys, spec, segment, wall):
     ("arguments", "words"),
     [
         (["--beta", "0"], "--beta has to be from 1 to 90"),
-        (["--beta", "x"], "--beta takes numbers"),
+        (["--beta", "x"], "--beta: 'x' is no number: write some, as 30,45,60"),
+        (["--beta", "30:60:0.001"], "more than 1,000"),
         (["--pour", "drizzle"], "gentle, rain, freefall or all"),
         (["--area", "0.0001"], "too small"),
         (["--base", "0"], "no width"),

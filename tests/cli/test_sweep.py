@@ -14,8 +14,8 @@ import tomli_w
 
 import chutecalc
 from chutecalc.cli import main
+from chutecalc.ranges import read_values
 from chutecalc.studies import sweep as rows_of
-from chutecalc.studies.parameters import read_values
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
@@ -93,7 +93,7 @@ def test_a_unit_is_its_twin(capsys):
 def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch):
     arguments = ("radius=1:4:#9", "phi=20:40:#7", SPOON)
     whole = swept(capsys, *arguments)
-    monkeypatch.setattr(rows_of, "DESIGNS", 4)
+    monkeypatch.setattr(rows_of, "CHUNK", 4)
     assert swept(capsys, *arguments, "--jobs", "3") == whole
     assert swept(capsys, *arguments, "--jobs", "1") == whole
 
@@ -172,13 +172,16 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["segments.spoon.kind=1,2", SPOON], "segments.2.kind"),
         (["segments.1.onto_next=1,2", SPOON], "segments.1.onto_next"),
         (["title=1,2", SPOON], "no short name"),
-        (["material.name=1,2", SPOON], "text in quotes"),
+        (["material.name=1,2", SPOON], "material.name = 1 to 2 cannot be varied"),
         (["model.friction_law=1,2", SPOON], "model.friction_law"),
         ([SPOON], "nothing is varied"),
         (["beta", SPOON, HOOD], "one spec"),
         (["phi=20"], "without a spec"),
         (["beta", "--zip"], "--zip"),
+        (["beta", "--stations", "0"], "--stations"),
         (["beta", SPOON, "--area", "0.1"], "--area"),
+        (["beta", SPOON, "--phi", "0"], "--phi belongs to the friction study"),
+        (["beta", SPOON, "--base", "0"], "--base belongs to the friction study"),
         (["beta", SPOON, "--keep", "width"], "chamfer_m"),
         (["radius=1,2", SPOON, "--keep", "width"], "beta"),
         (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
@@ -212,7 +215,7 @@ def test_ranges_are_decimal():
 def test_the_best_rows(capsys, monkeypatch):
     rows = [row for row in swept(capsys, "radius=1:4:#9", "phi=20:40:#7", SPOON) if row["status"] == "ok"]
     rows.sort(key=lambda row: -float(row["exit_velocity_m_s"]))
-    monkeypatch.setattr(rows_of, "DESIGNS", 4)
+    monkeypatch.setattr(rows_of, "CHUNK", 4)
     best = swept(capsys, "radius=1:4:#9", "phi=20:40:#7", SPOON, "--top", "5", "--by", "exit_velocity_m_s:max")
     assert best == rows[:5]
     few = swept(capsys, "phi=20,44", SPOON, "--top", "5", "--by", "exit_wear_w_m2:min")

@@ -82,8 +82,9 @@ def test_scatter_is_the_standard_deviation_of_a_sample():
 def test_lists_of_numbers():
     assert numbers("15:90:15", "--beta", 0, 90) == [15.0, 30.0, 45.0, 60.0, 75.0, 90.0]
     assert numbers("15:80:15", "--beta", 0, 90)[-1] == 75.0
+    assert numbers("30:90:#3, 10", "--beta", 0, 90) == [30.0, 60.0, 90.0, 10.0]
     assert numbers("0.75,0.9,0.75", "--x", 0, 1) == [0.75, 0.9]
-    for text in ("", "a", "1:2", "2:1:1", "1:2:0", "1:2:-1", "nan", "0:1:1e-9", "91", "1,,2"):
+    for text in ("", "a", "1:2", "2:1:1", "1:2:0", "1:2:-1", "nan", "0:1:1e-9", "0:1:0.001", "91", "1,,2"):
         with pytest.raises(UsageError, match="--beta"):
             numbers(text, "--beta", 0, 90)
 

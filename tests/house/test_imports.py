@@ -10,11 +10,11 @@ import chutecalc
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
     {"errors", "units", "physics"},
-    {"design"},
+    {"design", "ranges"},
     {"columns", "spec"},
     {"solver"},
     {"along"},
-    {"extremes"},
+    {"extremes", "belts", "stations"},
     {"findings"},
     {"solution"},
     {"chute"},

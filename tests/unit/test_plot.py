@@ -264,5 +264,15 @@ def test_the_friction_study_is_drawn_as_its_rows_say(keep):
 
 
 def test_a_study_of_nothing_possible_is_drawn_empty():
-    figure = draw_study(FrictionStudy([10], [30], keep="width"))
+    study = FrictionStudy([10], [30], keep="width")
+    figure = draw_study(study)
     save(figure, io.BytesIO(), "svg")
+    axes = {each.get_label(): each for each in figure.axes}
+    assert not axes["sections"].lines
+    assert not axes["sections"].patches
+    (line,) = by_name(axes["friction"], "friction")
+    assert line.get_xdata().size == 0
+    assert by_name(axes["friction"], "best") == []
+    (wall,) = by_name(axes["friction"], "wall")
+    assert wall.get_ydata() == pytest.approx([np.tan(np.radians(study.wall_friction_deg))] * 2)
+    assert [text.get_text() for text in axes["friction"].get_legend().get_texts()] == ["δ = 30°", "tan φ"]

@@ -262,7 +262,7 @@ def test_vary_by_name_number_and_twin():
         ({"segments.spoon.radius": [1.0, 2.0]}, "needs its unit"),
         ({"segments.hood.radius_m": 1.0}, "leads nowhere"),
         ({"segments.3.radius_m": 1.0}, "leads nowhere"),
-        ({"flow": 1.0}, "a table"),
+        ({"flow": 1.0}, "flow = 1 cannot be varied: it is no quantity"),
         ({"flow.rate_t_h": [1.0, 2.0], "segments.1.drop_m": [1.0, 2.0, 3.0]}, "differ in length"),
         ({"flow.rate_t_h": [[1.0, 2.0]]}, "2 dimensions"),
         ({"flow.rate_t_h": []}, "takes numbers"),
@@ -273,6 +273,39 @@ def test_vary_by_name_number_and_twin():
 def test_vary_refuses_what_a_spec_would(changes, words):
     with pytest.raises(chutecalc.SpecError, match=words):
         chutecalc.parse(STARTER).vary(changes)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "segments.1.kind",
+        "segments.2.name",
+        "segments.2.section",
+        "segments.2.liner",
+        "segments.1.onto_next",
+        "sections.body.shape",
+        "liners.ceramic.own_material",
+        "model.friction_law",
+        "title",
+        "format",
+        "segments",
+    ],
+)
+@pytest.mark.parametrize(("values", "given"), [(1.0, "1"), ([1.0, 2.0], "1 to 2")])
+def test_what_is_no_quantity_is_not_varied(path, values, given):
+    with pytest.raises(chutecalc.SpecError) as caught:
+        chutecalc.parse(STARTER).vary({path: values})
+    (fault,) = caught.value.faults
+    said = "cannot be varied: it is no quantity", "use the path of a quantity, such as flow.rate_t_h"
+    assert fault[:4] == (path, *said, given)
+
+
+def test_faults_of_what_is_varied_are_told_together():
+    changes = {"segments.1.name": [1.0, 2.0], "segments.1.kind": [1.0, 2.0], "segments.spoon.radius_m": [-1.0, 2.0]}
+    with pytest.raises(chutecalc.SpecError) as caught:
+        chutecalc.parse(STARTER).vary(changes)
+    # of a segment without a kind nothing else is known
+    assert [fault.path for fault in caught.value.faults] == ["segments.1.kind", "segments.2.radius_m"]
 
 
 def test_a_curve_tangent_to_a_slanting_stream_keeps_the_base_designs_slope_in_a_sweep():
