@@ -73,7 +73,7 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
 
     def solved(first: int) -> Solution:
         count = min(CHUNK, chute.count - first)
-        return _ends(select(chute.design, np.arange(first, first + count)), rtol, count)
+        return _ends(select(chute.design, slice(first, first + count)), rtol, count)
 
     try:
         with ThreadPoolExecutor(min(jobs or os.cpu_count() or 1, len(edges))) as pool:

@@ -146,25 +146,20 @@ def stretched(array: Any, shape: tuple[int, ...]) -> Any:
     return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
-def take(array: Array, rows: Index | slice) -> Array:
-    """The entries of some designs, along the last axis; where one entry serves them all it is returned as it is."""
-    return array if array.shape[-1] == 1 else np.ascontiguousarray(array[..., rows])
+def select(record: Record, rows: Index | slice) -> Record:
+    """A record of some of the designs, its arrays contiguous; what serves them all is left as it is.
 
-
-def select(record: Record, rows: Index) -> Record:
-    """A record of some of the designs."""
-    neighbours = len(rows) > 1 and rows[-1] - rows[0] == len(rows) - 1 and bool((np.diff(rows) == 1).all())
-    return _select(record, slice(int(rows[0]), int(rows[-1]) + 1) if neighbours else rows)  # a copy, not a search
-
-
-def _select(record: Record, rows: Index | slice) -> Record:
-    def chosen(field: Any) -> Any:
+    Neighbours are better asked for as a slice.
+    """
+    chosen: list[Any] = []
+    for field in record:
         if isinstance(field, np.ndarray):
-            return take(field, rows)
-        return _select(field, rows) if isinstance(field, tuple) else field
-
-    fields = [chosen(field) for field in record]
-    return type(record)(*fields) if hasattr(record, "_fields") else type(record)(fields)
+            if field.shape[-1] != 1:
+                field = field[..., rows] if field.ndim == 1 else np.ascontiguousarray(field[..., rows])
+        elif isinstance(field, tuple) and field:
+            field = select(field, rows)
+        chosen.append(field)
+    return type(record)(*chosen) if hasattr(record, "_fields") else type(record)(chosen)
 
 
 def spread(record: Record, rows: Index, count: int) -> Record:
@@ -186,5 +181,10 @@ def spread(record: Record, rows: Index, count: int) -> Record:
 
 def length(record: tuple[Any, ...]) -> int:
     """How many designs the arrays of a record, of length 1 or n, describe."""
-    own = (field.shape[-1] for field in record if isinstance(field, np.ndarray))
-    return max((*own, *(length(field) for field in record if isinstance(field, tuple))), default=1)
+    longest = 0
+    for field in record:
+        if isinstance(field, np.ndarray):
+            longest = max(longest, field.shape[-1])
+        elif isinstance(field, tuple) and field:
+            longest = max(longest, length(field))
+    return longest or 1

@@ -17,6 +17,9 @@ from chutecalc.solver.slide import Slide
 from chutecalc.solver.stretch import Stretch, solve_stretch
 
 STRIKES = 50  # on one hood; a bound, so that no input can hang
+BUFFER = 512
+"""Elements of NumPy's buffers. Where a row of numbers meets many, it copies as many rows together as fit into one,
+which takes as long as the arithmetic; this is less than a row."""
 Place = tuple[Array, Array]
 
 
@@ -69,9 +72,13 @@ def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[
         turn.
     """
     chain = _Chain(design, effort(rtol, complete))
-    with np.errstate(all="ignore"):  # a panel too long may overflow or pass v = 0: it is refused and shortened
-        for number in range(len(design.segments)):
-            chain.run(number)
+    usual = np.setbufsize(BUFFER)
+    try:
+        with np.errstate(all="ignore"):  # a panel too long may overflow or pass v = 0: it is refused and shortened
+            for number in range(len(design.segments)):
+                chain.run(number)
+    finally:
+        np.setbufsize(usual)
     return chain.legs, chain.stream
 
 

@@ -65,6 +65,8 @@ class Trial(NamedTuple):
     """A solved panel of a block, padded to a multiple of 8 designs."""
 
     rows: Index
+    window: Index | slice
+    """The same designs without the padding, as a slice where they are neighbours."""
     by_root: bool
     start: Array
     end: Array
@@ -114,7 +116,7 @@ class Front:
         self.events = tuple(event for event, there in watched.items() if there)
         """What can happen on this segment at all."""
 
-    def course(self, rows: Index) -> Course:
+    def course(self, rows: Index | slice) -> Course:
         """The branches of the friction law that designs are on."""
         return Course(self.slide.rows(rows), self.facet[rows], self.piece[rows])
 
@@ -176,8 +178,9 @@ class Front:
         self.tired[rows] |= by_root
 
     def accept(self, trial: Trial, chosen: Index | slice) -> None:
-        """Moves designs to the ends of their panels; ``chosen`` are columns of the trial."""
+        """Moves designs to the ends of their panels; ``chosen`` are columns of the trial, a slice for all of them."""
         rows, panel = trial.rows[chosen], trial.panel
+        where = trial.window if isinstance(chosen, slice) else rows
         start, end = trial.start[chosen], trial.end[chosen]
         growth, last = panel.growth[chosen], panel.knots[-1, chosen]
         error = panel.error[chosen] + panel.rounding[chosen]
@@ -186,22 +189,22 @@ class Front:
         if trial.by_root:
             fast, slow = np.abs(slope_at(knots, 0)), np.abs(slope_at(knots, -1))  # dc over the panel's width in r
             width = np.abs(end - start)
-            carried = self.error[rows] * start * fast / (4.0 * width)
+            carried = self.error[where] * start * fast / (4.0 * width)
             shift = np.abs(growth) * carried + error * np.abs(last - knots[0]) + PLACE_ROUNDING
             stopped = end == 0.0
-            self.error[rows] = np.where(stopped, shift, shift * 4.0 * width / (end * slow))
-            self.place[rows], self.y[rows] = last, end**4
+            self.error[where] = np.where(stopped, shift, shift * 4.0 * width / (end * slow))
+            self.place[where], self.y[where] = last, end**4
             self.status[rows[stopped]] = Status.STALL
-            self.stride[rows] = np.minimum(2.0 * self.stride[rows], 1.0)
+            self.stride[where] = np.minimum(2.0 * self.stride[where], 1.0)
         else:
-            self.error[rows] = np.abs(growth) * self.error[rows] * self.y[rows] / last + error
-            self.place[rows], self.y[rows] = end, last
-            before = np.where(np.isfinite(self.aim[rows]), self.reach[rows], LEAST_STEP)  # cut short by an event
-            self.reach[rows] = np.maximum(4.0 * (end - start), before)
-            self.stride[rows] = np.where(self.tired[rows], 0.5, self.stride[rows])
-            self.tired[rows] = False
-            self.arrive(rows[end >= self.limit[rows]])
-        self.aim[rows] = np.nan
+            self.error[where] = np.abs(growth) * self.error[where] * self.y[where] / last + error
+            self.place[where], self.y[where] = end, last
+            before = np.where(np.isfinite(self.aim[where]), self.reach[where], LEAST_STEP)  # cut short by an event
+            self.reach[where] = np.maximum(4.0 * (end - start), before)
+            self.stride[where] = np.where(self.tired[where], 0.5, self.stride[where])
+            self.tired[where] = False
+            self.arrive(rows[end >= self.limit[where]])
+        self.aim[where] = np.nan
         if keep:
             self.pieces.append(Piece(rows, self.facet[rows], self.piece[rows], trial.by_root, start, end, knots))
 

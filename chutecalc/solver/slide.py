@@ -47,7 +47,7 @@ class Slide(NamedTuple):
     alike: bool
     """Whether one entry of every field serves all designs."""
 
-    def rows(self, index: Index) -> "Slide":
+    def rows(self, index: Index | slice) -> "Slide":
         """The same for some of the designs."""
         return self if self.alike else select(self, index)
 

@@ -174,12 +174,17 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
 def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int, int], tolerance: float) -> None:
     """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
     block, by_root = BLOCK[pair[1]], way == ROOT
+    neighbours = len(rows) == len(front.place)  # then they are all, in order
     for first in range(0, len(rows), block):
-        chunk = rows[first : first + block]
-        pad = np.minimum(np.arange(-(-len(chunk) // 8) * 8), len(chunk) - 1)
-        padded, end = chunk[pad], target[first : first + block][pad]
-        course = front.course(padded)
-        place, y = front.place[padded], front.y[padded]
+        chunk, end = rows[first : first + block], target[first : first + block]
+        window: Index | slice = slice(first, first + len(chunk)) if neighbours else chunk
+        padded, inside = chunk, window
+        if len(chunk) % 8:
+            pad = np.minimum(np.arange(-(-len(chunk) // 8) * 8), len(chunk) - 1)
+            padded, end = chunk[pad], end[pad]
+            inside = padded
+        course = front.course(inside)
+        place, y = np.array(front.place[inside]), front.y[inside]
         if by_root:
             start = np.sqrt(np.sqrt(y))
             panel = panel_by_root(course, start, end - start, place, pair)
@@ -189,7 +194,7 @@ def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int
         good = panel.error <= tolerance
         if front.effort.complete:
             good &= panel.inner_error <= front.effort.inner_tolerance
-        _judge(front, Trial(padded, by_root, start, end, panel, good), len(chunk))
+        _judge(front, Trial(padded, window, by_root, start, end, panel, good), len(chunk))
 
 
 def _judge(front: Front, trial: Trial, count: int) -> None:
