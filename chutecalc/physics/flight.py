@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Values, real
+from chutecalc.physics.arrays import Array, Values, real, shared
 
 
 class Flight(NamedTuple):
@@ -23,6 +23,7 @@ class Flight(NamedTuple):
 
 def flight(x: Array, z: Array, velocity: Array, slope: Array, gravity: Array) -> Flight:
     """The flight of a stream that leaves (x, z) with a velocity, m/s, along a slope, rad below horizontal."""
+    slope = shared(slope)
     return Flight(x, z, velocity * np.cos(slope), velocity * np.sin(slope), gravity)
 
 

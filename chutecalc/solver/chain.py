@@ -193,7 +193,7 @@ class _Chain:
             stretch = Stretch.standing(place, here.velocity**2, 2.0 * here.error)
         else:
             stretch = solve_stretch(flow, place, here.velocity**2, 2.0 * here.error, self.work)
-        x, z, slope = point(line, stretch.place)
+        x, z, slope = _points(line, stretch.place)
         distance = here.distance + line.length * (stretch.place - place)
         error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
         numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), error)
@@ -263,11 +263,16 @@ def _arrivals(start: Stream, surface: Surface, slide: Slide, known: int) -> Arri
 
 def _entry(start: Stream, surface: Surface, arrival: Arrival) -> Stream:
     """The stream on the surface, where it meets it; designs that failed before keep their status."""
-    x, z, slope = point(surface, arrival.place)
+    x, z, slope = _points(surface, arrival.place)
     status = np.where(start.status == Status.OK, arrival.status, start.status)
     grounded = np.zeros(status.shape, dtype=bool)
     numbers = (start.distance + arrival.distance, x, z, slope, arrival.after, arrival.error)
     return _stream(numbers, status, grounded)
+
+
+def _points(surface: Surface, place: Array) -> list[Array]:
+    """:func:`~chutecalc.physics.surface.point` at a place for each design."""
+    return [stretched(values, place.shape) for values in point(surface, shared(place))]
 
 
 def _some(stream: Stream, rows: Index) -> Stream:

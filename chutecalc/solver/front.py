@@ -203,15 +203,15 @@ class Front:
             self.reach[where] = np.maximum(4.0 * (end - start), before)
             self.stride[where] = np.where(self.tired[where], 0.5, self.stride[where])
             self.tired[where] = False
-            self.arrive(rows[end >= self.limit[where]])
+            reached = end >= self.limit[where]
+            self.arrive(where if reached.all() else rows[reached])
         self.aim[where] = np.nan
         if keep:
             self.pieces.append(Piece(rows, self.facet[rows], self.piece[rows], trial.by_root, start, end, knots))
 
-    def arrive(self, rows: Index) -> None:
+    def arrive(self, rows: Index | slice) -> None:
         """At the limit: on to the segment's end, or done."""
-        done = self.limit[rows] == 1.0
-        self.status[rows[done]] = Status.OK
+        self.status[rows] = np.where(self.limit[rows] == 1.0, Status.OK, self.status[rows])
         self.limit[rows] = 1.0
         self.reach[rows] = 1.0 - self.place[rows]
 

@@ -201,8 +201,8 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     """Takes each panel, or sets what to try instead: a shorter one, or one that ends where an event lies inside it."""
     rows, start, end = trial.rows[:count], trial.start[:count], trial.end[:count]
     good = trial.good[:count]
-    front.hopeful[rows] = ~good & np.isfinite(trial.panel.error[:count])
     all_good = bool(good.all())
+    front.hopeful[trial.window] = False if all_good else ~good & np.isfinite(trial.panel.error[:count])
     if not all_good:
         front.retreat(rows[~good], trial.by_root, (end - start)[~good])
     if not (front.events or trial.by_root):
