@@ -70,7 +70,8 @@ def excess_friction(facet: Facets, area: Array, equilibrium: bool = False) -> tu
     [0.4, 0.0]
     [1.0, 0.0]
     """
-    return Excess(facet, equilibrium).at(area)
+    excess, half_growth = Excess(facet, equilibrium).at(area)
+    return excess, 2.0 * half_growth
 
 
 class Excess:
@@ -89,6 +90,7 @@ class Excess:
         self.arcs = bool(facet.radius.any())
         self.twice = 2.0 / facet.sine
         self.spread = 2.0 * facet.cosine * self.twice
+        self.half_width = 0.5 * facet.width
         self.apex = facet.width * facet.width
         """Of the surface's width², where its flanks would meet."""
         if self.stacked:
@@ -99,7 +101,7 @@ class Excess:
             self.loads.append(_Load(facet.shortfall, facet.shortfall_rise, facet.sine * facet.own_shortfall))
 
     def at(self, area: Array) -> tuple[Array, Array]:
-        """χ and A dχ/dA at areas, shape (..., designs)."""
+        """χ and A dχ/dA/2 at areas, shape (..., designs): by the latter χ falls with the logarithm of v²."""
         width = self.spread * area
         width += self.apex
         np.sqrt(width, out=width)
@@ -111,9 +113,9 @@ class Excess:
         if self.arcs:
             bend, curved = _arc(self.facet, area), self.facet.radius > 0.0
             (excess, growth), *rest = shares
-            shares = [(np.where(curved, bend.excess, excess), np.where(curved, bend.excess_growth, growth))]
+            shares = [(np.where(curved, bend.excess, excess), np.where(curved, 0.5 * bend.excess_growth, growth))]
             shares += [
-                (np.where(curved, bend.missing, missing), np.where(curved, bend.missing_growth, growth))
+                (np.where(curved, bend.missing, missing), np.where(curved, 0.5 * bend.missing_growth, growth))
                 for missing, growth in rest
             ]
         if not self.equilibrium:
@@ -123,16 +125,16 @@ class Excess:
         return excess / carried, (growth + excess * missing_growth / carried) / carried
 
     def _share(self, load: "_Load", area: Array, wetted: Array, climb: Array, width: Array) -> tuple[Array, Array]:
-        """A load over the area, and its logarithmic growth with it; ``climb`` is C²/(A - A_foot).
+        """A load over the area, and half its logarithmic growth with it; ``climb`` is C²/(A - A_foot).
 
         What other facets below add is 0 to the last digit where there is none.
         """
         share = climb * load.bend
-        growth = share * self.facet.width
+        growth = share * self.half_width
         growth /= width
         if self.stacked:
             hollow, below = self.facet.area / area, (load.foot + self.facet.sine * load.rise * wetted) / area
-            growth += share * hollow + (load.rise / width - below)
+            growth += 0.5 * (share * hollow + (load.rise / width - below))
             share *= 1.0 - hollow
             share += below
         return share, growth

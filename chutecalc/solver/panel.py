@@ -72,7 +72,7 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
         update, guess = guess, inner
         last_gap = np.maximum(inner[-1] / end, 1.0)  # what is small at the last node may not be so at a slow end
         updates.append(np.maximum.reduce(np.abs(update)) * last_gap)
-    sound = np.minimum.reduce(knots) > 0.0
+    sound = (updates[-1] < 1.0) & (end > 0.0)  # then it is positive all along, as what it was worked out from
     scaled = knots * at.unit
     scaled[0] = y0
     smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, start) ** 2 if course.arcs else knots, 1.0)
@@ -136,17 +136,15 @@ def _smoothness(count: int, values: Array, share: float) -> Array:
     the real axis, and one as far off it, s, above the knot k has a² - 1 = (√(p² + 4 s²) - p)/2 with p = 1 - k² - s².
     Only a share of the distance counts where values bend so that a chord points too far.
     """
-    chosen, places, gaps = _chords(count)
-    if len(values) < count + 2:
-        chosen, places, gaps = chosen[:-1], places[:-1], gaps[:-1]
-    values = values[chosen]
+    chosen, places, gaps, room = _chords(count, share, len(values) == count + 2)
+    values = values.take(chosen, axis=0)
     reach = values[:-1] / (values[1:] - values[:-1])
-    reach *= gaps * share
+    reach *= gaps
     beyond = places - reach
     beyond *= beyond
     beyond -= 1.0
     reach *= reach
-    flat = (1.0 - places**2) - reach
+    flat = room - reach
     reach *= 4.0
     reach += flat * flat
     np.sqrt(reach, out=reach)
@@ -158,15 +156,16 @@ def _smoothness(count: int, values: Array, share: float) -> Array:
 
 
 @cache
-def _chords(count: int) -> tuple[Index, Array, Array]:
-    """Between which of a rule's knots chords are laid, where they start on (-1, 1), and how wide they are.
+def _chords(count: int, share: float, to_end: bool) -> tuple[Index, Array, Array, Array]:
+    """Between which of a rule's knots chords are laid; where they start on (-1, 1), k; a share of their width; 1 - k².
 
     Every second knot will do, and at the ends, where layers hide, each.
     """
     inner = np.arange(3, count // 2 + 1, 2)
     chosen = np.unique(np.concatenate([[0, 1], inner, count + 1 - inner, [count, count + 1]]))
+    chosen = chosen if to_end else chosen[:-1]
     places = 2.0 * rule(count).knots[chosen][:, None] - 1.0
-    return chosen, places[:-1], np.diff(places, axis=0)
+    return chosen, places[:-1], np.diff(places, axis=0) * share, 1.0 - places[:-1] ** 2
 
 
 def _arc_velocity(course: Course, place: Array) -> Array:

@@ -176,9 +176,8 @@ def linearised(at: Field, y: Array) -> Linear:
     With f = sin a - (1 + χ) (p + b Y) the derivative to Y is h/Y - (1 + χ) b, where h = A χ' (p + b Y)/2, and what it
     leaves of f is sin a - (1 + χ) p - h. Adhesion adds to p, and to h by its own change with depth.
     """
-    thin = np.sqrt(y)
-    np.divide(1.0, thin, out=thin)
-    area = at.flow * thin
+    area = np.sqrt(y)
+    np.divide(at.flow, area, out=area)
     drag, bending = at.branch.excess.at(area)
     drag += 1.0
     press, hold = at.press, at.bend * y
@@ -191,13 +190,11 @@ def linearised(at: Field, y: Array) -> Linear:
         press = press + stuck
         hold += press
         bending *= hold
-        bending -= drag * stuck * area / (width * depth)
-    bending *= 0.5
+        bending -= 0.5 * drag * stuck * area / (width * depth)
     forcing = np.multiply(drag, press, out=hold)
     np.subtract(at.sine, forcing, out=forcing)
     forcing -= bending
-    bending *= thin
-    bending *= thin
+    bending /= y
     growth = np.multiply(drag, at.bend, out=drag)
     np.subtract(bending, growth, out=growth)
     return Linear(forcing, growth, bending)
