@@ -181,12 +181,12 @@ def integrate(own: Rule, forcing: Array, growth: Array, start: Array) -> tuple[A
         how much a small change of ``start`` has grown. Where ∫ growth falls below about -20 the nodes do not resolve
         P, and :func:`integrate_stiff` is wanted.
     """
-    factor = own.integral @ growth if growth.ndim == 2 else own.knots[1:, None] * growth
+    factor = product(own.integral, growth) if growth.ndim == 2 else own.knots[1:, None] * growth
     np.exp(factor, out=factor)
     knots = np.empty((len(own.knots), factor.shape[1]))
     knots[0] = start
     inner = knots[1:]
-    np.matmul(own.integral, forcing / factor[:-1], out=inner)
+    product(own.integral, forcing / factor[:-1], out=inner)
     inner += start
     inner *= factor
     return knots, factor
@@ -215,15 +215,22 @@ def integrate_stiff(own: Rule, forcing: Array, growth: Array, start: Array) -> t
     return np.concatenate([start[None], rise + spread[:, :, 0].T]), 1.0 + spread[:, :, 1].T
 
 
-def product(matrix: Array, columns: Array) -> Array:
+def product(matrix: Array, columns: Array, out: Array | None = None) -> Array:
     """A small matrix times many columns, each column's digits the same whatever its neighbours are.
 
     BLAS orders its sums by the shape of the whole product and splits large ones by core: widths are padded to a
-    multiple of 8, and blocks kept below 2^18 multiply-adds.
+    multiple of 8, and products kept below 2^18 multiply-adds.
     """
     count = columns.shape[1]
+    out = np.empty((len(matrix), count)) if out is None else out
     block = max(8, 2**18 // matrix.size // 8 * 8)
-    padded = np.empty((columns.shape[0], -(-count // 8) * 8))
-    padded[:, :count], padded[:, count:] = columns, columns[:, -1:]
-    parts = [matrix @ np.ascontiguousarray(padded[:, k : k + block]) for k in range(0, padded.shape[1], block)]
-    return (parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1))[:, :count]
+    for first in range(0, count, block):
+        part, there = columns[:, first : first + block], out[:, first : first + block]
+        width = part.shape[1]
+        if width % 8:
+            padded = np.empty((len(part), -(-width // 8) * 8))
+            padded[:, :width], padded[:, width:] = part, part[:, -1:]
+            there[...] = (matrix @ padded)[:, :width]
+        else:
+            np.matmul(matrix, part, out=there)
+    return out

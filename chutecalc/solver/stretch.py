@@ -25,7 +25,8 @@ STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings
 PASSES = 2000  # a bound, so that no input can hang
 AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
 CREEP, PATIENCE = 1e-5, 300  # m/s below which a stream that needs more panels than that counts as stalled
-BLOCK = {8: 2048, 12: 1680, 16: 960, 24: 432}  # designs whose matrix products stay in cache and on one core
+BLOCK = 32768  # values in an array, nodes times designs: a dozen such arrays stay in the cache
+MANY = 2048  # designs from which on the C library should keep memory
 
 
 class Stretch(NamedTuple):
@@ -68,7 +69,7 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     """
     if not place.size:
         return Stretch.standing(place, velocity_squared, error)
-    if len(place) >= BLOCK[12]:
+    if len(place) >= MANY:
         _keep_memory()
     front = Front(slide, place, velocity_squared, error, effort)
     running = np.arange(len(place))
@@ -173,7 +174,7 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
 
 def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int, int], tolerance: float) -> None:
     """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
-    block, by_root = BLOCK[pair[1]], way == ROOT
+    block, by_root = BLOCK // pair[1] // 8 * 8, way == ROOT
     neighbours = len(rows) == len(front.place)  # then they are all, in order
     for first in range(0, len(rows), block):
         chunk, end = rows[first : first + block], target[first : first + block]
