@@ -19,8 +19,10 @@ from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.solver.collocation import integrate, integrate_stiff, product, rule, transfer
 from chutecalc.solver.slide import Course, Field, Linear, field, frozen, linearised, place_rates
 
-SAFETY = 150.0  # of 20,488 random segments up to the edges, four pairs of rules each, one needed more, 183; most 1 to 10
-NEWTON_SAFETY = 2.0  # the same segments needed 1 at most
+# Of 20,488 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:
+# benchmarks/estimates.py.
+SAFETY = 150.0
+NEWTON_SAFETY = 2.0
 ROOT_SAFETY = 1000.0  # next to rest a zero of the pull may lie between the start and the first node, unseen
 ROUNDING = 1e-15  # of a panel, relative
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it

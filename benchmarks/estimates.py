@@ -1,0 +1,85 @@
+"""How far the error estimate of a panel is above the error, and which pairs of rules suit which tolerance.
+
+    python benchmarks/estimates.py [--quick] [--out FOLDER]
+
+Whole segments in one panel by each pair of rules: random ones up to the edges of what a spec may say, as
+tests/robustness/test_edges.py draws them, and the spoons of batches.py. The error is that of v² at the exit, to
+chutecalc's own complete solution at 1e-13, which that test holds against 80-bit numbers; where it is less than a few
+1e-13 itself nothing can be told of it. What counts is the least ratio of estimate and error: below 1 a panel would be
+taken that is worse than it says. Beside it, the share of designs whose panel would be taken at a tolerance.
+"""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from batches import batch, chute
+from measure import Report
+
+from chutecalc.design import Design, Status
+from chutecalc.solver.chain import run_chain
+from chutecalc.solver.front import Front, effort
+from chutecalc.solver.panel import WHOLE, Panel, panel_by_place
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from tests.robustness.test_edges import CASES
+from tests.robustness.test_edges import batch as edges
+
+PAIRS = ((4, 8), (6, 8), (6, 12), (8, 12), (8, 16), (8, 24), (16, 24))
+TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13)
+KNOWN = 1e-12
+"""Relative error estimate of a velocity up to which it serves as the right one."""
+TOLD = 3e-13
+"""Errors below that are those of the solution taken as right."""
+
+
+class Told(NamedTuple):
+    """Errors of v² and their estimates, by pair of rules; arrays of shape (designs,)."""
+
+    error: np.ndarray
+    estimate: np.ndarray
+
+
+def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
+    """Each pair of rules on the first segment of a chute that a stream enters in contact."""
+    legs, _ = run_chain(design, 1e-13)
+    leg = next(leg for leg in legs if leg.contact)
+    known = (leg.status == Status.OK) & (leg.exit.error < KNOWN)
+    place, y = leg.contact.arrival.place, leg.entry.velocity**2
+    front = Front(leg.contact.slide, place, y, np.zeros(len(y)), effort(1e-10, False))
+    rows = np.minimum(np.arange(-(-len(y) // 8) * 8), len(y) - 1)
+    for pair in PAIRS:
+        with np.errstate(all="ignore"):
+            panel: Panel = panel_by_place(front.course(rows), place[rows], 1.0 - place[rows], y[rows], pair, WHOLE)
+            error = np.abs(panel.knots[-1][: len(y)] / leg.exit.velocity**2 - 1.0)
+        estimate = (panel.error + panel.rounding)[: len(y)]
+        yield pair, Told(error[known], np.where(np.isnan(estimate), np.inf, estimate)[known])
+
+
+def main() -> None:
+    """Measures and prints."""
+    report = Report("estimates", __doc__)
+    count = 50 if report.quick else 2000
+    kinds = {"edges": [edges(*case, count, 7)[0].design for case in CASES], "spoons": [chute(batch(count)).design]}
+    rows = []
+    for kind, designs in kinds.items():
+        found: dict[tuple[int, int], list[Told]] = {}
+        for design in designs:
+            for pair, told in panels(design):
+                found.setdefault(pair, []).append(told)
+        for pair, parts in found.items():
+            error, estimate = (np.concatenate(column) for column in zip(*parts, strict=True))
+            told = error > TOLD
+            ratios = np.sort(estimate[told] / error[told])
+            low = [ratios[min(place, len(ratios) - 1)] for place in (0, 1, 2, 5)] if len(ratios) else [np.nan] * 4
+            taken = [float(np.mean(estimate <= tolerance)) for tolerance in TOLERANCES]
+            rows.append((f"{len(error)} {kind}", f"{pair[0]}, {pair[1]}", int(told.sum()), *low, *taken))
+    header = ["segments", "rules", "errors told", "least estimate/error", "2nd", "3rd", "6th"]
+    header += [f"taken at {tolerance:.0e}" for tolerance in TOLERANCES]
+    report.write(header, rows, ("", "", "", *[".2g"] * 4, *[".3f"] * len(TOLERANCES)), by=1)
+
+
+if __name__ == "__main__":
+    main()
