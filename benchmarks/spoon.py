@@ -9,10 +9,12 @@ import numpy as np
 from scipy.integrate import odeint, solve_ivp
 
 import chutecalc
+from chutecalc.solution import Solution
+from chutecalc.solver.chain import run_chain
+from chutecalc.spec.build import build
 
 STATIONS = 101
 Case = dict[str, float]
-FIELDS = ("gravity", "radius", "flow", "base", "chamfer", "top", "pressure_ratio", "friction")
 
 
 def spec(case: Case) -> dict[str, Any]:
@@ -44,7 +46,7 @@ def turn(case: Case) -> float:
 
 
 def numbers(case: Any) -> tuple[Any, ...]:
-    """What the equation needs, as :data:`FIELDS`; floats, or arrays of many spoons."""
+    """Gravity, radius, flow, base, chamfer, its top, K of chamfers and walls, μ; floats, or arrays of many spoons."""
     strength = np.sin(np.radians(case["internal_friction_deg"]))
     chamfer = np.radians(case["chamfer_deg"])
     ratio = (1 + strength * np.cos(2 * chamfer)) / (1 + strength)
@@ -150,10 +152,6 @@ def with_heyoka(tolerance: float, grid: np.ndarray, case: Case) -> np.ndarray:
 
 def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc.Chute | None = None) -> np.ndarray:
     """Solution and stations; the spec too, unless it is checked already, and then its numbers alone are built."""
-    from chutecalc.solution import Solution
-    from chutecalc.solver.chain import run_chain
-    from chutecalc.spec.build import build
-
     if checked is None:
         solution = chutecalc.solve(chutecalc.parse(spec(case)), rtol)
     else:

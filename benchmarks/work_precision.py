@@ -66,7 +66,7 @@ def over_the_top(case: Case) -> np.ndarray:
     def full(_: float, y: np.ndarray) -> float:
         return float(y[0] - flow / area)
 
-    full.terminal = True  # type: ignore[attr-defined]
+    full.terminal = True
     grid, tight = np.linspace(0.0, turn(case), 11), {"rtol": 3e-14, "atol": 1e-15, "method": "DOP853"}
     start, velocity, known = 0.0, entry(case), {0.0: entry(case)}
     for event in (full, None):
