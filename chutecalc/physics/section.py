@@ -186,4 +186,6 @@ def take_facet(table: Facets, rows: Index) -> Facets:
     """One facet for each design, or for each place and design; of a table of one facet, that for all of them."""
     if len(table.area) == 1:
         return Facets(*[field[0] for field in table])
+    if rows.ndim == 1 and table.area.ndim == 2 and rows.size and (rows == rows[0]).all():
+        return Facets(*[field[rows[0]] for field in table])
     return Facets(*(take_row(field, rows) for field in table))

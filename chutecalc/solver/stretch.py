@@ -13,9 +13,9 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index, Mask, shared
 from chutecalc.solver.collocation import rule
-from chutecalc.solver.crossing import LEVEL, first_crossing
+from chutecalc.solver.crossing import LEVEL, evaluate, first_crossing
 from chutecalc.solver.front import CHOKE, END, RUNNING, Effort, Front, Piece, Trial
-from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, panel_by_place, panel_by_root
+from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, Panel, panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, linearised
 
 STOPPING, STARTING = 0.5, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
@@ -24,6 +24,8 @@ STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings
 
 PASSES = 2000  # a bound, so that no input can hang
 AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
+CLOSE, BEYOND = 0.98, 1e-6  # of a panel: an event behind that is near its end; how far beyond an event the next goes
+WELL_WITHIN = 10.0  # times the error of a panel's end, that its inside may have where it is cut
 CREEP, PATIENCE = 1e-5, 300  # m/s below which a stream that needs more panels than that counts as stalled
 BLOCK = 32768  # values in an array, nodes times designs: a dozen such arrays stay in the cache
 MANY = 2048  # designs from which on the C library should keep memory
@@ -209,29 +211,55 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     if not (front.events or trial.by_root):
         front.accept(trial, slice(count) if all_good else np.flatnonzero(good))
         return
-    along = trial.start + rule(len(trial.panel.knots) - 2).knots[:, None] * (trial.end - trial.start)
-    along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left
-    place, y = (trial.panel.knots, along**4) if trial.by_root else (along, trial.panel.knots)
-    margins = front.margins(trial.rows, place, y, trial.by_root)
-    events = np.array([*front.events, END])
-    crossings = np.stack([first_crossing(margin)[:count] for margin in margins])
-    cut, event = crossings.min(axis=0), events[crossings.argmin(axis=0)]
+    cut, event, hit = _events(front, trial)
+    cut, event, hit = cut[:count], event[:count], hit[:, :count]
     near = AT_END + ROUNDING * np.abs(end / (end - start))
     cut = np.where((cut > 1.0 - near) & (cut < 1.0), np.inf, cut)  # found before, and aimed at
     aim = start + cut * (end - start)
     cut = np.where((cut < 1.0) & (np.abs(aim - start) <= ROUNDING * np.abs(start)), 0.0, cut)
     inside = good & (cut < 1.0) & (cut > 0.0)
-    front.aim[rows[inside]] = aim[inside]
-    front.aim_by_root[rows[inside]] = trial.by_root
+    inner_error = trial.panel.inner_error[:count]
+    short = inside & (cut > CLOSE) & (inner_error <= WELL_WITHIN * front.effort.share)
+    _accept_part(front, trial, np.flatnonzero(short), cut, event)
+    # Where the event is only roughly known, the next panel goes a little beyond it: then it lies inside.
+    spare = np.where(cut < CLOSE, 1.0 + np.minimum(BEYOND + 10.0 * inner_error, 0.01), 1.0)
+    aimed = inside & ~short
+    front.aim[rows[aimed]] = (start + cut * spare * (end - start))[aimed]
+    front.aim_by_root[rows[aimed]] = trial.by_root
     at_once = good & (cut == 0.0)
     back = at_once & (front.place[rows] == front.crossed[rows])
     front.chatter(rows[back], trial.by_root, (end - start)[back])
     front.happen(rows[at_once], event[at_once])
     whole = np.flatnonzero(good & (cut > 1.0))
     front.accept(trial, whole)
-    ends = ((margins[:, -1] <= LEVEL) & (margins[:, -1] < margins[:, 0]))[:, whole]
-    hit = ends.any(axis=0)
-    front.happen(rows[whole][hit], events[ends.argmax(axis=0)[hit]])
+    hit = hit[:, whole]
+    stands = hit.any(axis=0)
+    front.happen(rows[whole][stands], np.array([*front.events, END])[hit.argmax(axis=0)[stands]])
+
+
+def _events(front: Front, trial: Trial) -> tuple[Array, Index, Mask]:
+    """Of a panel: the share of it at which the first event lies, which that is, and which it ends at, one by one."""
+    along = trial.start + rule(len(trial.panel.knots) - 2).knots[:, None] * (trial.end - trial.start)
+    along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left
+    place, y = (trial.panel.knots, along**4) if trial.by_root else (along, trial.panel.knots)
+    margins = front.margins(trial.rows, place, y, trial.by_root)
+    crossings = np.stack([first_crossing(margin) for margin in margins])
+    event = np.array([*front.events, END])[crossings.argmin(axis=0)]
+    return crossings.min(axis=0), event, (margins[:, -1] <= LEVEL) & (margins[:, -1] < margins[:, 0])
+
+
+def _accept_part(front: Front, trial: Trial, chosen: Index, cut: Array, event: Index) -> None:
+    """Takes panels up to the event that lies just before their end: their polynomials are right there too."""
+    if not chosen.size:
+        return
+    rows, cut, panel = trial.rows[chosen], cut[chosen], trial.panel
+    start, inner_error = trial.start[chosen], panel.inner_error[chosen]
+    end = start + cut * (trial.end[chosen] - start)
+    knots = evaluate(panel.knots[:, chosen], cut * rule(len(panel.knots) - 2).knots[:, None])
+    growth = np.abs(panel.growth[chosen]) ** cut
+    part = Panel(knots, growth, inner_error, inner_error, panel.rounding[chosen])
+    front.accept(Trial(rows, rows, trial.by_root, start, end, part, trial.good[chosen]), slice(len(rows)))
+    front.happen(rows, event[chosen])
 
 
 def _result(front: Front) -> Stretch:
