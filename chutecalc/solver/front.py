@@ -126,8 +126,10 @@ class Front:
         if slide.end_section is not None:
             return np.zeros(len(rows)), np.full(len(rows), np.inf)
         foot, top = _ends(slide.drawn.area, facet)
-        choke = np.where(np.isfinite(self.choke[0, rows]), np.inf, slide.choke_area(self.place[rows]))
-        return slide.flow / np.minimum(top, choke), slide.flow / foot
+        if CHOKE in self.events:
+            unchoked = ~np.isfinite(self.choke[0, rows])
+            top = np.minimum(top, np.where(unchoked, slide.choke_area(self.place[rows]), np.inf))
+        return slide.flow / top, slide.flow / foot
 
     def margins(self, rows: Index, place: Array, y: Array, by_root: bool) -> Array:
         """How far each event is, 0 at it and else of order 1, at places and their v².

@@ -114,8 +114,9 @@ def _start_events(front: Front, rows: Index) -> None:
     """Streams that have no contact where they enter, or stand above the wall there."""
     slide = front.slide
     lost = slide.normal(front.place, front.y) < -LEVEL * slide.gravity
-    choked = slide.area(front.y) > slide.choke_area(front.place) * (1.0 + LEVEL)
-    front.happen(rows[choked & ~lost], np.full(int((choked & ~lost).sum()), CHOKE))
+    if CHOKE in front.events:
+        choked = ~lost & (slide.area(front.y) > slide.choke_area(front.place) * (1.0 + LEVEL))
+        front.happen(rows[choked], np.full(int(choked.sum()), CHOKE))
     front.status[lost] = Status.CONTACT_LOST
 
 
@@ -139,6 +140,8 @@ def _cross_boundaries(front: Front, rows: Index, change: Array) -> bool:
         return False
     place, y, step = front.place[rows], front.y[rows], 1e-6
     here = front.margins(rows, place, y, False)
+    if not (here <= LEVEL).any():
+        return False
     along = front.margins(rows, place + step, y, False) - here  # 0 but on tapers, and where pressure or contact counts
     faster = front.margins(rows, place, y * (1.0 + step), False) - here
     into = (here <= LEVEL) & (along + faster * change / y < 0.0)
