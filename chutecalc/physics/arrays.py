@@ -40,3 +40,24 @@ def sine_and_cosine(angle: Array) -> tuple[Array, Array]:
     t += t
     share *= 1.0 - square
     return t, share
+
+
+def product(matrix: Array, columns: Array, out: Array | None = None) -> Array:
+    """A small matrix times many columns, each column's digits the same whatever its neighbours are.
+
+    BLAS orders its sums by the shape of the whole product and splits large ones by core: widths are padded to a
+    multiple of 8, and products kept below 2^18 multiply-adds.
+    """
+    count = columns.shape[1]
+    out = np.empty((len(matrix), count)) if out is None else out
+    block = max(8, 2**18 // matrix.size // 8 * 8)
+    for first in range(0, count, block):
+        part, there = columns[:, first : first + block], out[:, first : first + block]
+        width = part.shape[1]
+        if width % 8:
+            padded = np.empty((len(part), -(-width // 8) * 8))
+            padded[:, :width], padded[:, width:] = part, part[:, -1:]
+            there[...] = (matrix @ padded)[:, :width]
+        else:
+            np.matmul(matrix, part, out=there)
+    return out

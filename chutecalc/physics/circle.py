@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, product
 
 TERMS = 26
 LARGEST = (6.0 * np.pi) ** (2.0 / 3.0)
@@ -49,10 +49,8 @@ def arc(area: Array, lack: Array) -> Arc:
     root = np.cbrt(12.0 * area)
     u = root**2
     t = 2.0 * u / LARGEST - 1.0
-    values, slopes = _series()
-    shape = (-1, *[1] * t.ndim)
-    angle, level, bent, lacking = _clenshaw(values, t, shape)
-    level_slope, bent_slope, lacking_slope = _clenshaw(slopes, t, shape)
+    sums = product(_series(), _chebyshev(t.ravel())).reshape(-1, *t.shape)
+    angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = sums
     third = 2.0 / 3.0  # A d/dA = (2/3) u d/du
     excess = u * (level - lack * u * bent)
     growth = third * u * (level + u * level_slope - lack * u * (2.0 * bent + u * bent_slope))
@@ -70,8 +68,8 @@ def angle_area(angle: Array) -> Array:
 
 
 @lru_cache(maxsize=1)
-def _series() -> tuple[Array, Array]:
-    """Coefficients, shape (TERMS, functions): of ψ0/√u and of the three loads; and of the loads' slopes in u."""
+def _series() -> Array:
+    """Coefficients, shape (7, TERMS): of ψ0/√u, of the three loads, and of the loads' slopes in u."""
     from numpy.polynomial import chebyshev, legendre  # not loaded by NumPy itself, nor needed without a circle
 
     nodes = chebyshev.chebpts1(TERMS)
@@ -89,14 +87,20 @@ def _series() -> tuple[Array, Array]:
     loads = [(weights @ (load * head)) * angle / area for load in (tilt, square * tilt, square * np.cos(psi))]
     functions = np.stack([angle / np.sqrt(u), loads[0] / u, loads[1] / u**2, loads[2] / u])
     values = np.linalg.solve(chebyshev.chebvander(nodes, TERMS - 1), functions.T)
-    return values, chebyshev.chebder(values[:, 1:]) * (2.0 / LARGEST)
+    slopes = np.zeros((TERMS, 3))
+    slopes[:-1] = chebyshev.chebder(values[:, 1:]) * (2.0 / LARGEST)
+    return np.ascontiguousarray(np.concatenate([values, slopes], axis=1).T)
 
 
-def _clenshaw(coefficients: Array, t: Array, shape: tuple[int, ...]) -> Array:
-    """All the series at once, shape (functions, *t.shape)."""
-    after = np.zeros((coefficients.shape[1], *t.shape))
-    value = after
-    for row in coefficients[:0:-1]:
-        value, after = row.reshape(shape) + 2.0 * t * value - after, value
-    total: Array = coefficients[0].reshape(shape) + t * value - after
-    return total
+def _chebyshev(t: Array) -> Array:
+    """The polynomials T_0 to T_(TERMS - 1) at places, shape (TERMS, places): T_(k+j) = 2 T_k T_j - T_(k-j)."""
+    table = np.empty((TERMS, len(t)))
+    table[0], table[1] = 1.0, t
+    known = 1
+    while known < TERMS - 1:
+        count = min(known, TERMS - 1 - known)
+        new = np.multiply(table[1 : count + 1], table[known], out=table[known + 1 : known + 1 + count])
+        new *= 2.0
+        new -= table[known - count : known][::-1]
+        known += count
+    return table

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, product
 
 # The positive Gauss-Legendre nodes on (-1, 1) and their weights, 18 digits. Stored, because numpy's leggauss costs 7
 # ms at its first call, and because weights computed from rounded nodes lose two digits near the ends.
@@ -213,24 +213,3 @@ def integrate_stiff(own: Rule, forcing: Array, growth: Array, start: Array) -> t
         return np.full((len(own.knots), len(start)), np.nan), np.full(rise.shape, np.nan)
     spread = couplings @ solved
     return np.concatenate([start[None], rise + spread[:, :, 0].T]), 1.0 + spread[:, :, 1].T
-
-
-def product(matrix: Array, columns: Array, out: Array | None = None) -> Array:
-    """A small matrix times many columns, each column's digits the same whatever its neighbours are.
-
-    BLAS orders its sums by the shape of the whole product and splits large ones by core: widths are padded to a
-    multiple of 8, and products kept below 2^18 multiply-adds.
-    """
-    count = columns.shape[1]
-    out = np.empty((len(matrix), count)) if out is None else out
-    block = max(8, 2**18 // matrix.size // 8 * 8)
-    for first in range(0, count, block):
-        part, there = columns[:, first : first + block], out[:, first : first + block]
-        width = part.shape[1]
-        if width % 8:
-            padded = np.empty((len(part), -(-width // 8) * 8))
-            padded[:, :width], padded[:, width:] = part, part[:, -1:]
-            there[...] = (matrix @ padded)[:, :width]
-        else:
-            np.matmul(matrix, part, out=there)
-    return out

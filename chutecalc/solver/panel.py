@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.solver.collocation import integrate, integrate_stiff, product, rule, transfer
+from chutecalc.physics.arrays import Array, Index, Mask, product
+from chutecalc.solver.collocation import integrate, integrate_stiff, rule, transfer
 from chutecalc.solver.slide import Course, Field, Linear, field, frozen, linearised, place_rates
 
 # Of 20,488 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from chutecalc.design import stretched
-from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.arrays import Array, Mask, product
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.roots import root_between
@@ -19,7 +19,7 @@ from chutecalc.physics.wall import wall_friction
 from chutecalc.physics.wear import wall_pressures
 from chutecalc.physics.wetting import Wetting, depth_and_width, wetting
 from chutecalc.solver.chain import ContactLeg, Leg
-from chutecalc.solver.collocation import interpolation, product, rule
+from chutecalc.solver.collocation import interpolation, rule
 from chutecalc.solver.crossing import evaluate
 from chutecalc.solver.front import Piece
 from chutecalc.solver.slide import Course, Slide, place_rates

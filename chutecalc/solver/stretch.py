@@ -22,6 +22,7 @@ STOPPING, STARTING = 0.5, 0.02  # of the way that is left: rest nearer than that
 SHY, AWAY = 0.667, 2.0  # of the distance to rest ahead or behind: as far as a panel in c may reach
 STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
 
+NEAR_REST = (16, 24)  # the rules of a panel in r: on fewer nodes it is taken half as often
 PASSES = 2000  # a bound, so that no input can hang
 AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
 CLOSE, BEYOND = 0.98, 1e-6  # of a panel: an event behind that is near its end; how far beyond an event the next goes
@@ -95,7 +96,8 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
         by_root, target = _choose(front, running, change)
         stiff = growth * (target - front.place[running]) < STIFF
         for way, chosen in ((ROOT, by_root), (PLACE, ~by_root & ~stiff), (CLINGING, ~by_root & stiff)):
-            _advance(front, running[chosen], way, target[chosen], effort.later, effort.share)
+            pair = NEAR_REST if way == ROOT else effort.later
+            _advance(front, running[chosen], way, target[chosen], pair, effort.share)
     raise RuntimeError(f"a contact segment was not solved in {PASSES} panels")
 
 

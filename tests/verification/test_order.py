@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.solver.collocation import integrate, interpolation, product, rule, transfer
+from chutecalc.physics.arrays import product
+from chutecalc.solver.collocation import integrate, interpolation, rule, transfer
 from tests.conftest import chute
 
 
