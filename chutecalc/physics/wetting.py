@@ -189,10 +189,12 @@ def area_at_depth(table: Facets, depth: Array) -> Array:
     """
     facet = take_facet(table, interval_of(table.height, depth))
     wetted = (depth - facet.height) / facet.sine
-    flat = facet.area + (facet.width + wetted * facet.cosine) * wetted * facet.sine
-    r = np.where(facet.radius > 0.0, facet.radius, 1.0)
-    angle = 2.0 * np.arcsin(np.sqrt(np.minimum(0.5 * depth / r, 0.5)))
-    area = np.where(facet.radius > 0.0, r**2 * angle_area(angle), flat)
+    area = facet.area + (facet.width + wetted * facet.cosine) * wetted * facet.sine
+    curved = facet.radius > 0.0
+    if curved.any():
+        r = np.where(curved, facet.radius, 1.0)
+        angle = 2.0 * np.arcsin(np.sqrt(np.minimum(0.5 * depth / r, 0.5)))
+        area = np.where(curved, r**2 * angle_area(angle), area)
     return np.where(np.isinf(depth), np.inf, area)
 
 
