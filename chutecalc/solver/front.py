@@ -184,7 +184,7 @@ class Front:
         rows, panel = trial.rows[chosen], trial.panel
         where = trial.window if isinstance(chosen, slice) else rows
         start, end = trial.start[chosen], trial.end[chosen]
-        growth, last = panel.growth[chosen], panel.knots[-1, chosen]
+        growth, last = panel.growth[-1, chosen], panel.knots[-1, chosen]
         error = panel.error[chosen] + panel.rounding[chosen]
         keep = self.effort.complete and rows.size > 0
         knots = panel.knots[:, chosen] if keep or trial.by_root else panel.knots

@@ -40,7 +40,7 @@ class Panel(NamedTuple):
     knots: Array
     """The unknown at the rule's start, nodes and end, shape (N + 2, m)."""
     growth: Array
-    """∂(end)/∂(start)."""
+    """What a small change at the start has become at nodes and end, shape (N + 1, m)."""
     error: Array
     """Estimated, of the end: relative in y, in r relative to the way; infinite where the panel is no solution."""
     inner_error: Array
@@ -79,7 +79,7 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     scaled[0] = y0
     smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, start) ** 2 if course.arcs else knots, 1.0)
     newton = NEWTON_SAFETY * last_gap**2 * _left(course, at, near, update)
-    panel = _panel(scaled, growth[-1], sound, updates[0], newton, smoothness, ROUNDING / end, pair, way)
+    panel = _panel(scaled, growth, sound, updates[0], newton, smoothness, ROUNDING / end, pair, way)
     if way != CLINGING:
         return panel
     # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share of it.
@@ -125,7 +125,7 @@ def panel_by_root(course: Course, start: Array, width: Array, place: Array, pair
     update = np.maximum(noise, 0.0) / np.maximum(np.abs(knots[-1] - place), PLACE_ROUNDING)
     pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
     smoothness = np.minimum(_smoothness(pair[1], pull, 0.2), _flank_smoothness(course, start, width, place))
-    return _panel(knots, growth[-1], sound, update, NEWTON_SAFETY * update**2, smoothness, 0.0, pair, ROOT)
+    return _panel(knots, growth, sound, update, NEWTON_SAFETY * update**2, smoothness, 0.0, pair, ROOT)
 
 
 def _smoothness(count: int, values: Array, share: float) -> Array:
@@ -208,7 +208,7 @@ def _panel(
     A solution that changes by e^-λ over the panel has terms that N nodes resolve like an ellipse of ρ = 4 N/(e λ).
     """
     coarse, fine = pair
-    decay = np.abs(np.log(np.abs(growth)))
+    decay = np.abs(np.log(np.abs(growth[-1])))
     if way != CLINGING:  # where a stream clings to a balance, such terms have died out before
         resolved = 4.0 / np.e * np.sqrt(coarse * fine) / decay
         smoothness = np.minimum(smoothness, np.maximum(resolved, 1.0))

@@ -224,7 +224,7 @@ def _judge(front: Front, trial: Trial, count: int) -> None:
     cut = np.where((cut < 1.0) & (np.abs(aim - start) <= ROUNDING * np.abs(start)), 0.0, cut)
     inside = good & (cut < 1.0) & (cut > 0.0)
     inner_error = trial.panel.inner_error[:count]
-    short = inside & (cut > CLOSE) & (inner_error <= WELL_WITHIN * front.effort.share)
+    short = inside & (inner_error <= WELL_WITHIN * front.effort.share)
     _accept_part(front, trial, np.flatnonzero(short), cut, event)
     # Where the event is only roughly known, the next panel goes a little beyond it: then it lies inside.
     spare = np.where(cut < CLOSE, 1.0 + np.minimum(BEYOND + 10.0 * inner_error, 0.01), 1.0)
@@ -254,14 +254,14 @@ def _events(front: Front, trial: Trial) -> tuple[Array, Index, Mask]:
 
 
 def _accept_part(front: Front, trial: Trial, chosen: Index, cut: Array, event: Index) -> None:
-    """Takes panels up to the event that lies just before their end: their polynomials are right there too."""
+    """Takes panels up to an event inside them, where their polynomials are right too."""
     if not chosen.size:
         return
     rows, cut, panel = trial.rows[chosen], cut[chosen], trial.panel
     start, inner_error = trial.start[chosen], panel.inner_error[chosen]
     end = start + cut * (trial.end[chosen] - start)
     knots = evaluate(panel.knots[:, chosen], cut * rule(len(panel.knots) - 2).knots[:, None])
-    growth = np.abs(panel.growth[chosen]) ** cut
+    growth = evaluate(np.concatenate([np.ones((1, len(rows))), panel.growth[:, chosen]]), cut[None])
     part = Panel(knots, growth, inner_error, inner_error, panel.rounding[chosen])
     front.accept(Trial(rows, rows, trial.by_root, start, end, part, trial.good[chosen]), slice(len(rows)))
     front.happen(rows, event[chosen])
