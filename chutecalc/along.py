@@ -12,7 +12,7 @@ from chutecalc.design import Contact, Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
-from chutecalc.solver.chain import ContactLeg, Leg
+from chutecalc.solver.leg import ContactLeg, Leg
 from chutecalc.solver.profile import FlightProfile, SlideProfile
 
 Numbers = dict[str, Array]

@@ -14,7 +14,7 @@ from chutecalc.extremes import FEW, LARGEST, LEAST, SAMPLES, Extreme, Wanted, ex
 from chutecalc.findings import WORST, Finding, findings, in_order
 from chutecalc.findings.warnings import not_accelerated
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.solver.chain import Leg
+from chutecalc.solver.leg import Leg
 from chutecalc.stations import at_stations
 
 EXTREMES = (

@@ -8,8 +8,8 @@ from chutecalc.design import Status
 from chutecalc.findings.finding import FAILURE, WARNING, Finding, Scene, finding
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import ROOF
-from chutecalc.solver.chain import Leg
 from chutecalc.solver.joint import impact_friction
+from chutecalc.solver.leg import Leg
 
 
 def stall(scene: Scene) -> Iterator[Finding]:

@@ -10,7 +10,7 @@ from chutecalc.columns import quantity_text
 from chutecalc.design import Contact
 from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.solver.chain import ContactLeg
+from chutecalc.solver.leg import ContactLeg
 
 FAILURE, WARNING, NOTE = "failure", "warning", "note"
 

@@ -1,18 +1,30 @@
 """Segment after segment: the stream that leaves one enters the next."""
 
-from collections.abc import Iterable
-from typing import NamedTuple
-
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Segment, Status, Stream, length, select, spread, stretched
+from chutecalc.design import Contact, Design, Fall, Status, Stream, length, select, stretched
 from chutecalc.errors import Fault, SpecError
-from chutecalc.physics.arrays import Array, Index, Mask, shared
-from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
+from chutecalc.physics.arrays import Array, shared
+from chutecalc.physics.flight import motion, position
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
 from chutecalc.solver.front import Effort, effort
-from chutecalc.solver.joint import Arrival, arrive
+from chutecalc.solver.joint import Arrival
+from chutecalc.solver.leg import (
+    ContactLeg,
+    Leg,
+    Place,
+    arrivals,
+    entry_of,
+    fall_leg,
+    inlet,
+    merged,
+    onward,
+    overwritten,
+    points,
+    some,
+    stream_of,
+)
 from chutecalc.solver.slide import Slide
 from chutecalc.solver.stretch import Stretch, solve_stretch
 
@@ -20,39 +32,6 @@ STRIKES = 50  # on one hood; a bound, so that no input can hang
 BUFFER = 512
 """Elements of NumPy's buffers. Where a row of numbers meets many, it copies as many rows together as fit into one,
 which takes as long as the arithmetic; this is less than a row."""
-Place = tuple[Array, Array]
-
-
-class Leg(NamedTuple):
-    """One segment as n designs went through it. Numbers are NaN in designs that did not get that far."""
-
-    number: int
-    """Of the segment, from 0; a hood that is left and struck again has a leg for each time."""
-    segment: Segment
-    start: Stream
-    """As it comes from the segment before."""
-    path: Flight
-    """The flight that begins at ``start``: a fall's, or what leads from an edge to a contact segment."""
-    flight_time: Array
-    """s, 0 where the stream does not fly."""
-    entry: Stream
-    """On the surface, after an impact; for a fall the same as ``exit``."""
-    exit: Stream
-    """At the end, or where the design fails."""
-    status: Index
-    """A :class:`~chutecalc.design.Status` each."""
-    contact: "ContactLeg | None"
-
-
-class ContactLeg(NamedTuple):
-    """What a leg has along a guiding surface."""
-
-    surface: Surface
-    slide: Slide
-    arrival: Arrival
-    stretch: Stretch
-    rows: Index
-    """The designs in ``stretch``, in its order."""
 
 
 def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[Leg], Stream]:
@@ -89,7 +68,7 @@ class _Chain:
         self.design, self.work = design, work
         self.single = length(design) == 1
         self.legs: list[Leg] = []
-        self.stream = _inlet(design)
+        self.stream = inlet(design)
         self.drawn: Place = (self.stream.x, self.stream.z)
         self.arrival: Arrival | None = None
         """On the next segment, where the fall before it has found that."""
@@ -102,14 +81,14 @@ class _Chain:
             leg = self.along(number, segment)
             end = point(leg.contact.surface, np.ones(1)) if leg.contact else None
             self.legs.append(leg)
-            self.stream = _onward(leg, more)
+            self.stream = onward(leg, more)
             if segment.side == ROOF and segment.kind != "plate":
                 self.strike_again(number, segment, leg)
             self.drawn = (end[0], end[1]) if end else self.drawn
         elif segment.onto_next:
             self.legs.append(self.onto_next(number, segment))
         else:
-            leg = _fall(number, segment, self.stream, self.drawn, self.design)
+            leg = fall_leg(number, segment, self.stream, self.drawn, self.design)
             self.legs.append(leg)
             self.stream, self.drawn = leg.exit, (leg.exit.x, leg.exit.z)
 
@@ -127,22 +106,22 @@ class _Chain:
                 return
             leg = again._replace(status=np.where(caught, again.status, Status.NOT_REACHED))
             self.legs.append(leg)
-            self.stream = _merge(caught, _onward(leg, number + 1 < len(self.design.segments)), self.stream)
+            self.stream = merged(caught, onward(leg, number + 1 < len(self.design.segments)), self.stream)
 
     def onto_next(self, number: int, fall: Fall) -> Leg:
         """A flight to where it meets the next segment; what misses that flies on from where this one began."""
         contact = self.design.segments[number + 1]
         assert isinstance(contact, Contact)  # a rule of the spec
         start, surface, slide = self.meet(number + 1, contact, self.stream._replace(airborne=np.ones(1, dtype=bool)))
-        arrival = _arrivals(start, surface, slide, 0)
+        arrival = arrivals(start, surface, slide, 0)
         landed = (arrival.status == Status.OK) | (arrival.status == Status.STALL)
         time = np.where(landed, arrival.time, np.nan)
         x, z = position(arrival.path, time)
         velocity, slope = motion(arrival.path, time)
         distance = start.distance + arrival.distance
         error = start.error * (start.velocity / velocity) ** 2
-        end = _stream((distance, x, z, slope, velocity, error), start.status, landed)
-        self.stream = _merge(landed, end, start)
+        end = stream_of((distance, x, z, slope, velocity, error), start.status, landed)
+        self.stream = merged(landed, end, start)
         self.arrival = arrival._replace(  # flown already
             time=np.where(landed, 0.0, arrival.time), distance=np.where(landed, 0.0, arrival.distance)
         )
@@ -181,116 +160,27 @@ class _Chain:
         start, surface, slide = self.meet(number, contact, self.stream if start is None else start)
         arrival, self.arrival = self.arrival, None
         if arrival is None:
-            arrival = _arrivals(start, surface, slide, known)
+            arrival = arrivals(start, surface, slide, known)
         if number + 1 == len(self.design.segments):  # none that could catch what flies past
             arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
-        entry = _entry(start, surface, arrival)
+        entry = entry_of(start, surface, arrival)
         rows = np.flatnonzero(arrival.status == Status.OK)
         here, place, flow, line = entry, arrival.place, slide, surface
         if len(rows) < len(place):
-            here, place, flow, line = _some(entry, rows), place[rows], slide.rows(rows), select(surface, rows)
+            here, place, flow, line = some(entry, rows), place[rows], slide.rows(rows), select(surface, rows)
         if contact.kind == "plate":
             stretch = Stretch.standing(place, here.velocity**2, 2.0 * here.error)
         else:
             stretch = solve_stretch(flow, place, here.velocity**2, 2.0 * here.error, self.work)
-        x, z, slope = _points(line, stretch.place)
+        x, z, slope = points(line, stretch.place)
         distance = here.distance + line.length * (stretch.place - place)
         error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
         numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), error)
-        moved = _stream(numbers, stretch.status, here.airborne)
-        end = moved if len(rows) == len(start.status) else _overwrite(entry, moved, rows)
+        moved = stream_of(numbers, stretch.status, here.airborne)
+        end = moved if len(rows) == len(start.status) else overwritten(entry, moved, rows)
         status = np.where(start.status == Status.OK, end.status, Status.NOT_REACHED)
         contact_leg = ContactLeg(surface, slide, arrival, stretch, rows)
         return Leg(number, contact, start, arrival.path, arrival.time, entry, end, status, contact_leg)
-
-
-def _stream(numbers: Iterable[Array], status: Index, airborne: Mask) -> Stream:
-    """A stream from its six numbers, in their order, and its two states."""
-    distance, x, z, slope, velocity, error = numbers
-    return Stream(distance, x, z, slope, velocity, error, status, airborne)
-
-
-def _inlet(design: Design) -> Stream:
-    """The stream where it enters the chute; at rest it points straight down."""
-    zero = np.zeros(1)
-    slope = np.where(design.inlet_velocity > 0.0, design.inlet_slope, np.pi / 2)
-    velocity = np.broadcast_to(design.inlet_velocity, slope.shape)
-    status = np.full(slope.shape, Status.OK)
-    numbers = (zero, *design.inlet_place, slope, velocity, zero)
-    return _stream(numbers, status, np.zeros(slope.shape, dtype=bool))
-
-
-def _onward(leg: Leg, more: bool) -> Stream:
-    """The stream as the next segment gets it: in flight where it lost contact, left a plate or flew past."""
-    thrown = leg.segment.kind == "plate"
-    if thrown:
-        leg = leg._replace(exit=leg.exit._replace(airborne=leg.status == Status.OK))
-    lost, passed = leg.status == Status.CONTACT_LOST, leg.status == Status.PASSED
-    if not (more and (lost.any() or passed.any())):
-        return leg.exit
-    flying = leg.exit._replace(status=np.where(lost, Status.OK, leg.exit.status), airborne=leg.exit.airborne | lost)
-    return _merge(passed, leg.start._replace(airborne=np.ones(1, dtype=bool)), flying) if passed.any() else flying
-
-
-def _fall(number: int, fall: Fall, start: Stream, drawn: Place, design: Design) -> Leg:
-    """Free flight to a level below, or to a distance from, the drawn end of the segment before."""
-    path = flight(start.x, start.z, start.velocity, start.slope, design.gravity)
-    if fall.drop is not None:
-        time = time_to_drop(path, start.z - drawn[1] + fall.drop)
-    else:
-        assert fall.run is not None
-        time = time_to_run(path, drawn[0] + fall.run - start.x)
-    x, z = position(path, time)
-    velocity, slope = motion(path, time)
-    alive = np.broadcast_to(start.status == Status.OK, velocity.shape)
-    error = start.error * (start.velocity / np.where(velocity > 0.0, velocity, 1.0)) ** 2
-    distance = start.distance + path_length(path, time)
-    numbers = (np.where(alive, number, np.nan) for number in (distance, x, z, slope, velocity, error))
-    flown = np.where(np.isnan(velocity), Status.MISSED, Status.OK)
-    end = _stream(numbers, np.where(alive, flown, start.status), np.zeros(alive.shape, dtype=bool))
-    status = np.where(alive, flown, Status.NOT_REACHED)
-    return Leg(number, fall, start, path, np.where(alive, time, np.nan), end, end, status, None)
-
-
-def _arrivals(start: Stream, surface: Surface, slide: Slide, known: int) -> Arrival:
-    """How the streams that are still on their way meet a segment."""
-    alive = np.flatnonzero(start.status == Status.OK)
-    if len(alive) == len(start.status):
-        return arrive(start, surface, slide, known)
-    met = arrive(_some(start, alive), select(surface, alive), slide.rows(alive), known)
-    return spread(met, alive, len(start.status))
-
-
-def _entry(start: Stream, surface: Surface, arrival: Arrival) -> Stream:
-    """The stream on the surface, where it meets it; designs that failed before keep their status."""
-    x, z, slope = _points(surface, arrival.place)
-    status = np.where(start.status == Status.OK, arrival.status, start.status)
-    grounded = np.zeros(status.shape, dtype=bool)
-    numbers = (start.distance + arrival.distance, x, z, slope, arrival.after, arrival.error)
-    return _stream(numbers, status, grounded)
-
-
-def _points(surface: Surface, place: Array) -> list[Array]:
-    """:func:`~chutecalc.physics.surface.point` at a place for each design."""
-    return [stretched(values, place.shape) for values in point(surface, shared(place))]
-
-
-def _some(stream: Stream, rows: Index) -> Stream:
-    """Some designs of a stream whose fields are all of full length; none of them where there are no rows."""
-    return Stream._make(field[rows] for field in stream)
-
-
-def _merge(chosen: Mask, one: Stream, other: Stream) -> Stream:
-    """The one stream in the designs chosen, the other in the rest."""
-    return Stream._make(np.where(chosen, *pair) for pair in zip(one, other, strict=True))
-
-
-def _overwrite(record: Stream, part: Stream, rows: Index) -> Stream:
-    """The record with some of its designs replaced."""
-    fields = [field.copy() for field in record]
-    for field, new in zip(fields, part, strict=True):
-        field[rows] = new
-    return Stream._make(fields)
 
 
 def _surface(contact: Contact, number: int, start: Stream, drawn: Place) -> Surface:

@@ -18,10 +18,10 @@ from chutecalc.physics.surface import point
 from chutecalc.physics.wall import wall_friction
 from chutecalc.physics.wear import wall_pressures
 from chutecalc.physics.wetting import Wetting, depth_and_width, wetting
-from chutecalc.solver.chain import ContactLeg, Leg
 from chutecalc.solver.collocation import interpolation, rule
 from chutecalc.solver.crossing import evaluate
 from chutecalc.solver.front import Piece
+from chutecalc.solver.leg import ContactLeg, Leg
 from chutecalc.solver.slide import Course, Slide, place_rates
 
 

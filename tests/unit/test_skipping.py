@@ -26,13 +26,13 @@ CHAIN = {
 def panels(monkeypatch):
     """How many panels have been tried, by design."""
     tried = []
-    judge = stretch._judge
+    judge = stretch.judge
 
     def counting(front, trial, count):
         tried.extend(trial.rows[:count].tolist())
         judge(front, trial, count)
 
-    monkeypatch.setattr(stretch, "_judge", counting)
+    monkeypatch.setattr(stretch, "judge", counting)
     return tried
 
 

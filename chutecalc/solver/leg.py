@@ -1,0 +1,137 @@
+"""One segment as designs went through it, and what becomes of their streams on the way."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.design import Design, Fall, Segment, Status, Stream, select, spread, stretched
+from chutecalc.physics.arrays import Array, Index, Mask, shared
+from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
+from chutecalc.physics.surface import Surface, point
+from chutecalc.solver.joint import Arrival, arrive
+from chutecalc.solver.slide import Slide
+from chutecalc.solver.stretch import Stretch
+
+Place = tuple[Array, Array]
+
+
+class Leg(NamedTuple):
+    """One segment as n designs went through it. Numbers are NaN in designs that did not get that far."""
+
+    number: int
+    """Of the segment, from 0; a hood that is left and struck again has a leg for each time."""
+    segment: Segment
+    start: Stream
+    """As it comes from the segment before."""
+    path: Flight
+    """The flight that begins at ``start``: a fall's, or what leads from an edge to a contact segment."""
+    flight_time: Array
+    """s, 0 where the stream does not fly."""
+    entry: Stream
+    """On the surface, after an impact; for a fall the same as ``exit``."""
+    exit: Stream
+    """At the end, or where the design fails."""
+    status: Index
+    """A :class:`~chutecalc.design.Status` each."""
+    contact: "ContactLeg | None"
+
+
+class ContactLeg(NamedTuple):
+    """What a leg has along a guiding surface."""
+
+    surface: Surface
+    slide: Slide
+    arrival: Arrival
+    stretch: Stretch
+    rows: Index
+    """The designs in ``stretch``, in its order."""
+
+
+def stream_of(numbers: Iterable[Array], status: Index, airborne: Mask) -> Stream:
+    """A stream from its six numbers, in their order, and its two states."""
+    distance, x, z, slope, velocity, error = numbers
+    return Stream(distance, x, z, slope, velocity, error, status, airborne)
+
+
+def inlet(design: Design) -> Stream:
+    """The stream where it enters the chute; at rest it points straight down."""
+    zero = np.zeros(1)
+    slope = np.where(design.inlet_velocity > 0.0, design.inlet_slope, np.pi / 2)
+    velocity = np.broadcast_to(design.inlet_velocity, slope.shape)
+    status = np.full(slope.shape, Status.OK)
+    numbers = (zero, *design.inlet_place, slope, velocity, zero)
+    return stream_of(numbers, status, np.zeros(slope.shape, dtype=bool))
+
+
+def onward(leg: Leg, more: bool) -> Stream:
+    """The stream as the next segment gets it: in flight where it lost contact, left a plate or flew past."""
+    thrown = leg.segment.kind == "plate"
+    if thrown:
+        leg = leg._replace(exit=leg.exit._replace(airborne=leg.status == Status.OK))
+    lost, passed = leg.status == Status.CONTACT_LOST, leg.status == Status.PASSED
+    if not (more and (lost.any() or passed.any())):
+        return leg.exit
+    flying = leg.exit._replace(status=np.where(lost, Status.OK, leg.exit.status), airborne=leg.exit.airborne | lost)
+    return merged(passed, leg.start._replace(airborne=np.ones(1, dtype=bool)), flying) if passed.any() else flying
+
+
+def fall_leg(number: int, fall: Fall, start: Stream, drawn: Place, design: Design) -> Leg:
+    """Free flight to a level below, or to a distance from, the drawn end of the segment before."""
+    path = flight(start.x, start.z, start.velocity, start.slope, design.gravity)
+    if fall.drop is not None:
+        time = time_to_drop(path, start.z - drawn[1] + fall.drop)
+    else:
+        assert fall.run is not None
+        time = time_to_run(path, drawn[0] + fall.run - start.x)
+    x, z = position(path, time)
+    velocity, slope = motion(path, time)
+    alive = np.broadcast_to(start.status == Status.OK, velocity.shape)
+    error = start.error * (start.velocity / np.where(velocity > 0.0, velocity, 1.0)) ** 2
+    distance = start.distance + path_length(path, time)
+    numbers = (np.where(alive, number, np.nan) for number in (distance, x, z, slope, velocity, error))
+    flown = np.where(np.isnan(velocity), Status.MISSED, Status.OK)
+    end = stream_of(numbers, np.where(alive, flown, start.status), np.zeros(alive.shape, dtype=bool))
+    status = np.where(alive, flown, Status.NOT_REACHED)
+    return Leg(number, fall, start, path, np.where(alive, time, np.nan), end, end, status, None)
+
+
+def arrivals(start: Stream, surface: Surface, slide: Slide, known: int) -> Arrival:
+    """How the streams that are still on their way meet a segment."""
+    alive = np.flatnonzero(start.status == Status.OK)
+    if len(alive) == len(start.status):
+        return arrive(start, surface, slide, known)
+    met = arrive(some(start, alive), select(surface, alive), slide.rows(alive), known)
+    return spread(met, alive, len(start.status))
+
+
+def entry_of(start: Stream, surface: Surface, arrival: Arrival) -> Stream:
+    """The stream on the surface, where it meets it; designs that failed before keep their status."""
+    x, z, slope = points(surface, arrival.place)
+    status = np.where(start.status == Status.OK, arrival.status, start.status)
+    grounded = np.zeros(status.shape, dtype=bool)
+    numbers = (start.distance + arrival.distance, x, z, slope, arrival.after, arrival.error)
+    return stream_of(numbers, status, grounded)
+
+
+def points(surface: Surface, place: Array) -> list[Array]:
+    """:func:`~chutecalc.physics.surface.point` at a place for each design."""
+    return [stretched(values, place.shape) for values in point(surface, shared(place))]
+
+
+def some(stream: Stream, rows: Index) -> Stream:
+    """Some designs of a stream whose fields are all of full length; none of them where there are no rows."""
+    return Stream._make(field[rows] for field in stream)
+
+
+def merged(chosen: Mask, one: Stream, other: Stream) -> Stream:
+    """The one stream in the designs chosen, the other in the rest."""
+    return Stream._make(np.where(chosen, *pair) for pair in zip(one, other, strict=True))
+
+
+def overwritten(record: Stream, part: Stream, rows: Index) -> Stream:
+    """The record with some of its designs replaced."""
+    fields = [field.copy() for field in record]
+    for field, new in zip(fields, part, strict=True):
+        field[rows] = new
+    return Stream._make(fields)
