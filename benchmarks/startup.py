@@ -7,6 +7,7 @@ rich table of the size of ours; "solve_ivp" a script that imports what it needs 
 run in turn; ratios are taken within the rounds.
 """
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -74,8 +75,10 @@ def main() -> None:
             "chutecalc run": [*ours, "run", str(SPEC)],
             "chutecalc sweep": [*ours, "sweep", "beta", str(SPEC)],
         }
+        # Installed programs come with their bytecode.
+        kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
         tasks = {
-            name: partial(subprocess.run, command, check=True, stdout=subprocess.DEVNULL)
+            name: partial(subprocess.run, command, check=True, stdout=subprocess.DEVNULL, env=kept)
             for name, command in commands.items()
         }
         spent = in_turn(tasks, 2 if report.quick else 40)

@@ -5,30 +5,17 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
+from importlib import import_module
 
 import typer
 
 from chutecalc import __version__
-from chutecalc.cli import check, columns, dem, new, run, schema, sweep
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 ISSUES = "the issue tracker of chutecalc"
 
-app = typer.Typer(
-    name="chutecalc",
-    help="How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model.",
-    rich_markup_mode=None,
-    no_args_is_help=True,
-    add_completion=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
-app.command("run")(run.run)
-app.command("sweep")(sweep.sweep)
-app.command("check")(check.check)
-app.command("dem")(dem.dem)
-app.command("new")(new.new)
-app.command("schema")(schema.schema)
-app.command("columns")(columns.columns)
+COMMANDS = ("run", "sweep", "check", "dem", "new", "schema", "columns")
+HELP = "How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model."
 
 
 def _show_version(wanted: bool) -> None:
@@ -37,13 +24,28 @@ def _show_version(wanted: bool) -> None:
         raise typer.Exit()
 
 
-@app.callback()
 def _common(
     version: bool = typer.Option(
         False, "--version", callback=_show_version, is_eager=True, help="Show the version and exit."
     ),
 ) -> None:
-    """How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model."""
+    pass
+
+
+def _app(given: Sequence[str]) -> typer.Typer:
+    """The commands; the one that is asked for alone, where there is one: each takes some milliseconds to set up."""
+    app = typer.Typer(
+        name="chutecalc",
+        help=HELP,
+        rich_markup_mode=None,
+        no_args_is_help=True,
+        add_completion=False,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )
+    app.callback(help=HELP)(_common)
+    for name in given[:1] if given and given[0] in COMMANDS else COMMANDS:
+        app.command(name)(getattr(import_module(f"chutecalc.cli.{name}"), name))
+    return app
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -58,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     _speak_unicode()
     try:
-        status = app(args=given, prog_name="chutecalc", standalone_mode=False)
+        status = _app(given)(args=given, prog_name="chutecalc", standalone_mode=False)
         if status == ExitStatus.INTERRUPTED:
             raise KeyboardInterrupt  # Typer has caught it
         sys.stdout.flush()
