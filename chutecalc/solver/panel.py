@@ -78,6 +78,9 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     scaled = knots * at.unit
     scaled[0] = y0
     smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, start) ** 2 if course.arcs else knots, 1.0)
+    if course.slide.end_section is not None:
+        places = start + width * fine.knots[:, None]
+        smoothness = np.minimum(smoothness, _taper_smoothness(pair[1], course, places, scaled))
     newton = NEWTON_SAFETY * last_gap**2 * _left(course, at, near, update)
     panel = _panel(scaled, growth, sound, updates[0], newton, smoothness, ROUNDING / end, pair, way)
     if way != CLINGING:
@@ -125,6 +128,9 @@ def panel_by_root(course: Course, start: Array, width: Array, place: Array, pair
     update = np.maximum(noise, 0.0) / np.maximum(np.abs(knots[-1] - place), PLACE_ROUNDING)
     pull = np.concatenate([start[None], root]) ** 3 / np.concatenate([first[None], change])
     smoothness = np.minimum(_smoothness(pair[1], pull, 0.2), _flank_smoothness(course, start, width, place))
+    if course.slide.end_section is not None:
+        y = np.concatenate([start[None], root]) ** 4
+        smoothness = np.minimum(smoothness, _taper_smoothness(pair[1], course, knots[:-1], y))
     return _panel(knots, growth, sound, update, NEWTON_SAFETY * update**2, smoothness, 0.0, pair, ROOT)
 
 
@@ -175,6 +181,21 @@ def _arc_velocity(course: Course, place: Array) -> Array:
     radius = course.at(place).facet.radius
     velocity: Array = course.slide.flow / (np.pi * np.where(radius > 0.0, radius, np.inf) ** 2)
     return velocity
+
+
+def _taper_smoothness(count: int, course: Course, place: Array, y: Array) -> Array:
+    """ρ that a taper leaves: where its numbers, drawn on, would leave the stream no width or a facet no rise.
+
+    Args:
+        count: of the rule.
+        course: the designs.
+        place, y: at the rule's knots, with or without the end.
+    """
+    facet = course.at(place).facet
+    opening = facet.width**2 + 4.0 * facet.cosine / facet.sine * (course.slide.area(y) - facet.area)
+    arc = facet.radius > 0.0
+    tapering = (np.where(arc, facet.radius, opening), np.where(arc, 1.0, facet.sine))
+    return np.minimum(*(_smoothness(count, np.broadcast_to(values, y.shape), 1.0) for values in tapering))
 
 
 def _flank_smoothness(course: Course, start: Array, width: Array, place: Array) -> Array:
