@@ -66,6 +66,7 @@ def judge(front: Front, trial: Trial, count: int) -> None:
     inside = good & (cut < 1.0) & (cut > 0.0)
     inner_error = trial.panel.inner_error[:count]
     short = inside & (inner_error <= WELL_WITHIN * front.effort.share)
+    short &= _happens(front, trial, np.flatnonzero(short), cut, event)
     _accept_part(front, trial, np.flatnonzero(short), cut, event)
     # Where the event is only roughly known, the next panel goes a little beyond it: then it lies inside.
     spare = np.where(cut < CLOSE, 1.0 + np.minimum(BEYOND + 10.0 * inner_error, 0.01), 1.0)
@@ -92,6 +93,24 @@ def _events(front: Front, trial: Trial) -> tuple[Array, Index, Mask]:
     crossings = np.stack([first_crossing(margin) for margin in margins])
     event = np.array([*front.events, END])[crossings.argmin(axis=0)]
     return crossings.min(axis=0), event, (margins[:, -1] <= LEVEL) & (margins[:, -1] < margins[:, 0])
+
+
+def _happens(front: Front, trial: Trial, chosen: Index, cut: Array, event: Index) -> Mask:
+    """Whether the event is where its margin's polynomial falls to 0.
+
+    Not at the bottom of a dip, nor where a taper bends the margin more than its polynomial can.
+    """
+    there = np.zeros(len(cut), dtype=bool)
+    if chosen.size:
+        share, panel = cut[chosen], trial.panel
+        along = trial.start[chosen] + share * (trial.end[chosen] - trial.start[chosen])
+        unknown = evaluate(panel.knots[:, chosen], share[None])[0]
+        place, y = (unknown, along**4) if trial.by_root else (along, unknown)
+        margins = front.margins(trial.rows[chosen], place, y, trial.by_root)
+        names = np.array([*front.events, END])[: len(margins)]
+        own = margins[(names[:, None] == event[chosen]).argmax(axis=0), np.arange(len(chosen))]
+        there[chosen] = np.abs(own) <= LEVEL + WELL_WITHIN * panel.inner_error[chosen]
+    return there
 
 
 def _accept_part(front: Front, trial: Trial, chosen: Index, cut: Array, event: Index) -> None:

@@ -92,3 +92,22 @@ def test_a_panel_never_crosses_a_kink():
     for before, after in pairwise(pieces):
         if before.facet[0] != after.facet[0]:
             assert before.knots[-1, 0] ** 0.5 == pytest.approx(speed, rel=1e-12)
+
+
+@pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8, 1e-10, 1e-12])
+def test_a_stream_that_just_clears_its_wall_does_not_choke(rtol):
+    """The stream over a crest is deepest within it; a wall higher than that by ten times the tolerance is cleared."""
+
+    def crest(**more):
+        return chute(
+            sections={"body": {"shape": "rectangular", "width_m": 0.8, **more}},
+            inlet={"velocity_m_s": 3.2, "slope_deg": 0.0},
+            segments=[{"name": "crest", "kind": "curve", "radius_m": 4.0, "to_slope_deg": 55.0}],
+        )
+
+    depths = chutecalc.solve(crest(), 1e-13).stations(points=20001)["depth_m"][0]
+    deepest = depths.max()
+    assert depths[0] < 0.9 * deepest > depths[-1]
+    spare = max(10 * rtol, 1e-8)  # between stations depth may rise by 1e-9
+    assert chutecalc.solve(crest(wall_height_m=deepest * (1 + spare)), rtol).status[0] == "ok"
+    assert chutecalc.solve(crest(wall_height_m=deepest * (1 - spare)), rtol).status[0] == "choke"
