@@ -77,9 +77,9 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     sound = (updates[-1] < 1.0) & (end > 0.0)  # then it is positive all along, as what it was worked out from
     scaled = knots * at.unit
     scaled[0] = y0
-    smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, start) ** 2 if course.arcs else knots, 1.0)
+    places = start + width * fine.knots[:, None]
+    smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, places) ** 2 if course.arcs else knots, 1.0)
     if course.slide.end_section is not None:
-        places = start + width * fine.knots[:, None]
         smoothness = np.minimum(smoothness, _taper_smoothness(pair[1], course, places, scaled))
     newton = NEWTON_SAFETY * last_gap**2 * _left(course, at, near, update)
     panel = _panel(scaled, growth, sound, updates[0], newton, smoothness, ROUNDING / end, pair, way)

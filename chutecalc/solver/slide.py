@@ -53,7 +53,10 @@ class Slide(NamedTuple):
 
     def section_at(self, place: Array) -> Section:
         """The section at places, shape (..., designs)."""
-        return self.section if self.end_section is None else blend(self.section, self.end_section, place)
+        if self.end_section is None:
+            return self.section
+        # What a panel far too long makes of one design must not be infinitely long: it would leave all without a top.
+        return blend(self.section, self.end_section, np.minimum(np.maximum(place, -1.0), 2.0))
 
     def facets_at(self, place: Array) -> Facets:
         """The section's facets at places, shape (facets, ..., designs); without places where it stays the same."""

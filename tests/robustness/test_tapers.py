@@ -1,0 +1,85 @@
+"""Random tapers with a top: errors within their estimates, and no design's digits another one's business."""
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.solver.chain import run_chain
+
+COUNT = 24
+ROUNDING = 1e-12
+"""Of a velocity, relative: events that divide the way are found within 1e-13 of their margin."""
+SECTIONS = {
+    "chamfered": {"shape": "chamfered", "base_m": 0.9, "chamfer_deg": 35.0, "chamfer_m": 0.15},
+    "rectangular": {"shape": "rectangular", "width_m": 1.0},
+    "circular": {"shape": "circular", "radius_m": 0.6},
+}
+ARC = {"kind": "curve", "radius_m": 3.0, "from_slope_deg": 20.0, "to_slope_deg": 50.0, "section": ["body", "end"]}
+
+
+def tapers(shape, kind, seed=3):
+    """A tapered crest or spoon, and changes that make many of it."""
+    random = np.random.default_rng([seed, len(shape), kind == "crest"])
+    end = random.uniform(-10.0, 55.0, COUNT)
+    start = end - random.uniform(1.0, 30.0, COUNT) if kind == "crest" else end + random.uniform(0.1, 1.0, COUNT) * 30.0
+    own = {
+        "chamfered": {"base_m": (0.05, 2.0), "chamfer_deg": (5.0, 85.0)},
+        "rectangular": {"width_m": (0.1, 2.0)},
+        "circular": {"radius_m": (0.1, 1.5)},
+    }[shape]
+    spec = {
+        "flow": {"rate_t_h": 1000.0},
+        "material": {"density_kg_m3": 1500.0, "internal_friction_deg": 50.0},
+        "liners": {"wall": {"friction_deg": 20.0}},
+        "sections": {"body": SECTIONS[shape], "end": SECTIONS[shape]},
+        "inlet": {"velocity_m_s": 3.0, "slope_deg": 20.0},
+        "segments": [ARC],
+    }
+    changes = {
+        "flow.rate_t_h": np.exp(random.uniform(np.log(20.0), np.log(4000.0), COUNT)),
+        "inlet.velocity_m_s": np.exp(random.uniform(np.log(0.3), np.log(15.0), COUNT)),
+        "liners.wall.friction_deg": random.uniform(2.0, 45.0, COUNT),
+        "inlet.slope_deg": start,
+        "segments.1.from_slope_deg": start,
+        "segments.1.to_slope_deg": end,
+        "segments.1.radius_m": np.exp(random.uniform(np.log(0.5), np.log(10.0), COUNT)),
+    }
+    changes |= {
+        f"sections.{end}.{key}": random.uniform(*ends, COUNT) for end in ("body", "end") for key, ends in own.items()
+    }
+    return chutecalc.parse(spec), changes
+
+
+@pytest.mark.parametrize("kind", ["crest", "spoon"])
+@pytest.mark.parametrize("shape", list(SECTIONS))
+def test_errors_along_a_taper_are_within_their_estimates(shape, kind):
+    base, changes = tapers(shape, kind)
+    design = base.vary(changes).design
+    right = run_chain(design, 1e-13)[0][0].exit
+    for rtol in (1e-6, 1e-10):
+        for complete in (False, True):
+            end = run_chain(design, rtol, complete)[0][0].exit
+            assert (end.status == right.status).all()
+            ran = end.status == 0
+            off = np.abs(end.velocity[ran] / right.velocity[ran] - 1.0)
+            assert (off <= end.error[ran] + right.error[ran] + ROUNDING).all(), (shape, kind, rtol, complete)
+
+
+@pytest.mark.parametrize("kind", ["crest", "spoon"])
+@pytest.mark.parametrize("shape", list(SECTIONS))
+def test_digits_along_a_taper_do_not_depend_on_the_batch(shape, kind):
+    base, changes = tapers(shape, kind)
+    together = run_chain(base.vary(changes).design, 1e-12)[0][0].exit
+    for k in range(COUNT):
+        alone = run_chain(base.vary({path: values[k : k + 1] for path, values in changes.items()}).design, 1e-12)
+        assert np.array_equal(alone[0][0].exit.velocity, together.velocity[k : k + 1], equal_nan=True), k
+        assert alone[0][0].exit.status[0] == together.status[k]
+
+
+def test_one_design_far_beyond_the_taper_leaves_the_others_their_top():
+    base, changes = tapers("chamfered", "crest")
+    legs, _ = run_chain(base.vary(changes).design, 1e-6)
+    slide = legs[0].contact.slide.rows(np.array([0, 1]))
+    alone, beside = (slide.facets_at(np.array([[0.5, place]])) for place in (0.5, np.inf))
+    assert len(beside.area) == len(alone.area) == 2
+    assert np.array_equal(beside.area[..., 0], alone.area[..., 0])
