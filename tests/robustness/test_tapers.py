@@ -31,7 +31,7 @@ def tapers(shape, kind, seed=3):
         "flow": {"rate_t_h": 1000.0},
         "material": {"density_kg_m3": 1500.0, "internal_friction_deg": 50.0},
         "liners": {"wall": {"friction_deg": 20.0}},
-        "sections": {"body": SECTIONS[shape], "end": SECTIONS[shape]},
+        "sections": {"body": SECTIONS[shape], "end": dict(SECTIONS[shape])},
         "inlet": {"velocity_m_s": 3.0, "slope_deg": 20.0},
         "segments": [ARC],
     }
