@@ -257,7 +257,9 @@ def test_piped_output_has_no_colour_even_where_colour_is_forced(starter):
 
 def test_nothing_heavy_is_loaded_on_the_way_of_run():
     code = (
-        "import sys\nimport numpy\nusual = set(sys.modules)\nfrom chutecalc.cli import main\n"  # old NumPy loads numpy.ma
+        "import sys\nimport numpy\n"
+        "usual = set(sys.modules)\n"  # old NumPy loads numpy.ma
+        "from chutecalc.cli import main\n"
         f"assert main(['run', {str(ROOT / 'specs/paper/r3_d55_chamfered.toml')!r}]) == 0\n"
         "heavy = {'scipy', 'matplotlib', 'plotille', 'mpmath', 'tomli_w', 'numpy.ma', 'chutecalc.cli.sweep'}\n"
         "ours = set(sys.modules) - usual\n"
