@@ -191,8 +191,9 @@ def _taper_smoothness(count: int, course: Course, place: Array, y: Array) -> Arr
         course: the designs.
         place, y: at the rule's knots, with or without the end.
     """
-    facet = course.at(place).facet
-    opening = facet.width**2 + 4.0 * facet.cosine / facet.sine * (course.slide.area(y) - facet.area)
+    facet, area = course.at(place).facet, course.slide.area(y)
+    # Of the surface's width² over the area: a stream that grows thin is not taken for a section that ends.
+    opening = facet.width**2 / area + 4.0 * facet.cosine / facet.sine * (1.0 - facet.area / area)
     arc = facet.radius > 0.0
     tapering = (np.where(arc, facet.radius, opening), np.where(arc, 1.0, facet.sine))
     return np.minimum(*(_smoothness(count, np.broadcast_to(values, y.shape), 1.0) for values in tapering))
