@@ -147,7 +147,7 @@ def stretched(array: Any, shape: tuple[int, ...]) -> Any:
 
 
 def select(record: Record, rows: Index | slice) -> Record:
-    """A record of some of the designs, its arrays contiguous; what serves them all is left as it is.
+    """A record of some of the designs, contiguous along them; what serves them all is left as it is.
 
     Neighbours are better asked for as a slice.
     """
@@ -155,7 +155,8 @@ def select(record: Record, rows: Index | slice) -> Record:
     for field in record:
         if isinstance(field, np.ndarray):
             if field.shape[-1] != 1:
-                field = field[..., rows] if field.ndim == 1 else np.ascontiguousarray(field[..., rows])
+                plain = field.ndim == 1 or isinstance(rows, slice)
+                field = field[..., rows] if plain else np.ascontiguousarray(field[..., rows])
         elif isinstance(field, tuple) and field:
             field = select(field, rows)
         chosen.append(field)

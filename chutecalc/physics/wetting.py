@@ -95,21 +95,33 @@ class Excess:
         """Of the surface's width², where its flanks would meet."""
         if self.stacked:
             self.apex = self.apex - self.spread * facet.area
-        self.loads = [_Load(facet.excess, facet.excess_rise, facet.sine * facet.own_excess)]
+        self.loads = [self._load(facet.excess, facet.excess_rise, facet.own_excess)]
         """What the friction law takes shares of: X, and for the equilibrium law the shortfall."""
         if equilibrium:
-            self.loads.append(_Load(facet.shortfall, facet.shortfall_rise, facet.sine * facet.own_shortfall))
+            self.loads.append(self._load(facet.shortfall, facet.shortfall_rise, facet.own_shortfall))
+
+    def _load(self, foot: Array, rise: Array, own: Array) -> "_Load":
+        sine, width = self.facet.sine, self.half_width
+        if not self.stacked:
+            return _Load(sine * own, foot, rise, rise)
+        return _Load(sine * own, foot, sine * rise, rise / np.where(width > 0.0, width, 1.0))
 
     def at(self, area: Array) -> tuple[Array, Array]:
         """χ and A dχ/dA/2 at areas, shape (..., designs): by the latter χ falls with the logarithm of v²."""
         width = self.spread * area
         width += self.apex
         np.sqrt(width, out=width)
-        reach = width + self.facet.width
-        np.divide(self.twice, reach, out=reach)
-        wetted = reach * (area - self.facet.area if self.stacked else area)
-        reach *= wetted
-        shares = [self._share(load, area, wetted, reach, width) for load in self.loads]
+        climb = width + self.facet.width
+        np.divide(self.twice, climb, out=climb)  # C/(A - A_foot)
+        if self.stacked:
+            wetted = climb * (area - self.facet.area)
+            climb *= wetted
+        else:
+            wetted = climb
+            climb *= climb
+            climb *= area
+        narrow = np.divide(self.half_width, width, out=width)
+        shares = [self._share(load, area, wetted, climb, narrow) for load in self.loads]
         if self.arcs:
             bend, curved = _arc(self.facet, area), self.facet.radius > 0.0
             (excess, growth), *rest = shares
@@ -124,17 +136,17 @@ class Excess:
         carried = 1.0 - missing
         return excess / carried, (growth + excess * missing_growth / carried) / carried
 
-    def _share(self, load: "_Load", area: Array, wetted: Array, climb: Array, width: Array) -> tuple[Array, Array]:
-        """A load over the area, and half its logarithmic growth with it; ``climb`` is C²/(A - A_foot).
+    def _share(self, load: "_Load", area: Array, wetted: Array, climb: Array, narrow: Array) -> tuple[Array, Array]:
+        """A load over the area, and half its logarithmic growth with it.
 
-        What other facets below add is 0 to the last digit where there is none.
+        ``climb`` is C²/(A - A_foot), ``narrow`` w/2W. What other facets below add is 0 to the last digit where there is
+        none.
         """
         share = climb * load.bend
-        growth = share * self.half_width
-        growth /= width
+        growth = share * narrow
         if self.stacked:
-            hollow, below = self.facet.area / area, (load.foot + self.facet.sine * load.rise * wetted) / area
-            growth += 0.5 * (share * hollow + (load.rise / width - below))
+            hollow, below = self.facet.area / area, (load.foot + load.rise * wetted) / area
+            growth += 0.5 * (share * hollow + (narrow * load.rise_share - below))
             share *= 1.0 - hollow
             share += below
         return share, growth
@@ -143,10 +155,13 @@ class Excess:
 class _Load(NamedTuple):
     """A load that grows with the wetted length C of a facet as foot + C sin β (rise + own C)."""
 
-    foot: Array
-    rise: Array
     bend: Array
     """own sin β."""
+    foot: Array
+    rise: Array
+    """rise sin β."""
+    rise_share: Array
+    """rise over w/2."""
 
 
 def depth_and_width(facet: Facets, area: Array) -> tuple[Array, Array]:

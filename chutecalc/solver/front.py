@@ -201,19 +201,30 @@ class Front:
         else:
             self.error[where] = np.abs(growth) * self.error[where] * self.y[where] / last + error
             self.place[where], self.y[where] = end, last
-            before = np.where(np.isfinite(self.aim[where]), self.reach[where], LEAST_STEP)  # cut short by an event
-            self.reach[where] = np.maximum(4.0 * (end - start), before)
-            self.stride[where] = np.where(self.tired[where], 0.5, self.stride[where])
-            self.tired[where] = False
             reached = end >= self.limit[where]
-            self.arrive(where if reached.all() else rows[reached])
+            if reached.all():
+                self.arrive(where)
+            else:
+                self.arrive(rows[reached])
+                self.step_on(rows[~reached], (end - start)[~reached])
         self.aim[where] = np.nan
         if keep:
             self.pieces.append(Piece(rows, self.facet[rows], self.piece[rows], trial.by_root, start, end, knots))
 
+    def step_on(self, rows: Index, step: Array) -> None:
+        """After a panel in c that has not come to the limit."""
+        before = np.where(np.isfinite(self.aim[rows]), self.reach[rows], LEAST_STEP)  # cut short by an event
+        self.reach[rows] = np.maximum(4.0 * step, before)
+        self.stride[rows] = np.where(self.tired[rows], 0.5, self.stride[rows])
+        self.tired[rows] = False
+
     def arrive(self, rows: Index | slice) -> None:
         """At the limit: on to the segment's end, or done."""
-        self.status[rows] = np.where(self.limit[rows] == 1.0, Status.OK, self.status[rows])
+        limit = self.limit[rows]
+        if (limit == 1.0).all():
+            self.status[rows] = Status.OK
+            return
+        self.status[rows] = np.where(limit == 1.0, Status.OK, self.status[rows])
         self.limit[rows] = 1.0
         self.reach[rows] = 1.0 - self.place[rows]
 

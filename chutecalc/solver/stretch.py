@@ -145,7 +145,11 @@ def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
 
 def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int, int], tolerance: float) -> None:
     """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
-    block, by_root = BLOCK // pair[1] // 8 * 8, way == ROOT
+    if not rows.size:
+        return
+    by_root = way == ROOT
+    blocks = -(-len(rows) * pair[1] // BLOCK)
+    block = -(-len(rows) // blocks // 8) * 8  # all alike: a small last one costs as many calls
     neighbours = len(rows) == len(front.place)  # then they are all, in order
     for first in range(0, len(rows), block):
         chunk, end = rows[first : first + block], target[first : first + block]
