@@ -155,8 +155,7 @@ def select(record: Record, rows: Index | slice) -> Record:
     for field in record:
         if isinstance(field, np.ndarray):
             if field.shape[-1] != 1:
-                plain = field.ndim == 1 or isinstance(rows, slice)
-                field = field[..., rows] if plain else np.ascontiguousarray(field[..., rows])
+                field = field[..., rows] if isinstance(rows, slice) else field.take(rows, axis=-1)
         elif isinstance(field, tuple) and field:
             field = select(field, rows)
         chosen.append(field)

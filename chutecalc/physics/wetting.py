@@ -113,13 +113,10 @@ class Excess:
         np.sqrt(width, out=width)
         climb = width + self.facet.width
         np.divide(self.twice, climb, out=climb)  # C/(A - A_foot)
-        if self.stacked:
-            wetted = climb * (area - self.facet.area)
-            climb *= wetted
-        else:
-            wetted = climb
-            climb *= climb
-            climb *= area
+        above = area - self.facet.area if self.stacked else area
+        wetted = climb * above if self.stacked else area  # asked for there alone
+        climb *= climb
+        climb *= above
         narrow = np.divide(self.half_width, width, out=width)
         shares = [self._share(load, area, wetted, climb, narrow) for load in self.loads]
         if self.arcs:

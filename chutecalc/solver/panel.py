@@ -22,7 +22,7 @@ from chutecalc.solver.slide import Course, Field, Linear, field, frozen, lineari
 # Of 20,488 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:
 # benchmarks/estimates.py.
 SAFETY = 150.0
-NEWTON_SAFETY = 2.0
+NEWTON_SAFETY = 1.0
 ROOT_SAFETY = 1000.0  # next to rest a zero of the pull may lie between the start and the first node, unseen
 ROUNDING = 1e-15  # of a panel, relative
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
@@ -71,9 +71,10 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
         inner, end = knots[1:-1], knots[-1]
         guess /= inner
         guess -= 1.0
-        update, guess = guess, inner
+        np.abs(guess, out=guess)
         last_gap = np.maximum(inner[-1] / end, 1.0)  # what is small at the last node may not be so at a slow end
-        updates.append(np.maximum.reduce(np.abs(update)) * last_gap)
+        updates.append(np.maximum.reduce(guess) * last_gap)
+        guess = inner
     sound = (updates[-1] < 1.0) & (end > 0.0)  # then it is positive all along, as what it was worked out from
     scaled = knots * at.unit
     scaled[0] = y0
@@ -81,7 +82,7 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     smoothness = _smoothness(pair[1], scaled - _arc_velocity(course, places) ** 2 if course.arcs else knots, 1.0)
     if course.slide.end_section is not None:
         smoothness = np.minimum(smoothness, _taper_smoothness(pair[1], course, places, scaled))
-    newton = NEWTON_SAFETY * last_gap**2 * _left(course, at, near, update)
+    newton = NEWTON_SAFETY * updates[-1] ** 2 * _left(course, at, near)
     panel = _panel(scaled, growth, sound, updates[0], newton, smoothness, ROUNDING / end, pair, way)
     if way != CLINGING:
         return panel
@@ -90,8 +91,8 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
     return panel._replace(error=panel.error + kept)
 
 
-def _left(course: Course, at: Field, near: Linear, update: Array) -> Array:
-    """What Newton leaves of an update, relative: the integral of its square with half of Y ∂²f/∂Y².
+def _left(course: Course, at: Field, near: Linear) -> Array:
+    """What Newton leaves of an update of 1, relative: half of Y ∂²f/∂Y² where that is largest.
 
     That is at most A χ'/Y times 3/8 of the load from gravity and 1/4 of that from the bend; on a crest and under a hood
     the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
@@ -100,10 +101,7 @@ def _left(course: Course, at: Field, near: Linear, update: Array) -> Array:
     opposed = course.slide.turn > 0.0
     if opposed.any():
         weight += np.where(opposed, 2.0 * (np.abs(near.bending - near.growth) - np.abs(at.bend)), 0.0)
-    update *= update
-    weight *= update
-    weight *= rule(len(update)).integral[-1][:, None]
-    left: Array = np.add.reduce(weight)
+    left: Array = np.maximum.reduce(weight)
     return left
 
 
