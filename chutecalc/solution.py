@@ -242,7 +242,7 @@ class Solution:
 
 def _joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
     """A segment that some designs left and struck again."""
-    there = again.status != Status.NOT_REACHED.label
+    there = again.status != Status.LABELS[Status.NOT_REACHED]
     return SegmentResult(
         name=first.name,
         kind=first.kind,
@@ -258,4 +258,4 @@ def _joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
 
 def _labels(codes: Index) -> Any:
     """Statuses as users read them."""
-    return np.array([status.label for status in Status])[codes]
+    return np.array(Status.LABELS)[codes]

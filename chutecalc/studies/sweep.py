@@ -200,7 +200,7 @@ class Sweep:
         numbers |= {f"exit_{name}": values for name, values in exit_.items()}
         numbers |= {f"receiver_{name}": values for name, values in belt.items()} | {"error_estimate": error}
         well = codes == Status.OK
-        block: Block = {"status": np.array([status.label for status in Status])[codes]}
+        block: Block = {"status": np.array(Status.LABELS)[codes]}
         for name in self.columns:
             block[name] = _codes(run) if name == "findings" else np.where(well, numbers[name], np.nan)
         return {name: np.broadcast_to(values, count) for name, values in block.items()}
