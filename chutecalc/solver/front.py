@@ -96,6 +96,8 @@ class Front:
         self.aim_by_root = np.zeros(y.shape, dtype=bool)
         self.hopeful = np.ones(y.shape, dtype=bool)
         """The last panel was a solution, if not a good one: finer rules may make it one."""
+        self.tried = np.zeros(y.shape, dtype=np.intp)
+        """How many panels, also such as were refused."""
         self.tired = np.zeros(y.shape, dtype=bool)
         """Panels in r failed since the last one in c."""
         self.stride = np.ones(y.shape)

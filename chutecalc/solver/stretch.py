@@ -23,7 +23,7 @@ STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings
 
 NEAR_REST = (16, 24)  # the rules of a panel in r: on fewer nodes it is taken half as often
 PASSES = 2000  # a bound, so that no input can hang
-CREEP, PATIENCE = 1e-5, 300  # m/s below which a stream that needs more panels than that counts as stalled
+CREEP, PATIENCE = 1e-3, 60  # m/s below which a stream that needs more panels than that counts as stalled
 BLOCK = 32768  # values in an array, nodes times designs: a dozen such arrays stay in the cache
 MANY = 2048  # designs from which on the C library should keep memory
 
@@ -78,10 +78,11 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     for number, pair in enumerate(effort.whole):
         _advance(front, running, PLACE if number else WHOLE, front.limit[running], pair, effort.tolerance)
         running = running[front.hopeful[running]]
-    for passes in range(PASSES):
+    for _ in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
-        if passes > PATIENCE:  # it clings to a balance next to rest, where no place of a stall can be told
-            creeping = running[front.y[running] < CREEP**2]
+        # What clings to a balance next to rest: no place of a stall can be told.
+        creeping = running[(front.tried[running] > PATIENCE) & (front.y[running] < CREEP**2)]
+        if creeping.size:
             front.status[creeping], front.error[creeping] = Status.STALL, 1.0 - front.place[creeping]
             running = np.flatnonzero(front.status == RUNNING)
         if not running.size:
@@ -147,6 +148,7 @@ def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int
     """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
     if not rows.size:
         return
+    front.tried[rows] += 1
     by_root = way == ROOT
     blocks = -(-len(rows) * pair[1] // BLOCK)
     block = -(-len(rows) // blocks // 8) * 8  # all alike: a small last one costs as many calls

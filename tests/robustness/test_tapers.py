@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import chutecalc
+from chutecalc.design import Status
 from chutecalc.solver.chain import run_chain
 
 COUNT = 24
@@ -83,3 +84,27 @@ def test_one_design_far_beyond_the_taper_leaves_the_others_their_top():
     alone, beside = (slide.facets_at(np.array([[0.5, place]])) for place in (0.5, np.inf))
     assert len(beside.area) == len(alone.area) == 2
     assert np.array_equal(beside.area[..., 0], alone.area[..., 0])
+
+
+def test_a_stream_that_creeps_along_a_taper_counts_as_stalled_alone_as_in_company():
+    """A vee with adhesion: the deeper the stream, the less its walls hold it, and it never quite stops."""
+    random = np.random.default_rng(3)
+    base = chutecalc.parse(
+        {
+            "flow": {"rate_t_h": 1537.0},
+            "material": {"density_kg_m3": 1500.0, "internal_friction_deg": 50.0},
+            "liners": {"wall": {"yield_locus_kpa": [[1.0, 2.4], [6.0, 4.4]]}},
+            "sections": {name: {"shape": "vee", "chamfer_deg": 46.0} for name in ("body", "end")},
+            "inlet": {"velocity_m_s": 2.27, "slope_deg": 33.0},
+            "segments": [ARC | {"radius_m": 9.3, "from_slope_deg": 33.0, "to_slope_deg": 8.5}],
+        }
+    )
+    changes = {f"sections.{end}.chamfer_deg": random.uniform(45.0, 48.0, 3) for end in ("body", "end")}
+    together = run_chain(base.vary(changes).design, 1e-10)[0][0]
+    creeping = 0
+    for k in range(3):
+        alone = run_chain(base.vary({path: values[k : k + 1] for path, values in changes.items()}).design, 1e-10)[0][0]
+        assert alone.status[0] == together.status[k] == Status.STALL, k
+        assert np.array_equal(alone.exit.velocity, together.exit.velocity[k : k + 1]), k
+        creeping += 0.0 < alone.exit.velocity[0] < 1e-3
+    assert creeping
