@@ -16,6 +16,7 @@ from chutecalc.solver.slide import Course, Slide
 
 RUNNING = -1
 LEAST_STEP = 1e-14  # of the segment, so that every step is one
+TIRED, AGAIN = 0.1, 0.15  # of the way to its goal: the least that a panel in r tries, and the first after one in c
 CLEAR = 4.0 * LEVEL  # beyond an event by more than it is found within
 
 CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
@@ -169,7 +170,7 @@ class Front:
         self.aim[rows] = np.nan
         if by_root:
             self.stride[rows] *= 0.5
-            self.tired[rows] = self.stride[rows] < 0.1
+            self.tired[rows] = self.stride[rows] < TIRED
         else:
             self.reach[rows] = np.maximum(0.5 * step, LEAST_STEP)
 
@@ -217,7 +218,7 @@ class Front:
         """After a panel in c that has not come to the limit."""
         before = np.where(np.isfinite(self.aim[rows]), self.reach[rows], LEAST_STEP)  # cut short by an event
         self.reach[rows] = np.maximum(4.0 * step, before)
-        self.stride[rows] = np.where(self.tired[rows], 0.5, self.stride[rows])
+        self.stride[rows] = np.where(self.tired[rows], AGAIN, self.stride[rows])
         self.tired[rows] = False
 
     def arrive(self, rows: Index | slice) -> None:
