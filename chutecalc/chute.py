@@ -84,7 +84,7 @@ class Chute:
         Raises:
             SpecError: as :meth:`vary`.
         """
-        return Chute(with_values(self.data, dict(changes), self.source), self.source)
+        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
 
     @cached_property
     def _drawn_slopes(self) -> dict[int, Array]:
@@ -123,31 +123,36 @@ def _count(data: Any, source: str) -> int:
     return next(iter(lengths), 1)
 
 
-def load(path: str | Path) -> Chute:
+def load(path: str | Path, changes: Mapping[str, Any] | None = None) -> Chute:
     """A chute from a TOML file.
+
+    Args:
+        path: of the file.
+        changes: values, or text, by spec path, put before all is checked: they may be what the file lacks.
 
     Raises:
         SpecError: the file cannot be read, or all that is wrong with what it says.
     """
     file = Path(path)
-    return parse(read_text(file), str(file))
+    return parse(read_text(file), str(file), changes)
 
 
-def parse(spec: str | Mapping[str, Any], source: str = "spec") -> Chute:
+def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[str, Any] | None = None) -> Chute:
     """A chute from the text of a spec, or from its nested tables.
 
     Args:
         spec: TOML, or what ``tomllib`` would make of it.
         source: what messages call it.
+        changes: as of :func:`load`.
 
     Raises:
         SpecError: all that is wrong with it.
     """
-    if isinstance(spec, str):
-        return Chute(parse_text(spec, source), source, spec)
-    if not isinstance(spec, Mapping):
+    if not isinstance(spec, str | Mapping):
         raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
-    return Chute(dict(spec), source)
+    text = spec if isinstance(spec, str) else ""
+    data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
+    return Chute(with_values(data, dict(changes), source) if changes else data, source, text)
 
 
 def solve(chute: Chute, rtol: float = 1e-10) -> Solution:

@@ -104,8 +104,8 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
     errors: list[SpecError] = []
     for spec in _without_baselines(specs):
         try:
-            chute = parse(standard_input(), STANDARD_INPUT) if spec == "-" else load(spec)
-            chutes.append(chute.put(changes) if changes else chute)
+            piped = spec == "-"
+            chutes.append(parse(standard_input(), STANDARD_INPUT, changes) if piped else load(spec, changes))
         except SpecError as error:
             errors.append(error)
     if errors:

@@ -119,6 +119,19 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert "PATH=VALUE" in capsys.readouterr().err
 
 
+def test_set_gives_what_the_spec_leaves_out_and_its_faults_keep_their_lines(capsys, starter, tmp_path):
+    text = starter.read_text()
+    line = next(number for number, row in enumerate(text.splitlines(), 1) if row.startswith("rate_t_h"))
+    path = tmp_path / "template.toml"
+    path.write_text("\n".join("" if row.startswith("rate_t_h") else row for row in text.splitlines()))
+    assert main(["run", str(path)]) == 2
+    assert "flow.rate_t_h is missing" in capsys.readouterr().err
+    assert main(["run", str(path), "--set", "flow.rate_t_h=1000"]) == 0
+    capsys.readouterr()
+    assert main(["run", str(starter), "--set", "flow.rate_t_h=-1"]) == 2
+    assert f":{line}: flow.rate_t_h = -1" in capsys.readouterr().err
+
+
 def test_stations_by_distance(capsys, starter):
     assert main(["run", str(starter), "--csv", "-", "--stations", "1.5"]) == 0
     rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
