@@ -1,13 +1,13 @@
 """One panel solved on two rules, the coarser for the start and for the error.
 
-The error left has two parts. Newton leaves the integral of the square of its last update u with half the equation's
-second derivative. Collocation leaves u ρ^-(2M - N) at the end and u ρ^-(M - N) inside, for rules of N and M nodes, with
-ρ the size of the largest ellipse around the panel (foci at its ends, sum of the half axes over half the panel's length)
-in which the solution is smooth: u shows how far N nodes are off inside, ρ^-N; M nodes are off by ρ^-M inside and by
-ρ^-2M at the end. What bounds the ellipse is the nearest rest, v = 0, seen from knots along the chord: a stream that
-starts slowly has a thin layer that may hide between the nodes of both rules. A stream that decays by e^-λ brings terms
-of its own, resolved like ρ = 4 √(N M)/(e λ). ``tests/robustness/test_edges.py`` holds the sum, and what rounding adds,
-against a solver that shares nothing with this one.
+The error left has two parts. Newton leaves at most the square of its last update u times half the equation's second
+derivative where that is largest. Collocation leaves u ρ^-(2M - N) at the end and u ρ^-(M - N) inside, for rules of N
+and M nodes, with ρ the size of the largest ellipse around the panel (foci at its ends, sum of the half axes over half
+the panel's length) in which the solution is smooth: u shows how far N nodes are off inside, ρ^-N; M nodes are off by
+ρ^-M inside and by ρ^-2M at the end. What bounds the ellipse is the nearest rest, v = 0, seen from knots along the
+chord: a stream that starts slowly has a thin layer that may hide between the nodes of both rules. A stream that decays
+by e^-λ brings terms of its own, resolved like ρ = 4 √(N M)/(e λ). ``tests/robustness/test_edges.py`` holds the sum, and
+what rounding adds, against a solver that shares nothing with this one.
 """
 
 from functools import cache
@@ -30,7 +30,7 @@ PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update
 WHOLE, PLACE, CLINGING, ROOT = range(4)
 """Ways to a panel: in c the attempt at a whole stretch, which most need no more than, a panel of several, and one along
 which a stream clings to a balance; and in r."""
-WAYS = {WHOLE: (integrate, 1, 1), PLACE: (integrate, 2, 2), CLINGING: (integrate_stiff, 4, 1)}
+WAYS = {WHOLE: (integrate, 1, 1), PLACE: (integrate, 2, 2), CLINGING: (integrate_stiff, 3, 1)}
 """The step of each in c, and how often it is taken on the coarse rule and on the fine one."""
 
 
