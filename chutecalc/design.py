@@ -20,7 +20,7 @@ class Status:
     """
 
     OK, STALL, CHOKE, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
-    """``PASSED`` is of a segment alone: the stream flew past it."""
+    """From ``MISSED`` on the stream has not touched the segment; ``PASSED``, that it flew past, is of a segment alone."""
 
     LABELS = ("ok", "stall", "choke", "contact_lost", "missed", "not_reached", "passed")
     """As tables, JSON and CSV spell them, by number."""

@@ -101,7 +101,7 @@ class _Chain:
             status = np.where(lost, Status.OK, Status.NOT_REACHED)
             start = leg.exit._replace(status=status, airborne=lost)
             again = self.along(number, hood, start, known=2)
-            caught = ~np.isin(again.status, (Status.NOT_REACHED, Status.MISSED, Status.PASSED))
+            caught = again.status < Status.MISSED
             if not caught.any():
                 return
             leg = again._replace(status=np.where(caught, again.status, Status.NOT_REACHED))
