@@ -1,7 +1,13 @@
-"""DOP853 compiled by numba, a design at a time: SciPy's coefficients, its error estimate and its step control."""
+"""Compiled by numba, a design at a time: DOP853 with SciPy's coefficients, its error estimate and its step control.
+
+And, where it is installed, which takes a Fortran compiler, the solvers of numbalsoda with the same right-hand side.
+"""
+
+from functools import cache
+from typing import Any
 
 import numpy as np
-from numba import njit
+from numba import carray, cfunc, njit
 from scipy.integrate._ivp import dop853_coefficients as table
 
 STAGES = table.N_STAGES
@@ -53,3 +59,25 @@ def dop853(parameters, start, end, rtol):  # type: ignore[no-untyped-def]
                 h *= max(0.2, 0.9 * norm**-0.125)
         out[design] = v
     return out
+
+
+@cache
+def _numbalsoda_equation() -> Any:
+    """The address of the compiled right-hand side: the time of compiling is not counted."""
+    from numbalsoda import lsoda_sig
+
+    @cfunc(lsoda_sig)
+    def equation(theta, v, dv, p):  # type: ignore[no-untyped-def]
+        dv[0] = rate(theta, v[0], carray(p, (6,)))
+
+    return equation
+
+
+def with_numbalsoda(method: str, rtol: float, grid: np.ndarray, start: float, parameters: np.ndarray) -> np.ndarray:
+    """``lsoda`` or ``dop853``; parameters as those of heyoka."""
+    import numbalsoda
+
+    found, _ = getattr(numbalsoda, method)(
+        _numbalsoda_equation().address, np.array([start]), grid, parameters, rtol=rtol, atol=1e-3 * rtol
+    )
+    return np.array(found[:, 0])

@@ -5,7 +5,8 @@
 The error is the largest relative one of the velocity at the stations that tests/reference/spoon.csv knows to 20 digits;
 of the spoon that is filled above its chamfers, to two DOP853 runs at rtol 3e-14 that meet at the chamfer's top. All run
 in turn, again and again; times are medians, and ratios are to DOP853 at 1e-10 in the same round. The rivals' right-hand
-side is what one would write in Python for one design: plain floats and `math`; heyoka's is compiled beforehand. What
+side is what one would write in Python for one design: plain floats and `math`; those of heyoka and of numbalsoda (where
+that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled beforehand. What
 chutecalc does in that time: build the numbers from the checked spec, solve, velocity and depth at the stations;
 'with check' also reads and checks the spec.
 """
@@ -24,6 +25,7 @@ from spoon import (
     Case,
     entry,
     equation,
+    heyoka_numbers,
     spec,
     turn,
     with_chutecalc,
@@ -95,6 +97,15 @@ def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.nd
     found |= {"Euler 1000": partial(with_steps, 1, 1000, grid, case)}
     if "chamfer_m" not in case and find_spec("heyoka"):
         found |= {f"heyoka {rtol}": partial(with_heyoka, float(rtol), grid, case) for rtol in theirs}
+    if "chamfer_m" not in case and find_spec("numbalsoda"):
+        from compiled import with_numbalsoda
+
+        data = entry(case), heyoka_numbers(case)
+        for method in ("lsoda", "dop853"):
+            found |= {
+                f"numbalsoda {method} {rtol}": partial(with_numbalsoda, method, float(rtol), grid, *data)
+                for rtol in theirs
+            }
     return found
 
 

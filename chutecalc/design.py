@@ -20,7 +20,7 @@ class Status:
     """
 
     OK, STALL, CHOKE, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
-    """From ``MISSED`` on the stream has not touched the segment; ``PASSED``, that it flew past, is of a segment alone."""
+    """From ``MISSED`` on the stream has not touched the segment. ``PASSED`` is of a segment alone: flown past."""
 
     LABELS = ("ok", "stall", "choke", "contact_lost", "missed", "not_reached", "passed")
     """As tables, JSON and CSV spell them, by number."""

@@ -1,6 +1,7 @@
 """What several tests need: specs as text and as tables."""
 
 import copy
+import signal
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,9 @@ import pytest
 
 import chutecalc
 from chutecalc.spec.file import BASELINE_SUFFIX
+
+# A shell's background job ignores Ctrl-C, and so would the programs that tests start and interrupt.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = Path(__file__).parent.parent
 REFERENCE = ROOT / "tests" / "reference"
