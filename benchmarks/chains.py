@@ -90,9 +90,7 @@ def main() -> None:
     ]
     header = (f"{count} designs", "us_a_design", "over_single_arcs", "over_last_arc")
     report.write(header, rows, ("", ".3f", ".3f", ".3f"))
-    report.plot(
-        {"chains": {name: [(spent, share)] for name, spent, share, _ in rows}}, "µs a design", "over single arcs"
-    )
+    report.bars({"chains": {name: spent for name, spent, *_ in rows}}, "µs a design")
 
 
 if __name__ == "__main__":

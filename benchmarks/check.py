@@ -128,7 +128,7 @@ def main() -> None:
     rows = [summary(name, turns) for name in measured]
     header = (f"{count} designs", "time_s", "ratio", "processor_s", "processor_ratio", "memory_mb")
     report.write(header, rows, ("", ".2f", ".2f", ".2f", ".2f", ".0f"))
-    report.plot({"check": {row[0]: [(row[1], row[2])] for row in rows}}, "time, s", "over solving and a start-up")
+    report.bars({"check": {row[0]: row[1] for row in rows}}, "time, s")
 
 
 if __name__ == "__main__":

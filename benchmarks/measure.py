@@ -41,20 +41,40 @@ class Report:
 
     def plot(self, panels: dict[str, dict[str, list[tuple[float, float]]]], x: str, y: str) -> None:
         """A picture with a panel for each name, and in it a line for each label; both axes logarithmic."""
-        try:
-            from matplotlib import pyplot as plt
-        except ImportError:
-            print("no picture: matplotlib is not installed")
-            return
-        figure, axes = plt.subplots(1, len(panels), figsize=(4.2 * len(panels), 4.2), sharey=True, squeeze=False)
-        for axis, (name, lines) in zip(axes[0], panels.items(), strict=True):
-            for number, (label, points) in enumerate(lines.items()):
-                axis.loglog(*zip(*points, strict=True), "osv^Dx+*P<>"[number % 11] + "-", label=label, markersize=5)
-            axis.set(title=name, xlabel=x)
-            axis.grid(alpha=0.3)
-        axes[0][0].set_ylabel(y)
-        axes[0][-1].legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
-        figure.savefig(self.file.with_suffix(".svg"), bbox_inches="tight")
+        if plt := _pyplot():
+            figure, axes = plt.subplots(1, len(panels), figsize=(4.2 * len(panels), 4.2), sharey=True, squeeze=False)
+            for axis, (name, lines) in zip(axes[0], panels.items(), strict=True):
+                for number, (label, points) in enumerate(lines.items()):
+                    marker = "osv^Dx+*P<>"[number % 11] + "-"
+                    axis.loglog(*zip(*points, strict=True), marker, label=label, markersize=5)
+                axis.set(title=name, xlabel=x)
+                axis.grid(alpha=0.3)
+            axes[0][0].set_ylabel(y)
+            axes[0][-1].legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
+            figure.savefig(self.file.with_suffix(".svg"), bbox_inches="tight")
+
+    def bars(self, panels: dict[str, dict[str, float]], x: str) -> None:
+        """A picture with a panel for each name, and in it a bar for each label."""
+        if plt := _pyplot():
+            figure, axes = plt.subplots(1, len(panels), figsize=(5.5 * len(panels), 3.4), squeeze=False)
+            for axis, (name, lengths) in zip(axes[0], panels.items(), strict=True):
+                drawn = axis.barh(list(lengths), list(lengths.values()))
+                axis.bar_label(drawn, fmt="%.3g", padding=3)
+                axis.invert_yaxis()
+                axis.margins(x=0.15)
+                axis.set(title=name, xlabel=x)
+            figure.tight_layout()
+            figure.savefig(self.file.with_suffix(".svg"), bbox_inches="tight")
+
+
+def _pyplot() -> Any:
+    """Matplotlib, where it is installed."""
+    try:
+        from matplotlib import pyplot
+    except ImportError:
+        print("no picture: matplotlib is not installed")
+        return None
+    return pyplot
 
 
 def in_turn(

@@ -58,8 +58,8 @@ def main() -> None:
         spent = in_turn(stages(file), 3 if report.quick else 200)
         rows += [(file.stem, name, 1e6 * median(times)) for name, times in spent.items()]
     report.write(("chute", "stage", "time_us"), rows, ("", "", ".0f"), by=1)
-    panels = {name: {stage: [(time, 1.0)] for chute, stage, time in rows if chute == name} for name, *_ in rows}
-    report.plot(panels, "time, µs", "")
+    panels = {name: {stage: time for chute, stage, time in rows if chute == name} for name, *_ in rows}
+    report.bars(panels, "time, µs")
 
 
 if __name__ == "__main__":

@@ -88,7 +88,7 @@ def main() -> None:
     ]
     header = ("process", "time_ms", "over_bare", "over_hello", "over_solve_ivp")
     report.write(header, rows, ("", ".0f", ".2f", ".2f", ".2f"))
-    report.plot({"start-up": {row[0]: [(row[1], row[2])] for row in rows}}, "time, ms", "over a bare interpreter")
+    report.bars({"start-up": {row[0]: row[1] for row in rows}}, "time, ms")
 
 
 if __name__ == "__main__":
