@@ -59,9 +59,12 @@ class Report:
             figure, axes = plt.subplots(1, len(panels), figsize=(5.5 * len(panels), 3.4), squeeze=False)
             for axis, (name, lengths) in zip(axes[0], panels.items(), strict=True):
                 drawn = axis.barh(list(lengths), list(lengths.values()))
-                axis.bar_label(drawn, fmt="%.3g", padding=3)
+                axis.bar_label(
+                    drawn, [f"{value:,.0f}" if value >= 100 else f"{value:.3g}" for value in lengths.values()]
+                )
                 axis.invert_yaxis()
-                axis.margins(x=0.15)
+                axis.margins(x=0.2)
+                axis.locator_params(axis="x", nbins=4)
                 axis.set(title=name, xlabel=x)
             figure.tight_layout()
             figure.savefig(self.file.with_suffix(".svg"), bbox_inches="tight")
