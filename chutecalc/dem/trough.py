@@ -72,6 +72,9 @@ class Trough:
     def __init__(self, base: float, lengths: tuple[float, ...], inclinations: tuple[float, ...]) -> None:
         drawn: list[tuple[float, float]] = []
         for length, inclination in zip(lengths, inclinations, strict=True):
+            if inclination == 0.0:
+                base += 2.0 * length
+                continue
             if drawn and inclination == drawn[-1][1]:  # one plane, drawn in two parts
                 length += drawn.pop()[0]
             drawn.append((math.inf if inclination == UPRIGHT else length, inclination))

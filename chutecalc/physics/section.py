@@ -19,7 +19,7 @@ class Polygon(NamedTuple):
     """A symmetric section of flat walls. All lengths in m, angles in rad, arrays of length 1 or n."""
 
     base: Array
-    """Width of the centre section, 0 for a vee."""
+    """Width of the centre section, 0 for a vee. Level facets widen it."""
     lengths: tuple[Array, ...]
     """Of the drawn facets on one side, from the centre outwards; the last may be infinite: it has no top then."""
     inclinations: tuple[Array, ...]
@@ -56,7 +56,7 @@ class Facets(NamedTuple):
     height: Array
     """Depth there, m."""
     chamfer: Array
-    """Length of the drawn facets below, on one side, m."""
+    """Length of the drawn facets below that slope, on one side, m."""
     excess: Array
     """Excess wall load X = ∫ K (1 - cos ψ) ζ dl there, m²."""
     excess_rise: Array
@@ -150,7 +150,7 @@ def _flat_rows(section: Polygon, vertical_ratio: Array) -> list[Facets]:
             area = area + (width + length * c) * rise
             width = width + 2.0 * length * c
             height = height + rise
-            chamfer = chamfer + length
+            chamfer = chamfer + np.where(psi == 0.0, 0.0, length)
     return rows
 
 
@@ -186,6 +186,6 @@ def take_facet(table: Facets, rows: Index) -> Facets:
     """One facet for each design, or for each place and design; of a table of one facet, that for all of them."""
     if len(table.area) == 1:
         return Facets(*[field[0] for field in table])
-    if rows.ndim == 1 and table.area.ndim == 2 and rows.size and (rows == rows[0]).all():
+    if rows.ndim == 1 and rows.size and (rows == rows[0]).all():
         return Facets(*[field[rows[0]] for field in table])
     return Facets(*(take_row(field, rows) for field in table))

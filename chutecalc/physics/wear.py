@@ -42,12 +42,14 @@ def wall_pressures(
     )
     pressure = (1.0 - lack * sine**2) * weight * np.maximum(wet.depth - foot, 0.0)
     flat = with_axes(table.radius, area.ndim) == 0.0
-    chamfer = np.where((drawn > 0.0) & flat, pressure, -np.inf).max(axis=0)
+    chamfer = np.where((drawn > 0.0) & flat & (sine != 0.0), pressure, -np.inf).max(axis=0)
     side = np.where(drawn == 0.0, pressure, -np.inf).max(axis=0)
     if isinstance(section, Circle):
         centre = weight * wet.depth
     else:
         base = section.base
+        for length, inclination in zip(section.lengths, section.inclinations, strict=True):
+            base = base + np.where(inclination == 0.0, 2.0 * length, 0.0)
         missing = 0.0 if equilibrium else wet.missing * area / np.where(base > 0.0, base, np.inf)
         centre = np.where(base > 0.0, weight * (wet.depth + missing), np.maximum(chamfer, side))
     raised = 1.0 / (1.0 - wet.missing) if equilibrium else 1.0

@@ -6,6 +6,8 @@ from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.roots import root_between
 from chutecalc.solver.collocation import rule
 
+ASIDE = 1e-3
+"""Of a panel: over which a margin's slope and bend are taken near its lowest place."""
 LEVEL = 1e-13
 """A margin within this of 0 is at its event: rounding in it is a few 1e-16."""
 
@@ -76,7 +78,7 @@ def _root(margin: Array, first: Index) -> Array:
 
 
 def _dip(margin: Array) -> Array:
-    """The bottom of an inner minimum near zero, by the parabola through the lowest knot and its neighbours."""
+    """The bottom of an inner minimum near zero: of the parabola through the lowest knot and its neighbours, refined."""
     knots = rule(len(margin) - 2).knots
     columns = np.arange(margin.shape[1])
     low = margin[1:-1].argmin(axis=0) + 1
@@ -88,4 +90,18 @@ def _dip(margin: Array) -> Array:
     vertex = 0.5 * (x0 + x1) - 0.5 * left / np.where(inner, bend, 1.0)
     bottom = f1 - bend * (x1 - vertex) ** 2
     near = bottom < 0.2 * (np.maximum(f0, f2) - f1)
-    return np.where(inner & near & (vertex > knots[1]) & (vertex < knots[-2]), vertex, np.inf)
+    dips = np.flatnonzero(inner & near & (vertex > knots[1]) & (vertex < knots[-2]))
+    place = np.full(margin.shape[1], np.inf)
+    if dips.size:
+        place[dips] = _lowest(margin[:, dips], vertex[dips], x0[dips], x2[dips])
+    return place
+
+
+def _lowest(margin: Array, place: Array, low: Array, high: Array) -> Array:
+    """Where the polynomials are lowest, by Newton's method with differences, from near there; between two bounds."""
+    for _ in range(3):
+        before, here, after = (evaluate(margin, (place + shift)[None])[0] for shift in (-ASIDE, 0.0, ASIDE))
+        bend = after - 2.0 * here + before
+        step = np.where(bend > 0.0, 0.5 * ASIDE * (before - after) / np.where(bend > 0.0, bend, 1.0), 0.0)
+        place = np.clip(place + step, low, high)
+    return place

@@ -160,7 +160,9 @@ class Front:
         if FIRMER in self.events:
             stress = slide.stress(place, y, take_facet(table, facet))
             least, most = _ends(slide.wall.starts, self.piece[rows])
-            found[FIRMER], found[LOOSER] = _balance(most, stress), _balance(stress, least)
+            press, pull = np.maximum(stress, 0.0), np.minimum(stress, 0.0)  # pull: beyond a loss of contact
+            found[FIRMER] = _balance(most, press) - 2.0 * pull / most
+            found[LOOSER] = np.where(least > 0.0, _balance(press, least) + 2.0 * pull / least, 1.0)
         if by_root:
             found[END] = self.limit[rows] - place
         return np.stack([np.broadcast_to(margin, y.shape) for margin in found.values()])

@@ -25,6 +25,7 @@ SAFETY = 150.0
 NEWTON_SAFETY = 1.0
 ROOT_SAFETY = 1000.0  # next to rest a zero of the pull may lie between the start and the first node, unseen
 ROUNDING = 1e-15  # of a panel, relative
+CANCELLED = 4e-15  # of the forces that nearly cancel where a stream clings to a balance
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
 
 WHOLE, PLACE, CLINGING, ROOT = range(4)
@@ -88,7 +89,10 @@ def panel_by_place(course: Course, start: Array, width: Array, y0: Array, pair: 
         return panel
     # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share of it.
     kept = np.abs(last / end - 1.0) * np.minimum(np.abs(growth[-1] / coarse_growth[-1]), 1.0)
-    return panel._replace(error=panel.error + kept)
+    # Slope and friction nearly cancel: their rounding moves the balance the more, the less friction depends on v.
+    noise = CANCELLED / np.abs(near.growth[-1] * inner[-1])
+    kept = np.maximum(kept - noise, 0.0)
+    return panel._replace(error=panel.error + kept, rounding=panel.rounding + noise)
 
 
 def _left(course: Course, at: Field, near: Linear) -> Array:
@@ -98,6 +102,8 @@ def _left(course: Course, at: Field, near: Linear) -> Array:
     the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
     """
     weight = np.abs(near.bending)
+    if near.held is not None:
+        weight += 2.0 * np.abs(near.held)
     opposed = course.slide.turn > 0.0
     if opposed.any():
         weight += np.where(opposed, 2.0 * (np.abs(near.bending - near.growth) - np.abs(at.bend)), 0.0)

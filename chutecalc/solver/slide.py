@@ -168,6 +168,8 @@ class Linear(NamedTuple):
     """∂f/∂Y; of shape (designs,) where it is the same at all places."""
     bending: Array
     """Of ``growth``, what comes with the change of friction: by it Newton's method is none that ends at once."""
+    held: Array | None = None
+    """Of that, what adhesion takes off it."""
 
 
 NOTHING = np.zeros(1)
@@ -183,7 +185,7 @@ def linearised(at: Field, y: Array) -> Linear:
     np.divide(at.flow, area, out=area)
     drag, bending = at.branch.excess.at(area)
     drag += 1.0
-    press, hold = at.press, at.bend * y
+    press, hold, held = at.press, at.bend * y, None
     if at.adhesion is None:
         hold += press  # μ_w n/g
         bending *= hold
@@ -193,14 +195,16 @@ def linearised(at: Field, y: Array) -> Linear:
         press = press + stuck
         hold += press
         bending *= hold
-        bending -= 0.5 * drag * stuck * area / (width * depth)
+        held = 0.5 * drag * stuck * area / (width * depth)
+        bending -= held
+        held /= y
     forcing = np.multiply(drag, press, out=hold)
     np.subtract(at.sine, forcing, out=forcing)
     forcing -= bending
     bending /= y
     growth = np.multiply(drag, at.bend, out=drag)
     np.subtract(bending, growth, out=growth)
-    return Linear(forcing, growth, bending)
+    return Linear(forcing, growth, bending, held)
 
 
 def frozen(at: Field, y0: Array) -> Linear:

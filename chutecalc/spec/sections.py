@@ -40,7 +40,7 @@ def build_section(name: str, section: model.Section, faults: GeometryFaults) -> 
 
 
 def _faceted(place: Place, section: model.Faceted, wall: Array, faults: GeometryFaults) -> Polygon:
-    """Facets from the centre outwards; those that are level in all designs are the centre section."""
+    """Facets from the centre outwards; those that are level are the centre section."""
     lengths = [in_si(facet.length_m, "length") for facet in section.facets]
     slopes = [in_si(facet.slope_deg, "angle") for facet in section.facets]
     for number, (lower, upper) in enumerate(pairwise(slopes), 2):
@@ -51,11 +51,7 @@ def _faceted(place: Place, section: model.Faceted, wall: Array, faults: Geometry
     value, problem = section.facets[0].slope_deg, "leaves the section no width"
     remedy = "begin with a facet that is less steep"
     faults.note(slopes[0] == np.pi / 2, (*place, 0, "slope_deg"), value, problem, remedy)
-    base = np.zeros(1)
-    while len(slopes) > 1 and (slopes[0] == 0.0).all():
-        base = base + 2.0 * lengths.pop(0)
-        slopes.pop(0)
-    return Polygon(base, tuple(lengths), tuple(slopes), wall)
+    return Polygon(np.zeros(1), tuple(lengths), tuple(slopes), wall)
 
 
 def section_names(
