@@ -255,3 +255,34 @@ def test_a_taper_chokes_where_its_falling_wall_is_passed():
     velocity = np.sqrt(9 + 2 * 9.80665 * np.sin(np.radians(5.0)) * s)
     assert solution.status[0] == "choke"
     assert flow / velocity / 0.5 == pytest.approx(0.5 - 0.4 * s / 4.0, rel=1e-9)
+
+
+def test_a_level_facet_is_the_centre_section_also_beside_one_that_is_none():
+    """In a batch and along a taper a facet may be level here and not there."""
+    straight = {"kind": "straight", "slope_deg": 40.0, "length_m": 3.0}
+    alike = {"shape": "chamfered", "base_m": 0.4, "chamfer_deg": 45.0, "chamfer_m": 0.3}
+
+    def dish(slope):
+        return {
+            "shape": "facets",
+            "facets": [{"length_m": 0.2, "slope_deg": slope}, {"length_m": 0.3, "slope_deg": 45.0}],
+        }
+
+    flat, dished, nearly = dish(0.0), dish(5.0), dish(1e-9)
+    alone = chute(sections={"body": flat}, segments=[straight])
+    chamfered = chutecalc.solve(chute(sections={"body": alike}, segments=[straight])).stations()
+    both = chutecalc.solve(alone.vary({"sections.body.facets.1.slope_deg": [0.0, 5.0]})).stations()
+    own = chutecalc.solve(alone).stations()
+    tilted = chutecalc.solve(chute(sections={"body": dished}, segments=[straight])).stations()
+    for name, values in own.items():
+        if values.dtype.kind == "f":
+            assert np.array_equal(both[name][0], values[0], equal_nan=True), name
+            assert np.array_equal(both[name][1], tilted[name][0], equal_nan=True), name
+            assert values[0] == pytest.approx(chamfered[name][0], rel=1e-12, nan_ok=True), name
+
+    def end(*sections):
+        names = dict(zip(("one", "other"), sections, strict=True))
+        return chutecalc.solve(chute(sections=names, segments=[straight | {"section": list(names)}])).exit_velocity[0]
+
+    assert end(flat, dished) == pytest.approx(end(nearly, dished), rel=1e-10)
+    assert end(dished, flat) == pytest.approx(end(dished, nearly), rel=1e-10)

@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 import chutecalc
+from chutecalc.design import Status
 from chutecalc.physics.wall import wall_friction, yield_locus
 from tests.conftest import chute
+from tests.verification.test_independent_sections import circle
 
 G = 9.80665
 ROWS = [[0.5, 0.30], [1.0, 0.52], [2.0, 0.95]]
@@ -114,6 +117,91 @@ def test_segments_against_an_independent_integration(rows, radius, velocity, rat
     # over a kink of the slope a step h of DOP853 is off by h² of what the slope jumps: 1e-7 of the way with 2,000 steps
     # times the jump, a hundredth at most
     assert solution.exit_velocity[0] == pytest.approx(integrated(case), rel=2e-9)
+
+
+def test_a_stream_that_leaves_a_hood_passes_the_rows_of_its_locus_on_the_way():
+    """On a panel that reaches beyond the loss of contact stress is negative, and no less a measure of the way there."""
+    rows = [[0.7294, 0.455], [0.8926, 0.5599], [1.219, 0.7961], [1.449, 0.7961], [3.2, 1.655]]
+    radius, start, density, flow = 4.561, np.radians(-50.14), 641.1, 955.1 / 3.6 / 641.1
+    of, lack = circle(0.2569), 1.0 - (1.0 - np.sin(np.radians(54.0))) / (1.0 + np.sin(np.radians(54.0)))
+
+    def normal(s, y):
+        return y[0] / radius - G * np.cos(start + s / radius)
+
+    def rate(s, y):
+        depth = brentq(lambda h: of(h)[0] - flow / np.sqrt(y[0]), 1e-9, 50.0, xtol=1e-15, rtol=1e-14)
+        area, level, lacking = of(depth)
+        n = max(normal(s, y), 1e-12)
+        drag = friction(density * n * depth / 1e3, rows, 54.0) * (1.0 + (level - lack * lacking) / area)
+        return [2.0 * (G * np.sin(start + s / radius) - drag * n)]
+
+    normal.terminal, normal.direction = True, -1.0
+    run = solve_ivp(rate, (0.0, 1.0), [6.321**2], "DOP853", rtol=1e-10, atol=1e-12, max_step=2e-3, events=normal)
+    spec = {
+        "flow": {"rate_t_h": 955.1},
+        "material": {"density_kg_m3": density, "internal_friction_deg": 54.0},
+        "liners": {"wall": {"yield_locus_kpa": rows}},
+        "sections": {"body": {"shape": "circular", "radius_m": 0.2569}},
+        "inlet": {"velocity_m_s": 6.321, "slope_deg": -50.14},
+        "segments": [{"kind": "hood", "radius_m": radius, "from_slope_deg": -50.14, "to_slope_deg": 5.5}],
+    }
+    for rtol in (1e-6, 1e-10):
+        leg = chutecalc.solve(chutecalc.parse(spec), rtol).legs[0]
+        assert leg.status[0] == Status.CONTACT_LOST
+        # over a kink a step h is off by h² of what the slope jumps, as above
+        assert leg.exit.distance[0] == pytest.approx(run.t_events[0][0], rel=1e-6)
+        assert leg.exit.velocity[0] == pytest.approx(np.sqrt(run.y_events[0][0][0]), rel=1e-6)
+        assert len(leg.contact.stretch.pieces) < 60
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-12])
+def test_a_stream_that_clings_to_a_balance_next_to_rest_is_solved_at_every_tolerance(rtol):
+    """Slope and friction nearly cancel there, and so do digits: no panel however short gets below that."""
+    rows = [[0.91, 0.3555], [1.672, 0.8127], [2.966, 1.3887], [3.143, 1.3887], [3.393, 1.3887]]
+    spoon = {"kind": "curve", "radius_m": 6.562, "from_slope_deg": 41.52, "to_slope_deg": -16.26}
+    solution = chutecalc.solve(
+        chute(
+            model={"friction_law": "equilibrium"},
+            flow={"rate_t_h": 515.5},
+            material={"density_kg_m3": 1016.0, "internal_friction_deg": 36.36},
+            liners={"wall": {"yield_locus_kpa": rows}},
+            sections={"body": {"shape": "chamfered", "chamfer_deg": 38.5, "base_m": 0.5688}},
+            inlet={"velocity_m_s": 0.513, "slope_deg": 41.52},
+            segments=[spoon],
+        ),
+        rtol,
+    )
+    assert solution.status[0] == "stall"
+    assert len(solution.legs[0].contact.stretch.pieces) < 60
+
+
+def test_errors_beside_adhesion_are_within_their_estimates():
+    """Adhesion takes off what the section adds to the change of friction with depth, not off Newton's remainder."""
+    random, count = np.random.default_rng(5), 400
+    base = chute(
+        flow={"rate_t_h": 1000.0},
+        material={"density_kg_m3": 900.0, "internal_friction_deg": 50.0},
+        liners={"wall": {"yield_locus_kpa": [[1.0, 1.2], [6.0, 3.4]]}},
+        sections={"body": {"shape": "facets", "facets": [{"length_m": 0.1, "slope_deg": 45.0}]}},
+        inlet={"velocity_m_s": 5.0, "slope_deg": 60.0},
+        segments=[{"kind": "curve", "radius_m": 3.0, "from_slope_deg": 60.0, "to_slope_deg": 30.0}],
+    ).vary(
+        {
+            "flow.rate_t_h": random.uniform(300.0, 3000.0, count),
+            "inlet.velocity_m_s": random.uniform(2.0, 9.0, count),
+            "segments.1.radius_m": random.uniform(1.0, 8.0, count),
+            "sections.body.facets.1.slope_deg": random.uniform(10.0, 80.0, count),
+            "sections.body.facets.1.length_m": random.uniform(0.05, 0.2, count),
+        }
+    )
+    right = chutecalc.exits(base, 1e-13)
+    ran = right.codes == Status.OK
+    assert ran.mean() > 0.5
+    for rtol in (1e-8, 1e-10):
+        found = chutecalc.exits(base, rtol)
+        assert (found.codes == right.codes).all()
+        off = np.abs(found.exit["velocity_m_s"] / right.exit["velocity_m_s"] - 1.0)[ran]
+        assert (off <= found.error_estimate[ran] + right.error_estimate[ran] + 2e-13).all()
 
 
 def test_an_impact_takes_the_friction_of_its_own_pressure():
