@@ -13,7 +13,7 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index, Mask, shared
 from chutecalc.solver.events import cross_boundaries, judge, start_events
-from chutecalc.solver.front import CHOKE, RUNNING, Effort, Front, Piece, Trial
+from chutecalc.solver.front import CHOKE, LEAST_STEP, RUNNING, Effort, Front, Piece, Trial
 from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, panel_by_place, panel_by_root
 from chutecalc.solver.slide import Slide, field, linearised
 
@@ -80,15 +80,10 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
         running = running[front.hopeful[running]]
     for _ in range(PASSES):
         running = np.flatnonzero(front.status == RUNNING)
-        # What clings to a balance next to rest: no place of a stall can be told.
-        creeping = running[(front.tried[running] > PATIENCE) & (front.y[running] < CREEP**2)]
-        if creeping.size:
-            front.status[creeping], front.error[creeping] = Status.STALL, 1.0 - front.place[creeping]
-            running = np.flatnonzero(front.status == RUNNING)
         if not running.size:
             return _result(front)
         change, growth = _change(front, running)
-        if cross_boundaries(front, running, change):
+        if _stop(front, running, change) or cross_boundaries(front, running, change):
             continue
         by_root, target = _choose(front, running, change)
         stiff = growth * (target - front.place[running]) < STIFF
@@ -115,6 +110,21 @@ def _change(front: Front, rows: Index) -> tuple[Array, Array]:
     y = front.y[rows] / at.unit
     near = linearised(at, y)
     return (near.forcing + near.growth * y) * at.unit, near.growth
+
+
+def _stop(front: Front, rows: Index, change: Array) -> bool:
+    """Stalls that no panel finds: where rest is nearer than any step, or a stream clings to a balance next to it.
+
+    Of the second no place could be told: its error is what is left of the segment.
+    """
+    place, y = front.place[rows], front.y[rows]
+    near = y < -LEAST_STEP * change
+    creeping = ~near & (front.tried[rows] > PATIENCE) & (y < CREEP**2)
+    stopped = near | creeping
+    front.status[rows[stopped]] = Status.STALL
+    front.y[rows[near]], front.error[rows[near]] = 0.0, LEAST_STEP
+    front.error[rows[creeping]] = 1.0 - place[creeping]
+    return bool(stopped.any())
 
 
 def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
