@@ -118,11 +118,11 @@ def _stop(front: Front, rows: Index, change: Array) -> bool:
     Of the second no place could be told: its error is what is left of the segment.
     """
     place, y = front.place[rows], front.y[rows]
-    near = y < -LEAST_STEP * change
+    near = y < -2.0 * LEAST_STEP * change  # from twice as far the least step is short enough
     creeping = ~near & (front.tried[rows] > PATIENCE) & (y < CREEP**2)
     stopped = near | creeping
     front.status[rows[stopped]] = Status.STALL
-    front.y[rows[near]], front.error[rows[near]] = 0.0, LEAST_STEP
+    front.y[rows[near]], front.error[rows[near]] = 0.0, 2.0 * LEAST_STEP
     front.error[rows[creeping]] = 1.0 - place[creeping]
     return bool(stopped.any())
 
