@@ -60,7 +60,7 @@ def judge(front: Front, trial: Trial, count: int) -> None:
     cut, event, hit = _events(front, trial)
     cut, event, hit = cut[:count], event[:count], hit[:, :count]
     near = AT_END + ROUNDING * np.abs(end / (end - start))
-    cut = np.where((cut > 1.0 - near) & (cut < 1.0), np.inf, cut)  # found before, and aimed at
+    cut = np.where(cut > 1.0 - near, np.inf, cut)  # found before, and aimed at
     aim = start + cut * (end - start)
     cut = np.where((cut < 1.0) & (np.abs(aim - start) <= ROUNDING * np.abs(start)), 0.0, cut)
     inside = good & (cut < 1.0) & (cut > 0.0)

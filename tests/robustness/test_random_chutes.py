@@ -24,8 +24,8 @@ def test_every_chute_ends_with_a_status_and_its_numbers(first):
             check(solution, seed)
 
 
-@pytest.mark.parametrize("seed", [100561, 100664, 305556])
-def test_streams_that_adhesion_stops_within_the_last_digit_of_a_place(seed):
+@pytest.mark.parametrize("seed", [100561, 100664, 305556, 404915])
+def test_streams_that_stop_or_choke_within_the_last_digit_of_a_place(seed):
     check(solved(random_chute(seed)), seed)
 
 
