@@ -16,7 +16,7 @@ E3, E5 = np.ascontiguousarray(table.E3), np.ascontiguousarray(table.E5)
 
 
 @njit(cache=False)
-def rate(theta, v, p):  # type: ignore[no-untyped-def]
+def rate(theta: float, v: float, p: np.ndarray) -> float:
     """dv/dθ; parameters as those of heyoka."""
     wide = p[1] + np.sqrt(p[1] * p[1] + p[2] * p[4] / v)
     friction = p[5] * (1.0 + p[3] * p[2] / v / (wide * wide))
@@ -24,7 +24,7 @@ def rate(theta, v, p):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=False)
-def dop853(parameters, start, end, rtol):  # type: ignore[no-untyped-def]
+def dop853(parameters: np.ndarray, start: np.ndarray, end: float, rtol: float) -> np.ndarray:
     """Exit velocities of all designs."""
     out = np.empty(len(start))
     k = np.empty(STAGES + 1)
@@ -67,7 +67,7 @@ def _numbalsoda_equation() -> Any:
     from numbalsoda import lsoda_sig
 
     @cfunc(lsoda_sig)
-    def equation(theta, v, dv, p):  # type: ignore[no-untyped-def]
+    def equation(theta: float, v: Any, dv: Any, p: Any) -> None:
         dv[0] = rate(theta, v[0], carray(p, (6,)))
 
     return equation

@@ -6,9 +6,9 @@ The error is the largest relative one of the velocity at the stations that tests
 of the spoon that is filled above its chamfers, to two DOP853 runs at rtol 3e-14 that meet at the chamfer's top. All run
 in turn, again and again; times are medians, and ratios are to DOP853 at 1e-10 in the same round. The rivals' right-hand
 side is what one would write in Python for one design: plain floats and `math`; those of heyoka and of numbalsoda (where
-that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled beforehand. What
-chutecalc does in that time: build the numbers from the checked spec, solve, velocity and depth at the stations;
-'with check' also reads and checks the spec.
+that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled beforehand. What chutecalc does in
+that time: build the numbers from the checked spec, solve, velocity and depth at the stations; 'with check' also reads
+and checks the spec.
 """
 
 import csv

@@ -178,11 +178,7 @@ def length(record: tuple[Any, ...]) -> int:
     longest = 1
     for field in record:
         if isinstance(field, np.ndarray):
-            count = field.shape[-1]
+            longest = max(longest, field.shape[-1])
         elif isinstance(field, tuple) and field:
-            count = length(field)
-        else:
-            continue
-        if count > longest:
-            longest = count
+            longest = max(longest, length(field))
     return longest

@@ -97,15 +97,12 @@ def _check_extras(plot: str | None, chart: bool) -> None:
 
 def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
     """All chutes, with the settings in them; all faults of all of them."""
-    from chutecalc.chute import load, parse
-
     changes = dict(_setting(text) for text in settings)
     chutes: list[Chute] = []
     errors: list[SpecError] = []
     for spec in _without_baselines(specs):
         try:
-            piped = spec == "-"
-            chutes.append(parse(standard_input(), STANDARD_INPUT, changes) if piped else load(spec, changes))
+            chutes.append(read_chute(spec, changes))
         except SpecError as error:
             errors.append(error)
     if errors:
@@ -120,7 +117,14 @@ def _without_baselines(specs: list[str]) -> list[str]:
     return [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs
 
 
-def standard_input() -> str:
+def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
+    """The chute of a file, or of what comes in by a pipe, with changes in it."""
+    from chutecalc.chute import load, parse
+
+    return parse(_standard_input(), STANDARD_INPUT, changes) if spec == "-" else load(spec, changes)
+
+
+def _standard_input() -> str:
     """The spec that comes in by a pipe."""
     import sys
 

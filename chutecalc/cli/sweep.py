@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.run import STANDARD_INPUT, Units, standard_input
+from chutecalc.cli.run import Units, read_chute
 from chutecalc.errors import UsageError
 from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
-    from chutecalc.chute import Chute
     from chutecalc.studies.block import Top
     from chutecalc.studies.sweep import Sweep
 
@@ -98,7 +97,7 @@ def sweep(
     _check_extras(parquet, plot, chart)
     for target in targets.values():
         check_openable(target)
-    chute = _chute(specs[0])
+    chute = read_chute(specs[0])
     parameters = read_parameters(given, chute)
     names = [name.strip() for name in columns.split(",")] if columns else []
     asked = Sweep(chute, parameters, parallel, keep, names, _top(top, by), points, stations, rtol)
@@ -142,13 +141,6 @@ def _refuse(options: dict[str, Any], why: str) -> None:
     given = [name for name, value in options.items() if value is not None and value is not False]
     if given:
         raise UsageError(f"{', '.join(given)} {why}")
-
-
-def _chute(spec: str) -> Chute:
-    """The chute that is varied."""
-    from chutecalc.chute import load, parse
-
-    return parse(standard_input(), STANDARD_INPUT) if spec == "-" else load(spec)
 
 
 def _check_extras(parquet: str | None, plot: str | None, chart: bool) -> None:

@@ -102,8 +102,6 @@ class Excess:
 
     def _load(self, foot: Array, rise: Array, own: Array) -> "_Load":
         sine, width = self.facet.sine, self.half_width
-        if not self.stacked:
-            return _Load(sine * own, foot, rise, rise)
         return _Load(sine * own, foot, sine * rise, rise / np.where(width > 0.0, width, 1.0))
 
     def at(self, area: Array) -> tuple[Array, Array]:

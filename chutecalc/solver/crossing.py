@@ -100,7 +100,7 @@ def _dip(margin: Array) -> Array:
 def _lowest(margin: Array, place: Array, low: Array, high: Array) -> Array:
     """Where the polynomials are lowest, by Newton's method with differences, from near there; between two bounds."""
     for _ in range(3):
-        before, here, after = (evaluate(margin, (place + shift)[None])[0] for shift in (-ASIDE, 0.0, ASIDE))
+        before, here, after = evaluate(margin, place + np.array([[-ASIDE], [0.0], [ASIDE]]))
         bend = after - 2.0 * here + before
         step = np.where(bend > 0.0, 0.5 * ASIDE * (before - after) / np.where(bend > 0.0, bend, 1.0), 0.0)
         place = np.clip(place + step, low, high)

@@ -88,11 +88,16 @@ def _events(front: Front, trial: Trial) -> tuple[Array, Index, Mask]:
     """Of a panel: the share of it at which the first event lies, which that is, and which it ends at, one by one."""
     along = trial.start + rule(len(trial.panel.knots) - 2).knots[:, None] * (trial.end - trial.start)
     along[-1] = trial.end  # start + (end - start) loses what a panel down to a thousandth of r has left
-    place, y = (trial.panel.knots, along**4) if trial.by_root else (along, trial.panel.knots)
-    margins = front.margins(trial.rows, place, y, trial.by_root)
+    margins = _margins(front, trial.rows, trial.by_root, along, trial.panel.knots)
     crossings = np.stack([first_crossing(margin) for margin in margins])
     event = np.array([*front.events, END])[crossings.argmin(axis=0)]
     return crossings.min(axis=0), event, (margins[:, -1] <= LEVEL) & (margins[:, -1] < margins[:, 0])
+
+
+def _margins(front: Front, rows: Index, by_root: bool, along: Array, unknown: Array) -> Array:
+    """How far each event is, where a panel's variable and its unknown have these values."""
+    place, y = (unknown, along**4) if by_root else (along, unknown)
+    return front.margins(rows, place, y, by_root)
 
 
 def _happens(front: Front, trial: Trial, chosen: Index, cut: Array, event: Index) -> Mask:
@@ -105,8 +110,7 @@ def _happens(front: Front, trial: Trial, chosen: Index, cut: Array, event: Index
         share, panel = cut[chosen], trial.panel
         along = trial.start[chosen] + share * (trial.end[chosen] - trial.start[chosen])
         unknown = evaluate(panel.knots[:, chosen], share[None])[0]
-        place, y = (unknown, along**4) if trial.by_root else (along, unknown)
-        margins = front.margins(trial.rows[chosen], place, y, trial.by_root)
+        margins = _margins(front, trial.rows[chosen], trial.by_root, along, unknown)
         names = np.array([*front.events, END])[: len(margins)]
         own = margins[(names[:, None] == event[chosen]).argmax(axis=0), np.arange(len(chosen))]
         there[chosen] = np.abs(own) <= LEVEL + WELL_WITHIN * panel.inner_error[chosen]

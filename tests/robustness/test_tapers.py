@@ -61,7 +61,7 @@ def test_errors_along_a_taper_are_within_their_estimates(shape, kind):
         for complete in (False, True):
             end = run_chain(design, rtol, complete)[0][0].exit
             assert (end.status == right.status).all()
-            ran = end.status == 0
+            ran = end.status == Status.OK
             off = np.abs(end.velocity[ran] / right.velocity[ran] - 1.0)
             assert (off <= end.error[ran] + right.error[ran] + ROUNDING).all(), (shape, kind, rtol, complete)
 

@@ -64,9 +64,8 @@ def test_random_segment(kind, seed):
     status, distance, velocity = travel(case)
 
     leg = solution.legs[0]
-    assert leg.status[0] == Status.LABELS.index(
-        status
-    )  # of a hood that the stream strikes again: up to where it leaves it
+    # of a hood that the stream strikes again: up to where it leaves it
+    assert leg.status[0] == Status.LABELS.index(status)
     # DOP853 at 3e-14 keeps 1e-11 on such cases (compared with itself at half its tolerance), a stop 1e-9 m: it ends its
     # own way at a thousandth of the root of the velocity
     assert abs(leg.exit.distance[0] - distance) < 1e-8
