@@ -152,7 +152,9 @@ class SlideProfile:
     def wall_friction(self) -> Array:
         """μ."""
         slide = self.contact.slide
-        return self._finite(wall_friction(slide.wall, slide.density * np.maximum(self.normal, 0.0) * self.depth))
+        stress = slide.density * np.maximum(self.normal, 0.0) * self.wet.factor * self.depth
+        rest = self.velocity_squared == 0.0  # there the depth, and with it the pressure, grows without bound
+        return self._known(wall_friction(slide.wall, np.where(rest, np.inf, stress)))
 
     @cached_property
     def friction(self) -> Array:
@@ -164,7 +166,14 @@ class SlideProfile:
         """On floor, chamfers and side walls, Pa."""
         slide = self.contact.slide
         weight = slide.density * np.maximum(self.normal, 0.0)
-        return wall_pressures(slide.section_at(self.place), self.table, self.wet, self.area, weight, slide.equilibrium)
+        return wall_pressures(slide.section_at(self.place), self.table, self.wet, weight)
+
+    def _known(self, values: Array) -> Array:
+        """NaN where there is no stream."""
+        known: Array = stretched(
+            np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape
+        )
+        return known
 
     def _finite(self, values: Array) -> Array:
         """NaN where the stream stands still, which leaves it no depth."""
