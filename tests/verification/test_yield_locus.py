@@ -183,12 +183,12 @@ def test_the_locus_is_read_at_the_pressure_that_the_law_lays_on_the_floor(law, b
             material={"density_kg_m3": density, "internal_friction_deg": 42.0},
             liners={"wall": {"yield_locus_kpa": mu_rows}},
             sections={"body": section},
-            inlet={"velocity_m_s": 5.0, "slope_deg": 60.0},
+            inlet={"velocity_m_s": 8.0, "slope_deg": 60.0},
             segments=[{"kind": "curve", "radius_m": radius, "to_slope_deg": 10.0}],
         )
     )
     end = np.radians(50.0) * radius
-    run = solve_ivp(rate, (0.0, end), [5.0], "DOP853", rtol=1e-12, atol=1e-14, max_step=end / 2000)
+    run = solve_ivp(rate, (0.0, end), [8.0], "DOP853", rtol=1e-12, atol=1e-14, max_step=end / 2000)
     assert solution.exit_velocity[0] == pytest.approx(run.y[0, -1], rel=2e-9)  # as above
 
 
