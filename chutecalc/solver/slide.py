@@ -16,9 +16,9 @@ from chutecalc.design import select
 from chutecalc.physics.arrays import Array, Index, sine_and_cosine
 from chutecalc.physics.intervals import take_row
 from chutecalc.physics.motion import ROOF, normal_acceleration
-from chutecalc.physics.section import Facets, Section, blend, facets, take_facet
-from chutecalc.physics.wall import Wall
-from chutecalc.physics.wetting import Excess, area_at_depth, depth_and_width, wetting
+from chutecalc.physics.section import Facets, Section, blend, facets, take_facet, wetted_facet
+from chutecalc.physics.wall import Wall, wall_friction
+from chutecalc.physics.wetting import Excess, area_at_depth, depth_and_width, excess_friction, wetting
 
 
 class Slide(NamedTuple):
@@ -88,6 +88,16 @@ class Slide(NamedTuple):
     def can_lose_contact(self) -> bool:
         """Whether any design has a crest or a hood here: everything else presses on its floor by weight alone."""
         return self.side == ROOF or bool((self.turn > 0.0).any())
+
+
+def net_pull(slide: Slide, place: Array, velocity_squared: Array) -> Array:
+    """What friction leaves of gravity's pull along the surface, sin a - μ_e n/g, at places, shape (..., designs)."""
+    table, area = slide.facets_at(place), slide.area(velocity_squared)
+    facet = take_facet(table, np.broadcast_to(wetted_facet(table, area), area.shape))
+    excess, _ = excess_friction(facet, area, slide.equilibrium)
+    friction = wall_friction(slide.wall, slide.stress(place, velocity_squared, facet)) * (1.0 + excess)
+    pull: Array = np.sin(slide.entry_slope + slide.turn * place)
+    return pull - friction * slide.normal(place, velocity_squared) / slide.gravity
 
 
 class Branch(NamedTuple):

@@ -156,15 +156,13 @@ def elements(section, depth):
 @pytest.mark.parametrize("depth", [0.01, 0.1, 0.5])
 @pytest.mark.parametrize("name", SECTIONS)
 def test_the_books_close(name, depth, equilibrium):
-    """∫ μ p v dl over the wetted walls is μ_e ρ n A v, with each wall's pressure falling from what is told at its foot."""
+    """∫ μ p v dl over the wetted walls is μ_e ρ n A v, with pressures falling from those told at the walls' feet."""
     section, ratio = SECTIONS[name], 0.3
     table, area, facet, _ = wet(section, ratio, depth)
     told = wall_pressures(section, table, wetting(facet, area[None], equilibrium), np.ones((1, 1)))
     floor, chamfer, side = (pressure.item() for pressure in told)
     excess, _ = excess_friction(facet, area, equilibrium)
-    feet = [
-        (chamfer if psi < np.pi / 2 else side, psi, below, above) for psi, below, above in elements(section, depth)
-    ]
+    feet = [(chamfer if psi < np.pi / 2 else side, psi, below, above) for psi, below, above in elements(section, depth)]
     for drawn, pressure in ((True, chamfer), (False, side)):
         feet_of_kind = [pressure_ratio(psi, ratio) * below for _, psi, below, _ in feet if (psi < np.pi / 2) == drawn]
         if feet_of_kind:  # what is told is the hardest pressed of its kind
