@@ -100,9 +100,16 @@ class Part:
         Between two neighbours everything is smooth, for panels end where something has a kink. Of shape (places,) where
         they are the same for all designs, else (places, designs); what a design has too few of repeats its end.
         """
-        if self.contact is None:
-            return EVEN
         begin, end = self.ends()
+        if self.contact is None:
+            path = self.leg.path
+            rises = (path.downward < 0.0) & (end > 0.0)
+            if not rises.any():
+                return EVEN
+            top = np.minimum(-path.downward / path.gravity, self.leg.flight_time)  # next to it the velocity has its dip
+            with np.errstate(all="ignore"):
+                share = np.where(rises, path_length(path, top) / end, 1.0)
+            return np.sort(np.concatenate([np.repeat(EVEN[:, None], len(share), axis=1), share[None]]), axis=0)
         rows, pieces = self.contact.rows, self.contact.stretch.pieces
         if len(rows) == len(begin) and [len(piece.rows) for piece in pieces] == [len(rows)]:
             (piece,) = pieces
