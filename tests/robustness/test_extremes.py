@@ -38,6 +38,7 @@ def test_no_station_lies_beyond_an_extreme(block):
                     assert found.min() >= least - SLACK * abs(least) - 1e-12 * found.max(), (seed, way.name, name)
                     compared += 1
         check_together(solution, seed)
+        check_places(solution, seed)
     assert compared > COUNT
 
 
@@ -50,6 +51,35 @@ def check_together(solution, seed):
         each = [(way.maximum if sign == LARGEST else way.minimum)[name] for way in guided]
         expected = (np.fmax if sign == LARGEST else np.fmin).reduce(each)
         assert np.allclose(together[name, sign], expected, rtol=1e-12, atol=0, equal_nan=True), (seed, name, sign)
+
+
+NUMBERS = {
+    "slow_stream": "froude",
+    "thick_stream": "thickness",
+    "missing_load": "missing_load",
+    "decelerating": "velocity_m_s",
+}
+"""Of findings, the number that is found where they are."""
+
+
+def check_places(solution, seed):
+    """An extreme, and a finding that quotes one, is what the column says at its place."""
+    for part, found in zip(solution.parts, solution.extremes, strict=True):
+        for (name, sign), extreme in found.items():
+            if np.isfinite(extreme.value[0]) and extreme.share[0] < 1.0:  # at the end it may be a limit
+                there = part.at(extreme.share[None], [name])[name][0, 0]
+                assert there == pytest.approx(extreme.value[0], rel=1e-8, abs=1e-12), (seed, part.name, name, sign)
+    parts = {part.name: part for part in solution.parts}
+    for finding in solution.findings():
+        name = NUMBERS.get(finding.code, "")
+        if name not in finding.numbers or sum(part.name == finding.segment for part in solution.parts) > 1:
+            continue
+        part, value = parts[finding.segment], finding.numbers[name][0]
+        first, last = (part.at(np.array([end]), ["s_m"])["s_m"][0, 0] for end in (0.0, 1.0))
+        share = (finding.s_m[0] - first) / (last - first) if last > first else 1.0
+        if share < 1.0 - 1e-12 and np.isfinite(value):
+            there = part.at(np.array([share]), [name])[name][0, 0]
+            assert there == pytest.approx(value, rel=1e-6, abs=1e-9), (seed, finding.code)
 
 
 def chute(**tables):

@@ -490,3 +490,65 @@ def test_both_friction_laws_of_a_locus_are_told_each_at_its_own_pressure():
     paper, even = (law.segments[0].maximum["equivalent_friction"][0] for law in laws)
     assert missing.numbers["equivalent_friction"][0] == pytest.approx(paper, rel=1e-3)  # along a millimetre
     assert missing.numbers["equilibrium_friction"][0] == pytest.approx(even, rel=1e-3)
+
+
+@pytest.mark.parametrize(("kind", "words"), [("curve", "up to "), ("hood", "under a hood from ")])
+def test_a_loss_of_contact_quotes_what_would_keep_it(kind, words):
+    """v² = R g cos a at the balance, for this radius as for this velocity."""
+    velocity, slopes = (3.0, (10.0, 80.0)) if kind == "curve" else (5.0, (-40.0, 30.0))
+    segment = {"kind": kind, "radius_m": 2.5, "from_slope_deg": slopes[0], "to_slope_deg": slopes[1]}
+    inlet = {"velocity_m_s": velocity, "slope_deg": slopes[0]}
+    solution = chutecalc.solve(chute(inlet=inlet, segments=[segment, {"kind": "fall", "drop_m": 3.0}]))
+    lost = all_of(solution, "contact_lost")[0]
+    numbers = {name: values[0] for name, values in lost.numbers.items()}
+    weight = 9.80665 * np.cos(np.radians(numbers["slope_deg"]))
+    assert numbers["balance_m_s"] == pytest.approx(np.sqrt(2.5 * weight), rel=1e-12)
+    assert numbers["balance_m_s"] == pytest.approx(numbers["velocity_m_s"], rel=1e-9)  # it leaves there
+    assert numbers["radius_m"] == pytest.approx(numbers["velocity_m_s"] ** 2 / weight, rel=1e-12)
+    assert f"there it keeps contact {words}" in lost.message()
+    assert f"{numbers['velocity_m_s']:.4g} m/s" in lost.message()
+
+
+def test_an_inadmissible_angle_is_quoted():
+    solution = chutecalc.solve(chute(liners={"wall": {"friction_deg": 40.0}}))
+    (finding,) = all_of(solution, "inadmissible_friction")
+    greatest = np.degrees(np.arctan(np.sin(np.radians(50.0))))
+    assert finding.numbers["friction_deg"][0] == pytest.approx(40.0, rel=1e-14)
+    assert finding.numbers["greatest_deg"][0] == pytest.approx(greatest, rel=1e-14)
+    assert "a wall friction of 40°" in finding.message()
+
+
+def test_only_a_spoon_at_the_end_has_to_clear_itself():
+    flat = {"kind": "straight", "slope_deg": 20.0, "length_m": 0.2}
+    spoon = {"kind": "curve", "radius_m": 2.0, "from_slope_deg": 60.0, "to_slope_deg": 20.0}
+    inlet = {"velocity_m_s": 5.0, "slope_deg": 60.0}
+    for segments, expected in (
+        ([spoon], True),
+        ([spoon, flat], False),  # it ends in a straight, as flat as it may be
+        ([spoon, {"kind": "fall", "drop_m": 1.0}], True),
+        ([spoon, {"kind": "fall", "drop_m": 2.0}, spoon | {"from_slope_deg": 50.0, "to_slope_deg": 45.0}], False),
+        ([{"kind": "curve", "radius_m": 9.0, "from_slope_deg": 10.0, "to_slope_deg": 20.0}], False),  # a crest
+    ):
+        slope = segments[0]["from_slope_deg"]
+        solution = chutecalc.solve(chute(inlet=inlet | {"slope_deg": slope}, segments=segments))
+        if slope == 10.0:
+            solution = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 10.0}, segments=segments))
+        assert solution.status[0] == "ok", segments
+        assert bool(all_of(solution, "below_cut_off")) == expected, segments
+
+
+def test_a_fall_that_is_never_reached_says_so():
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 0.0, "slope_deg": 90.0},
+            segments=[
+                {"kind": "fall", "onto_next": True},
+                {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0]},
+                {"name": "last", "kind": "fall", "run_m": 3.0},
+            ],
+        )
+    )
+    assert solution.status[0] == "missed"
+    (missed,) = all_of(solution, "missed")
+    assert (missed.segment, missed.severity) == ("last", "failure")
+    assert missed.message().startswith("the stream never comes to where the fall ends")

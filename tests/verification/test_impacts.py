@@ -188,11 +188,12 @@ def test_what_falls_straight_down_never_reaches_a_distance():
         inlet={"velocity_m_s": 0.0, "slope_deg": 90.0},
         segments=[
             {"kind": "fall", "onto_next": True},
-            {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-2.0, -1.0]},
+            {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0]},
             {"kind": "fall", "run_m": 3.0},
         ],
     )
     assert beside.status[0] == "missed"
+    assert [segment.status[0] for segment in beside.segments[1:]] == ["passed", "missed"]
     assert np.isnan(beside.exit_velocity[0])
     hood = [{"name": "hood", "kind": "hood", "radius_m": 1.0, "from_slope_deg": 20.0, "to_slope_deg": 80.0}]
     base = chutecalc.parse(

@@ -378,3 +378,19 @@ def test_acceleration_on_a_belt_is_the_motion_of_a_block(slope, start):
     while (velocity - speed) * (start - speed) > 0.0:
         velocity, way = velocity + pull * dt, way + velocity * dt + pull * dt * dt / 2
     assert flows.acceleration_length[0] == pytest.approx(way, abs=2 * abs(speed) * dt)  # it stops within one step
+
+
+@pytest.mark.parametrize("slope", [5.0, 30.0, 55.0])
+def test_the_matching_slope_lies_on_the_streams_side_of_the_belt(slope):
+    """An exit slope next to the one there is: flatter streams match from above the belt, steeper ones from below."""
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 5.0, "slope_deg": slope},
+            liners={"wall": {"friction_deg": 0.0}},
+            segments=[{"kind": "straight", "slope_deg": slope, "length_m": 0.001}],
+            receiver={"velocity_m_s": 4.0, "slope_deg": 20.0, "friction_deg": 30.0},
+        )
+    )
+    match = solution.receiver["matching_slope_deg"][0]
+    assert solution.exit_velocity[0] * np.cos(np.radians(match - 20.0)) == pytest.approx(4.0, rel=1e-12)
+    assert (match > 20.0) == (slope > 20.0)
