@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from tests import seeds
+from tests import seeds, skips
 from tests.conftest import ROOT
 
 TESTS = """
@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from tests import seeds
+from tests import seeds, skips
 
 numbers = []
 
@@ -164,3 +164,14 @@ def test_a_readme_without_one_test_command_is_told_of(copies, found, tmp_path):
     status, command, message = command_in(readme)
     assert (status, command) == (1, "")
     assert message.endswith(f"has to have exactly one test command, a line with '.[test,dem]': {found}\n")
+
+
+def test_the_page_tells_of_every_folder_and_links_lead_somewhere():
+    page = (ROOT / "docs" / "verification.md").read_text(encoding="utf-8")
+    folders = {f"tests/{path.parent.name}" for path in (ROOT / "tests").glob("*/__init__.py")} | {"chutecalc"}
+    assert set(re.findall(r"^\| `([a-z/]+)` \|", page, re.MULTILINE)) == folders
+    for name in re.findall(r"`((?:tests|\.ci)/[a-z_/.]+)`", page):
+        assert (ROOT / name).exists(), name
+    for target in re.findall(r"\]\((?!http)([^)#]+)", page):
+        assert (ROOT / "docs" / target).exists(), target
+    assert {seeds.SEED, seeds.STRESS, skips.NO_SKIPS} == set(re.findall(r"CHUTECALC_[A-Z_]+", page))
