@@ -127,8 +127,9 @@ def finish(flow, c, r, h):
         (STALL, lambda at, root: root),
         (CONTACT_LOST, lambda at, root: press(flow, at, root)),
     ):
-        at, root, _ = step(flow, c, r, h)
-        low, high, above, below = np.zeros(h.shape, Real), h, event(c, r), event(at, root)
+        until = np.minimum(h, first)  # beyond the segment's end a stream may have its contact again
+        at, root, _ = step(flow, c, r, until)
+        low, high, above, below = np.zeros(h.shape, Real), until, event(c, r), event(at, root)
         inside, side = below < 0, np.zeros(h.shape)
         for _ in range(20 if inside.any() else 0):
             middle = high - below * (high - low) / np.where(inside, below - above, 1)

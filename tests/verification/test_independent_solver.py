@@ -1,16 +1,16 @@
 """Random segments of every kind against a solver that shares nothing with chutecalc (independent.py)."""
 
-import numpy as np
 import pytest
 
 import chutecalc
 from chutecalc.design import Status
+from tests import seeds
 from tests.conftest import chute
 from tests.verification.independent import Section, travel
 
 
 def random_case(kind, seed):
-    random = np.random.default_rng([seed, len(kind)])
+    random = seeds.generator(seed, len(kind))
     start, end = {
         "spoon": (random.uniform(40, 90), random.uniform(0, 35)),
         "crest": (random.uniform(-20, 30), random.uniform(35, 85)),
@@ -34,7 +34,7 @@ def random_case(kind, seed):
     }
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(seeds.times(40)))
 @pytest.mark.parametrize("kind", ["spoon", "crest", "hood", "straight"])
 def test_random_segment(kind, seed):
     check(random_case(kind, seed))

@@ -8,6 +8,7 @@ from scipy.optimize import brentq
 import chutecalc
 from chutecalc.design import Status
 from chutecalc.physics.wall import wall_friction, yield_locus
+from tests import seeds
 from tests.conftest import chute
 from tests.verification.test_independent_sections import circle
 
@@ -250,7 +251,7 @@ def test_a_stream_that_clings_to_a_balance_next_to_rest_is_solved_at_every_toler
 
 def test_errors_beside_adhesion_are_within_their_estimates():
     """Adhesion takes off what the section adds to the change of friction with depth, not off Newton's remainder."""
-    random, count = np.random.default_rng(5), 400
+    random, count = seeds.generator(5), seeds.times(400)
     base = chute(
         flow={"rate_t_h": 1000.0},
         material={"density_kg_m3": 900.0, "internal_friction_deg": 50.0},
