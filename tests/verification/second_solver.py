@@ -37,18 +37,10 @@ class Segment:
     entry: Stream | None = None
     exit: Stream | None = None
     impacts: list[tuple[float, float, float]] = field(default_factory=list)  # incidence, before, after
-    depth: float = nan
-    mu: float = nan
+    begin: float = 0.0  # how far along the drawn segment its entry and exit are
+    end: float = 0.0
     setting: Setting | None = None
 
-    def probe(self, s: float, v: float) -> tuple[float, float]:
-        """Depth and μ_e of a stream of this velocity at s after the entry."""
-        assert self.setting is not None
-        u = self.begin + s
-        load = self.setting.load(u, v)
-        return load.depth, self.setting.equivalent(u, v)
-
-    begin: float = 0.0
 
 
 @dataclass
@@ -240,8 +232,6 @@ class Solver:
                 u = met.u
             if segment.entry is None:
                 segment.entry, segment.begin = self.stream, u
-                if self.stream.v > 0:
-                    segment.depth = setting.load(u, self.stream.v).depth
             if self.stream.v == 0:
                 segment.exit = self.stream
                 segment.status = "stall"
@@ -249,7 +239,7 @@ class Solver:
             segment.status = "ok"
             if table["kind"] == "plate":
                 segment.exit = self.stream
-                self.ends(segment, setting, u)
+                segment.end = u
                 self.fly(touch=2)
                 assert self.flight is not None
                 met, passed = landing(self.flight, surface)
@@ -257,7 +247,7 @@ class Solver:
                 self.flight.start = passed
                 return
             if setting.press(u, self.stream.v) < 0:
-                self.lose(segment, setting, u, touch=2)
+                self.lose(segment, u, touch=2)
                 continue
             if setting.chokes(u, self.stream.v):
                 how, v = "choke", self.stream.v
@@ -268,16 +258,13 @@ class Solver:
                 s = self.stream.s + slid.u - u
                 u = slid.u
                 self.stream = Stream(s, x, z, v, surface.slope_at(u))
-            segment.exit = self.stream
+            segment.exit, segment.end = self.stream, u
             if how in ("stall", "choke"):
                 segment.status = how
-                if v:
-                    self.ends(segment, setting, u)
                 raise _Failed(how)
-            self.ends(segment, setting, u)
             if how == "end":
                 return
-            self.lose(segment, setting, u, touch=3)
+            self.lose(segment, u, touch=3)
         raise UndecidedError("strikes the same surface again and again")
 
     def beyond(self, number: int) -> None:
@@ -292,15 +279,10 @@ class Solver:
         segments[number + 1].status = "missed"
         raise _Failed("missed")
 
-    def lose(self, segment: Segment, setting: Setting, u: float, touch: int) -> None:
-        segment.exit = self.stream
+    def lose(self, segment: Segment, u: float, touch: int) -> None:
+        segment.exit, segment.end = self.stream, u
         segment.status = "contact_lost"
-        self.ends(segment, setting, u)
         self.fly(touch=touch)
-
-    def ends(self, segment: Segment, setting: Setting, u: float) -> None:
-        segment.depth = setting.load(u, self.stream.v).depth
-        segment.mu = setting.equivalent(u, self.stream.v)
 
     def land(self, segment: Segment, surface: Surface, met: Landing) -> None:
         x, z = surface.at(met.u)
