@@ -80,8 +80,10 @@ class Part:
         numbers = {
             "incidence_deg": np.degrees(arrival.incidence),
             "velocity_before_m_s": arrival.velocity,
-            "velocity_after_m_s": arrival.after,
-            "pressure_kpa": arrival.pressure / 1000.0,
+            "velocity_after_m_s": arrival.impact.after,
+            "pressure_kpa": arrival.impact.pressure / 1000.0,
+            "footprint_m": arrival.impact.footprint,
+            "wear_w_m2": arrival.impact.wear * self.slip_ratio,
         }
         return {name: np.where(struck, values, np.nan) for name, values in numbers.items()}
 
@@ -103,6 +105,12 @@ class Part:
         if self.contact is None:
             return FlightProfile(self.leg, self.design.volume_rate, places)
         return SlideProfile(self.leg, self.contact, places, alike)
+
+    @property
+    def slip_ratio(self) -> Array:
+        """Slip at the wall over mean velocity."""
+        assert isinstance(self.leg.segment, Contact)
+        return self.leg.segment.slip_ratio
 
     @property
     def chamfered(self) -> bool:
@@ -135,11 +143,10 @@ def _on_surface(
 
 
 def _wear(wall: int) -> Formula:
-    """Friction power per area on one of the walls of :func:`chutecalc.physics.wear.wall_pressures`."""
+    """Friction power per area on one of the walls of :class:`chutecalc.solver.profile.SlideProfile`."""
 
     def formula(part: Part, at: SlideProfile) -> Array:
-        assert isinstance(part.leg.segment, Contact)
-        return at.pressures[wall] * at.wall_friction * at.velocity * part.leg.segment.slip_ratio
+        return at.wear[wall] * part.slip_ratio
 
     return formula
 

@@ -124,7 +124,10 @@ class Stream(NamedTuple):
     """Below horizontal, rad."""
     velocity: Array
     error: Array
-    """Estimated relative error of the velocity."""
+    """Estimated relative error of the velocity; in flight with the sign that goes with those of place and slope."""
+    x_error: Array
+    z_error: Array
+    slope_error: Array
     status: Index
     """A :class:`Status` each; once it is not OK the numbers are NaN."""
     airborne: Mask

@@ -138,7 +138,10 @@ class Solution:
     @cached_property
     def error_estimate(self) -> Array:
         """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
-        return np.broadcast_to(self.final.error, self.count)
+        error = np.zeros(self.count)
+        for leg in self.legs:
+            error = np.where(leg.status < Status.MISSED, np.abs(leg.exit.error), error)
+        return error
 
     @cached_property
     def parts(self) -> list[Part]:

@@ -101,8 +101,8 @@ def steep_impact(scene: Scene) -> Iterator[Finding]:
         template,
         incidence_deg=np.degrees(arrival.incidence),
         velocity_m_s=arrival.velocity,
-        after_m_s=arrival.after,
-        pressure_kpa=arrival.pressure / 1000.0,
+        after_m_s=arrival.impact.after,
+        pressure_kpa=arrival.impact.pressure / 1000.0,
     )
 
 

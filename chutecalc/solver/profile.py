@@ -152,19 +152,42 @@ class SlideProfile:
     def wall_friction(self) -> Array:
         """μ."""
         slide = self.contact.slide
-        return self._finite(wall_friction(slide.wall, slide.density * np.maximum(self.normal, 0.0) * self.depth))
+        stress = slide.density * np.maximum(self.normal, 0.0) * self.wet.factor * self.depth
+        rest = self.velocity_squared == 0.0  # there the depth, and with it the pressure, grows without bound
+        along = wall_friction(slide.wall, np.where(rest, np.inf, stress))
+        return self._known(np.where(self._thrown, self.contact.arrival.impact.wall_friction, along))
 
     @cached_property
     def friction(self) -> Array:
         """μ_e."""
-        return equivalent_friction(self.wall_friction, self.wet.excess)
+        along = equivalent_friction(self.wall_friction, self.wet.excess)
+        return self._known(np.where(self._thrown, self.contact.arrival.impact.friction, along))
 
     @cached_property
     def pressures(self) -> tuple[Array, Array, Array]:
-        """On floor, chamfers and side walls, Pa."""
+        """On floor, chamfers and side walls, Pa; on a plate the impact's."""
         slide = self.contact.slide
         weight = slide.density * np.maximum(self.normal, 0.0)
-        return wall_pressures(slide.section_at(self.place), self.table, self.wet, self.area, weight, slide.equilibrium)
+        floor, chamfer, side = wall_pressures(slide.section_at(self.place), self.table, self.wet, weight)
+        thrown = self._thrown
+        struck = self._known(np.where(thrown, self.contact.arrival.impact.pressure, floor))
+        return struck, np.where(thrown, np.nan, chamfer), np.where(thrown, np.nan, side)
+
+    @cached_property
+    def wear(self) -> tuple[Array, Array, Array]:
+        """Friction power per area there, μ p v, W/m², where slip is the mean velocity; on a plate the impact's."""
+        floor, chamfer, side = (pressure * self.wall_friction * self.velocity for pressure in self.pressures)
+        return self._known(np.where(self._thrown, self.contact.arrival.impact.wear, floor)), chamfer, side
+
+    @property
+    def _thrown(self) -> Mask:
+        """The designs in which this is a plate that is struck: the stream leaves it where it strikes it."""
+        return (self.contact.arrival.incidence > 0.0) & (self.leg.segment.kind == "plate")
+
+    def _known(self, values: Array) -> Array:
+        """NaN where there is no stream."""
+        known: Array = stretched(np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape)
+        return known
 
     def _finite(self, values: Array) -> Array:
         """NaN where the stream stands still, which leaves it no depth."""
@@ -197,7 +220,7 @@ def _velocities(contact: ContactLeg, places: Array, shares: Array | None) -> Arr
     end, last = np.full((2, places.shape[1]), np.nan)
     end[contact.rows], last[contact.rows] = contact.stretch.place, contact.stretch.velocity_squared
     y = np.where(places == end, last, np.nan)
-    y = np.where(places == arrival.place, arrival.after**2, y)  # also of streams that get no further
+    y = np.where(places == arrival.place, arrival.impact.after**2, y)  # also of streams that get no further
     for piece in contact.stretch.pieces:
         rows = contact.rows[piece.rows]
         whole = np.zeros(len(rows), dtype=bool)

@@ -14,7 +14,7 @@ from chutecalc.physics.section import Facets, Section, facets
 from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.spec import model
 from chutecalc.spec.file import Place
-from chutecalc.spec.geometry import EVERY, GeometryFaults, in_si
+from chutecalc.spec.geometry import GeometryFaults, in_si
 from chutecalc.spec.sections import build_section, section_names
 
 LONGEST = 1e5  # m, as of every length
@@ -96,9 +96,9 @@ class _Geometry:
         velocity, incline = in_si(inlet.belt.velocity_m_s, "velocity"), in_si(inlet.belt.incline_deg, "angle")
         lower = in_si(inlet.belt.pulley_radius_m, "length") + in_si(inlet.belt.belt_thickness_m, "length")
         middle = lower + 0.5 * in_si(inlet.belt.material_depth_m, "length")
-        leaves = discharge(velocity, incline, middle, in_si(self.spec.flow.gravity_m_s2, "acceleration"))
+        leaves = discharge(velocity, incline, lower, middle, in_si(self.spec.flow.gravity_m_s2, "acceleration"))
         belt = Belt((x, z), velocity, incline, lower, middle)
-        return velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
+        return leaves.velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
 
     def receiver(self) -> Receiver | None:
         """The belt below, if there is one."""
@@ -120,13 +120,13 @@ class _Geometry:
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
             if isinstance(segment, model.Fall):
-                vertical = slope is not None and bool((slope == np.pi / 2).all())
-                if vertical and segment.run_m is not None:
-                    problem = "is never reached: the stream falls straight down"
-                    self.faults.note(EVERY, ("segments", number, "run_m"), segment.run_m, problem, "give drop_m")
+                straight_down = np.zeros(1, dtype=bool) if slope is None else slope == np.pi / 2
+                if segment.run_m is not None:
+                    problem, key = "is never reached: the stream falls straight down", ("segments", number, "run_m")
+                    self.faults.note(straight_down, key, segment.run_m, problem, "give drop_m")
                 drop, run = _optional(segment.drop_m), _optional(segment.run_m)
                 built.append(Fall(name, segment.kind, drop, run))
-                slope = VERTICAL if vertical else None
+                slope = VERTICAL if straight_down.all() else None
                 continue
             follows = self.drawn_slopes.get(number, slope)
             contact = self.contact(("segments", number), name, segment, follows, sections, tables, walls)

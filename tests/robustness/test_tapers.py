@@ -93,7 +93,7 @@ def test_a_stream_that_creeps_along_a_taper_counts_as_stalled_alone_as_in_compan
         {
             "flow": {"rate_t_h": 1537.0},
             "material": {"density_kg_m3": 1500.0, "internal_friction_deg": 50.0},
-            "liners": {"wall": {"yield_locus_kpa": [[1.0, 2.4], [6.0, 4.4]]}},
+            "liners": {"wall": {"yield_locus_kpa": [[1.0, 3.4], [6.0, 5.4]]}},
             "sections": {name: {"shape": "vee", "chamfer_deg": 46.0} for name in ("body", "end")},
             "inlet": {"velocity_m_s": 2.27, "slope_deg": 33.0},
             "segments": [ARC | {"radius_m": 9.3, "from_slope_deg": 33.0, "to_slope_deg": 8.5}],
