@@ -8,7 +8,7 @@ from chutecalc.physics.arrays import Array, shared
 from chutecalc.physics.flight import motion, position
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
-from chutecalc.solver.deviation import Deviation, FlightDeviation, deviation, none
+from chutecalc.solver.deviation import Deviation, at_landing, deviation, none, of_arc
 from chutecalc.solver.front import Effort, effort
 from chutecalc.solver.joint import Arrival, entry_error
 from chutecalc.solver.leg import (
@@ -16,7 +16,6 @@ from chutecalc.solver.leg import (
     Drawn,
     Leg,
     arrivals,
-    end_off,
     entry_of,
     fall_leg,
     inlet,
@@ -24,6 +23,7 @@ from chutecalc.solver.leg import (
     moved_on,
     onward,
     overwritten,
+    points,
     some,
     stream_of,
 )
@@ -87,7 +87,7 @@ class _Chain:
                 self.strike_again(number, segment, leg)
             assert leg.contact is not None
             x, z, _ = point(leg.contact.surface, np.ones(1))
-            self.drawn = Drawn(x, z, leg.contact.end_off)
+            self.drawn = Drawn(x, z, leg.contact.off)
         elif segment.onto_next:
             self.legs.append(self.onto_next(number, segment))
         else:
@@ -124,7 +124,8 @@ class _Chain:
         x, z = position(arrival.path, time)
         velocity, slope = motion(arrival.path, time)
         distance = start.distance + arrival.distance
-        off = FlightDeviation(deviation(start), arrival.path, time).at(np.zeros(1))
+        slope_met = points(surface, arrival.place)[2]
+        off, _ = at_landing(deviation(start), drawn, arrival.path, time, surface, slope_met)
         end = stream_of((distance, x, z, slope, velocity, *off), start.status, landed)
         self.stream = merged(landed, end, start)
         self.arrival = arrival._replace(  # flown already
@@ -175,22 +176,25 @@ class _Chain:
             arrival = arrivals(start, surface, slide, drawn, known)
         if number + 1 == len(self.design.segments):  # none that could catch what flies past
             arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
-        entry = entry_of(start, surface, arrival, drawn)
+        off = of_arc(drawn, surface)
+        entry = entry_of(start, surface, arrival, off)
+        error = entry_error(slide, arrival.met())
+        off = Deviation._make(np.where(error < 0.0, -field, field) for field in off)  # with an error of the other sign
         rows = np.flatnonzero(arrival.status == Status.OK)
-        here, met, flow, line, off = entry, arrival.met(), slide, surface, drawn
+        entered = entry._replace(error=np.abs(error))
+        here, met, flow, line, aside = entered, arrival.met(), slide, surface, off
         if len(rows) < len(met.place):
-            here, met, flow = some(entry, rows), arrival.met(rows), slide.rows(rows)
-            line, off = select(surface, rows), select(drawn, rows)
-        error = entry_error(flow, met)
+            here, met, flow = some(entered, rows), arrival.met(rows), slide.rows(rows)
+            line, aside = select(surface, rows), some(off, rows)
         if contact.kind == "plate":
-            stretch = Stretch.standing(met.place, here.velocity**2, 2.0 * error)
+            stretch = Stretch.standing(met.place, here.velocity**2, 2.0 * here.error)
         else:
-            stretch = solve_stretch(flow, met.place, here.velocity**2, 2.0 * error, self.work)
-        end = moved_on(here, stretch, met, flow, line, off)
+            stretch = solve_stretch(flow, met.place, here.velocity**2, 2.0 * here.error, self.work)
+        end = moved_on(here, stretch, met, flow, line, aside)
         if len(rows) < len(start.status):
-            end = overwritten(entry._replace(error=entry_error(slide, arrival.met())), end, rows)
+            end = overwritten(entered, end, rows)
         status = np.where(start.status == Status.OK, end.status, Status.NOT_REACHED)
-        contact_leg = ContactLeg(surface, slide, arrival, stretch, rows, end_off(drawn, surface))
+        contact_leg = ContactLeg(surface, slide, arrival, stretch, rows, off)
         return Leg(number, contact, start, arrival.path, arrival.time, entry, end, status, contact_leg)
 
 

@@ -109,7 +109,15 @@ def on_surface(slide: Slide, place: Array, velocity: Array, off: Array, shift: A
         shift: error of that place.
     """
     rise = slide.length * slide.gravity * net_pull(slide, place, velocity**2) / velocity**2
-    return np.abs(off - np.where(shift == 0.0, 0.0, rise * shift))
+    return off - np.where(shift == 0.0, 0.0, rise * shift)
+
+
+def of_arc(drawn: Deviation, surface: Surface) -> Deviation:
+    """Where points of a surface are off that have the same slope: as its start, and by the arc that it begins later."""
+    bend = np.where(surface.turn != 0.0, surface.curvature, np.inf)
+    longer = drawn.slope / bend
+    x, z = drawn.x + longer * np.cos(surface.slope), drawn.z - longer * np.sin(surface.slope)
+    return Deviation(np.zeros(1), x, z, np.zeros(1))
 
 
 def at_loss(slide: Slide, place: Array, y: Array, error: Array) -> tuple[Array, Array]:

@@ -135,9 +135,12 @@ def _carried(slide: Slide, place: Array, shift: Array, off: Deviation, drawn: De
 
 
 def entry_error(slide: Slide, met: Met) -> Array:
-    """Relative error of the velocity at the place where a stream enters; where the impact stops it, of that place."""
+    """Relative error of the velocity at the place where a stream enters; where the impact stops it, of that place.
+
+    With the sign that goes with those of the segment's own place.
+    """
     stopped = met.velocity == 0.0
     if not met.place_error.any():
-        return np.where(stopped, 0.0, np.abs(met.error))
+        return np.where(stopped, 0.0, met.error)
     off = on_surface(slide, met.place, np.where(stopped, 1.0, met.velocity), met.error, met.place_error)
-    return np.where(stopped, np.abs(met.place_error), off)
+    return np.where(stopped, met.place_error, off)

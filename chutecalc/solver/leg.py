@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Design, Fall, Segment, Status, Stream, select, spread, stretched
+from chutecalc.design import Design, Fall, Record, Segment, Status, Stream, select, spread, stretched
 from chutecalc.physics.arrays import Array, Index, Mask, shared
 from chutecalc.physics.flight import Flight, flight, motion, path_length, position, time_to_drop, time_to_run
 from chutecalc.physics.surface import Surface, point
@@ -56,8 +56,8 @@ class ContactLeg(NamedTuple):
     stretch: Stretch
     rows: Index
     """The designs in ``stretch``, in its order."""
-    end_off: Deviation
-    """By how much its drawn end may be off."""
+    off: Deviation
+    """By how much the surface may be off where its slope is the same."""
 
 
 def stream_of(numbers: Iterable[Array], status: Index, airborne: Mask) -> Stream:
@@ -119,9 +119,9 @@ def arrivals(start: Stream, surface: Surface, slide: Slide, drawn: Deviation, kn
     return spread(met, alive, len(start.status))
 
 
-def entry_of(start: Stream, surface: Surface, arrival: Arrival, drawn: Deviation) -> Stream:
+def entry_of(start: Stream, surface: Surface, arrival: Arrival, aside: Deviation) -> Stream:
     """The stream on the surface, where it meets it; designs that failed before keep their status."""
-    off = moved(drawn, surface, arrival.place, arrival.error, arrival.place_error)
+    off = moved(aside, surface, arrival.place, arrival.error, arrival.place_error)
     x, z, slope = points(surface, arrival.place)
     status = np.where(start.status == Status.OK, arrival.status, start.status)
     grounded = np.zeros(status.shape, dtype=bool)
@@ -129,15 +129,15 @@ def entry_of(start: Stream, surface: Surface, arrival: Arrival, drawn: Deviation
     return stream_of(numbers, status, grounded)
 
 
-def moved(drawn: Deviation, surface: Surface, place: Array, velocity: Array, shift: Array) -> Deviation:
-    """The deviation of a stream on a surface that is further on along it by a share of its length."""
+def moved(aside: Deviation, surface: Surface, place: Array, velocity: Array, shift: Array) -> Deviation:
+    """The deviation of a stream further on along a surface by a share of its length, which itself is ``aside``."""
     _, _, slope = points(surface, place)
     way = surface.length * shift
-    off = (velocity, drawn.x + way * np.cos(slope), drawn.z - way * np.sin(slope), surface.turn * shift)
+    off = (velocity, aside.x + way * np.cos(slope), aside.z - way * np.sin(slope), surface.turn * shift)
     return Deviation._make(stretched(values, place.shape) for values in off)
 
 
-def moved_on(here: Stream, stretch: Stretch, met: Met, slide: Slide, surface: Surface, drawn: Deviation) -> Stream:
+def moved_on(here: Stream, stretch: Stretch, met: Met, slide: Slide, surface: Surface, aside: Deviation) -> Stream:
     """The stream where a stretch ends. All arguments are of the designs that went along it.
 
     On the surface an error is that of the velocity at a fixed place. Where the stream leaves the surface its place is
@@ -153,17 +153,9 @@ def moved_on(here: Stream, stretch: Stretch, met: Met, slide: Slide, surface: Su
     if lost.any():
         faster, further = at_loss(slide, stretch.place, stretch.velocity_squared, error)
         error, shift = np.where(lost, faster, error), np.where(lost, further, shift)
-    off = moved(drawn, surface, stretch.place, error, shift)
+    off = moved(aside, surface, stretch.place, error, shift)
     numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), *off)
     return stream_of(numbers, stretch.status, here.airborne)
-
-
-def end_off(drawn: Deviation, surface: Surface) -> Deviation:
-    """By how much the drawn end of a surface is off: as its start, and by the part of an arc that it begins later."""
-    bend = np.where(surface.turn != 0.0, surface.curvature, np.inf)
-    longer = drawn.slope / bend  # of what lies at the start's slope
-    x, z = drawn.x + longer * np.cos(surface.slope), drawn.z - longer * np.sin(surface.slope)
-    return Deviation(np.zeros(1), x, z, np.zeros(1))
 
 
 def points(surface: Surface, place: Array) -> list[Array]:
@@ -171,9 +163,9 @@ def points(surface: Surface, place: Array) -> list[Array]:
     return [stretched(values, place.shape) for values in point(surface, shared(place))]
 
 
-def some(stream: Stream, rows: Index) -> Stream:
-    """Some designs of a stream whose fields are all of full length; none of them where there are no rows."""
-    return Stream._make(field[rows] for field in stream)
+def some(record: Record, rows: Index) -> Record:
+    """Some designs of a record of arrays all of full length; none of them where there are no rows."""
+    return type(record)(*(field[rows] for field in record))
 
 
 def merged(chosen: Mask, one: Stream, other: Stream) -> Stream:
