@@ -75,10 +75,10 @@ class Flight:
             return None
         root = sqrt(inside)
         t = (self.vz + root) / self.g if self.vz >= 0 else 2 * (self.z - level) / (root - self.vz)
-        return t if t >= self.start else None
+        return t if t >= 0 else None
 
     def carried_to(self, x: float) -> float | None:
-        if self.vx <= 0 or (x - self.x) / self.vx < self.start:
+        if self.vx <= 0 or x < self.x:
             return None
         return (x - self.x) / self.vx
 
@@ -133,7 +133,7 @@ def roots(powers: list[float], begin: float, end: float) -> list[float]:
 
 
 def passing(flight: Flight, surface: Surface) -> float:
-    """When the flight has passed the surface: it crosses the normal through its end."""
+    """When the flight passes the surface: it crosses the normal through its end, at any time after it took off."""
     x, z = surface.at(surface.length)
     angle = surface.slope_at(surface.length)
     cosine, sine = cos(angle), sin(angle)
@@ -146,10 +146,12 @@ def passing(flight: Flight, surface: Surface) -> float:
     def value(t: float) -> float:
         return along[0] + (along[1] + along[2] * t) * t
 
-    if value(flight.start) >= 0:
-        return flight.start
-    late = [t for t in roots(along, flight.start, horizon(flight, surface)) if t > flight.start]
-    return late[0] if late else inf
+    if abs(value(0.0)) <= 1e-13 * (abs(flight.x - x) + abs(flight.z - z) + surface.length) and along[1] > 0:
+        return 0.0
+    for t in roots(along, 0.0, horizon(flight, surface)):
+        if along[1] + 2 * along[2] * t > 0:
+            return t
+    return inf
 
 
 def horizon(flight: Flight, surface: Surface) -> float:
@@ -173,10 +175,15 @@ class Landing:
 
 
 def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
-    """The first meeting from the stream's side before the surface is passed, or None; and when it is passed."""
+    """The first meeting from the stream's side before the surface is passed, or None; and when it is passed.
+
+    It passes the end on the stream's side, or not at all: a stream that is behind the surface there fell short.
+    """
     passed = passing(flight, surface)
     end = min(passed, horizon(flight, surface))
     powers = distance(flight, surface)
+    if end < flight.start:
+        return None, passed
     for t in roots(powers[flight.touch :], flight.start, end * (1 + 1e-15)):
         rate = sum(k * power * t ** (k - 1) for k, power in enumerate(powers) if k)
         if rate >= 0:  # from behind
@@ -189,7 +196,15 @@ def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
             speed = sqrt(vx * vx + vz * vz)
             a, b = atan_slope(vx, vz), surface.slope_at(u)
             return Landing(u, max(surface.side * (a - b), 0.0), speed, flight.path(t)), passed
-    return None, passed
+    return None, passed if passed == inf or _height(flight, surface, passed) >= 0 else inf
+
+
+def _height(flight: Flight, surface: Surface, t: float) -> float:
+    """How far the flight is on the stream's side of the surface's end."""
+    x, z = surface.at(surface.length)
+    angle = surface.slope_at(surface.length)
+    at = flight.at(t)
+    return surface.side * ((at[0] - x) * sin(angle) + (at[1] - z) * cos(angle))
 
 
 def place(x: float, z: float, surface: Surface) -> float:

@@ -225,6 +225,15 @@ class Friction:
         _, intercept, slope = self.pieces[self.piece(stress) if piece is None else piece]
         return slope + intercept / stress if intercept else slope
 
+    def secant(self, stress: float, more: float) -> float:
+        """The shear stress that `more` normal stress adds, over it."""
+        low, high = self.piece(stress), self.piece(stress + more)
+        if low == high or more == 0:
+            return self.pieces[low][2]
+        ends = [stress, *(start for start, _, _ in self.pieces[low + 1 : high + 1]), stress + more]
+        slopes = [slope for _, _, slope in self.pieces[low : high + 1]]
+        return sum(k * (b - a) for k, a, b in zip(slopes, ends, ends[1:], strict=False)) / more
+
 
 def _least(lines: list[tuple[float, float, float]], strength: float) -> list[tuple[float, float, float]]:
     """The lesser of a broken line and of the ray that is the material's own strength, as a broken line."""

@@ -71,7 +71,8 @@ def inlet_of(data: dict[str, Any], g: float) -> Stream:
     angle = -incline
     if speed**2 / (g * radius) < cos(incline):  # held round the pulley
         speed *= radius / outside
-        angle = max(acos(min(speed**2 / (g * radius), 1.0)), -incline)
+        if speed**2 / (g * radius) < cos(incline):
+            angle = acos(speed**2 / (g * radius))
     return Stream(0.0, x + radius * sin(angle), z + radius * cos(angle), speed, angle)
 
 
@@ -93,7 +94,7 @@ class Solver:
         self.stream = inlet_of(data, self.g)
         self.flight: Flight | None = None  # while nothing carries the stream
         self.took_off = self.stream
-        self.lost = False  # it flies from where contact was lost, and nothing was tried yet
+        self.onto: Segment | None = None
         # where the next segment is drawn from
         self.x, self.z, self.slope = self.stream.x, self.stream.z, self.stream.slope
 
@@ -143,8 +144,7 @@ class Solver:
         flight = self.flight
         assert flight is not None
         if table.get("onto_next"):
-            segment.status = "ok"
-            segment.entry = self.took_off
+            self.onto = segment  # reached where the next one catches the stream
             return
         if "drop_m" in table:
             t = flight.fallen_to(self.z - table["drop_m"])
@@ -216,6 +216,9 @@ class Solver:
             if self.flight is not None:
                 met, passed = landing(self.flight, surface)
                 self.flight.touch = 0
+                onto, self.onto = self.onto, None
+                if met is not None and onto is not None:
+                    self.lands(onto, surface, met)
                 if met is None:
                     if passed == inf:
                         segment.status = segment.status if segment.status == "contact_lost" else "missed"
@@ -224,7 +227,7 @@ class Solver:
                             self.beyond(number)
                             return
                         raise _Failed("missed")
-                    self.flight.start = passed
+                    self.flight.start = max(passed, self.flight.start)
                     if segment.status != "contact_lost":
                         segment.status = "passed"
                     return
@@ -284,6 +287,12 @@ class Solver:
         segment.status = "contact_lost"
         self.fly(touch=touch)
 
+    def lands(self, fall: Segment, surface: Surface, met: Landing) -> None:
+        x, z = surface.at(met.u)
+        slope = surface.slope_at(met.u) + surface.side * met.incidence
+        fall.status, fall.entry = "ok", self.took_off
+        fall.exit = Stream(self.took_off.s + met.flown, x, z, met.speed, slope)
+
     def land(self, segment: Segment, surface: Surface, met: Landing) -> None:
         x, z = surface.at(met.u)
         self.stream = Stream(self.took_off.s + met.flown, x, z, met.speed, surface.slope_at(met.u))
@@ -296,6 +305,7 @@ class Solver:
         v = self.stream.v
         mu = setting.at_impact(u, v, incidence)
         after = max(v * (cos(incidence) - mu * sin(incidence)), 0.0)
+        segment.struck = segment.struck if segment.impacts else mu
         segment.impacts.append((degrees(incidence), v, after))
         x, z = setting.surface.at(u)
         self.stream = Stream(self.stream.s, x, z, after, setting.surface.slope_at(u))
