@@ -242,7 +242,7 @@ def _ends(segment: Any, stream: Stream | None, which: int) -> dict[str, float]:
         out["depth_m"] = segment.setting.load(u, stream.v).depth
         # on a plate nothing slides: what is told there is the friction of the impact
         plate = segment.setting.surface.side < 0 and segment.setting.surface.kappa == 0
-        out["equivalent_friction"] = segment.struck if plate else segment.setting.equivalent(u, stream.v)
+        out["equivalent_friction"] = segment.struck if plate and segment.impacts else segment.setting.equivalent(u, stream.v)
     return out
 
 

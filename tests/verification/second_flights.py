@@ -182,9 +182,7 @@ def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
     passed = passing(flight, surface)
     end = min(passed, horizon(flight, surface))
     powers = distance(flight, surface)
-    if end < flight.start:
-        return None, passed
-    for t in roots(powers[flight.touch :], flight.start, end * (1 + 1e-15)):
+    for t in roots(powers[flight.touch :], flight.start, end * (1 + 1e-15)) if end > flight.start else []:
         rate = sum(k * power * t ** (k - 1) for k, power in enumerate(powers) if k)
         if rate >= 0:  # from behind
             continue

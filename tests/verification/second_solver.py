@@ -40,7 +40,7 @@ class Segment:
     begin: float = 0.0  # how far along the drawn segment its entry and exit are
     end: float = 0.0
     setting: Setting | None = None
-
+    struck: float = nan  # μ_e of its first impact
 
 
 @dataclass
