@@ -34,7 +34,7 @@ class Surface:
 
 @dataclass
 class Flight:
-    """A parabola from (x, z) with velocity (vx, vz), from time `start` on.
+    """A parabola from (x, z) with velocity (vx, vz).
 
     `touch` is 1 where it starts on the surface that it left, 2 where it left it tangentially, 3 where nothing
     pressed it on any more: so many powers of t are known to be missing from its distance to that surface.
@@ -45,7 +45,6 @@ class Flight:
     vx: float
     vz: float
     g: float
-    start: float = 0.0
     touch: int = 0
 
     def at(self, t: float) -> tuple[float, float]:
@@ -159,7 +158,7 @@ def horizon(flight: Flight, surface: Surface) -> float:
     size = abs(flight.x - surface.x) + abs(flight.z - surface.z) + surface.length + abs(
         1 / surface.kappa if surface.kappa else 0.0
     )
-    return flight.start + 4 * (sqrt(size / flight.g) + abs(flight.vz) / flight.g) + 1e3 * size / flight.g / (
+    return 4 * (sqrt(size / flight.g) + abs(flight.vz) / flight.g) + 1e3 * size / flight.g / (
         1 + abs(flight.vx)
     )
 
@@ -182,7 +181,7 @@ def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
     passed = passing(flight, surface)
     end = min(passed, horizon(flight, surface))
     powers = distance(flight, surface)
-    for t in roots(powers[flight.touch :], flight.start, end * (1 + 1e-15)) if end > flight.start else []:
+    for t in roots(powers[flight.touch :], 0.0, end * (1 + 1e-15)):
         rate = sum(k * power * t ** (k - 1) for k, power in enumerate(powers) if k)
         if rate >= 0:  # from behind
             continue

@@ -133,7 +133,7 @@ class Solver:
         stream = self.stream
         self.took_off = stream
         self.flight = Flight(
-            stream.x, stream.z, stream.v * cos(stream.slope), -stream.v * sin(stream.slope), self.g, 0.0, touch
+            stream.x, stream.z, stream.v * cos(stream.slope), -stream.v * sin(stream.slope), self.g, touch
         )
         if abs(stream.slope - radians(90)) < 1e-15:
             self.flight.vx = 0.0
@@ -223,11 +223,9 @@ class Solver:
                     if passed == inf:
                         segment.status = segment.status if segment.status == "contact_lost" else "missed"
                         if segment.status == "contact_lost":
-                            self.flight.start = inf
                             self.beyond(number)
                             return
                         raise _Failed("missed")
-                    self.flight.start = max(passed, self.flight.start)
                     if segment.status != "contact_lost":
                         segment.status = "passed"
                     return
@@ -245,9 +243,7 @@ class Solver:
                 segment.end = u
                 self.fly(touch=2)
                 assert self.flight is not None
-                met, passed = landing(self.flight, surface)
                 self.flight.touch = 0
-                self.flight.start = passed
                 return
             if setting.press(u, self.stream.v) < 0:
                 self.lose(segment, u, touch=2)
@@ -276,8 +272,6 @@ class Solver:
         if number + 1 == len(segments):
             raise _Failed("contact_lost")
         if self.data["segments"][number + 1]["kind"] == "fall":
-            assert self.flight is not None
-            self.flight.start = 0.0
             return
         segments[number + 1].status = "missed"
         raise _Failed("missed")
@@ -319,7 +313,8 @@ class Solver:
         along, across = self.stream.v * cos(turn), abs(self.stream.v * sin(turn))
         bracket = (mu if belt > along else -mu) * cos(slope) + sin(slope)
         gain = belt**2 - along**2
-        length = gain / (2 * self.g * bracket) if gain * bracket > 0 else (inf if gain else 0.0)
+        reached = (belt - along) * bracket > 0
+        length = gain / (2 * self.g * bracket) if reached else (inf if gain else 0.0)
         self.result.receiver = {
             "velocity_along_m_s": along,
             "velocity_across_m_s": across,
