@@ -7,8 +7,6 @@ from typing import Any
 import numpy as np
 
 import chutecalc
-from tests.verification.second_flights import Surface
-from tests.verification.second_sections import Polygon
 from tests.verification.second_slide import UndecidedError
 from tests.verification.second_solver import Result, Stream, solve
 
@@ -242,7 +240,9 @@ def _ends(segment: Any, stream: Stream | None, which: int) -> dict[str, float]:
         out["depth_m"] = segment.setting.load(u, stream.v).depth
         # on a plate nothing slides: what is told there is the friction of the impact
         plate = segment.setting.surface.side < 0 and segment.setting.surface.kappa == 0
-        out["equivalent_friction"] = segment.struck if plate and segment.impacts else segment.setting.equivalent(u, stream.v)
+        out["equivalent_friction"] = (
+            segment.struck if plate and segment.impacts else segment.setting.equivalent(u, stream.v)
+        )
     return out
 
 
@@ -275,4 +275,64 @@ def outcome(answer: dict[str, Any]) -> tuple[str, ...]:
     return answer["status"], *(segment["status"] for segment in answer["segments"])
 
 
-__all__ = ["Polygon", "Surface", "UndecidedError", "case", "differences", "ours_of", "outcome", "theirs_of"]
+PROMISE = 1e-10  # chutecalc's default rtol
+SLACK = 10  # a chute's few segments, each with its own error, and numbers that change a few times faster than v does
+NUDGE = 1e-8
+CREEP = 1e-3  # m/s, slower than that chutecalc may call a stall
+
+
+def judge(seed: int) -> tuple[str, list[str]]:
+    """How one random chute compares: same, edge, creep, undecided or wrong; and what is wrong."""
+    data, chute = case(seed)
+    return compare(data, theirs_of(chute))
+
+
+def compare(data: dict[str, Any], theirs: dict[str, Any]) -> tuple[str, list[str]]:
+    """As `judge`, of a given chute.
+
+    What chutecalc promises is 1e-10. Numbers that differ by more than ten times that are held against how
+    ill-conditioned the chute is: ten times what a change of 1e-10 at the inlet does to them. A different outcome is
+    right only where a change of 1e-9 at the inlet gives it here as well.
+    """
+    try:
+        ours = ours_of(data)
+        if outcome(ours) != outcome(theirs):
+            for share in (NUDGE / 10, -NUDGE / 10):
+                if outcome(ours_of(nudged(data, share))) == outcome(theirs):
+                    return "edge", []
+            return "wrong", [f"outcome: here {outcome(ours)}, chutecalc {outcome(theirs)}"]
+        found = differences(ours, theirs)
+        off = {name: (one, other, by) for name, one, other, by in found if by > SLACK * PROMISE}
+        if not off:
+            return "same", []
+        if creeps(ours, theirs, off):
+            return "creep", []
+        moved = [ours_of(nudged(data, share)) for share in (NUDGE, -NUDGE)]
+        if any(outcome(one) != outcome(ours) for one in moved):
+            return "edge", []
+        turns = {name: by * PROMISE / NUDGE for name, _, _, by in differences(*moved)}
+    except UndecidedError:
+        return "undecided", []
+    wrong = [
+        f"{name}: here {one!r}, chutecalc {other!r}, off by {by:.1e}"
+        for name, (one, other, by) in off.items()
+        if not by <= SLACK * (PROMISE + turns.get(name, 0.0))
+    ]
+    return ("wrong" if wrong else "same"), wrong
+
+
+def creeps(ours: dict[str, Any], theirs: dict[str, Any], off: dict[str, Any]) -> bool:
+    """Whether chutecalc called a stream stalled that creeps a few more millimetres before it is."""
+    last = [k for k, segment in enumerate(theirs["segments"]) if segment["status"] == "stall"]
+    if not last or not all(name.startswith(f"{last[0] + 1} exit") for name in off):
+        return False
+    one, other = (answer["segments"][last[0]]["exit"] for answer in (ours, theirs))
+    return 0 < other["velocity_m_s"] <= CREEP and 0 <= one["s_m"] - other["s_m"] < 0.01
+
+
+def nudged(data: dict[str, Any], share: float) -> dict[str, Any]:
+    """The chute with its inlet's velocity changed by this share."""
+    changed = copy.deepcopy(data)
+    inlet = changed["inlet"].get("belt", changed["inlet"])
+    inlet["velocity_m_s"] *= 1 + share
+    return changed

@@ -155,12 +155,13 @@ def passing(flight: Flight, surface: Surface) -> float:
 
 def horizon(flight: Flight, surface: Surface) -> float:
     """A time by which the flight is past all of a surface: far below it, or far beyond its end."""
-    size = abs(flight.x - surface.x) + abs(flight.z - surface.z) + surface.length + abs(
-        1 / surface.kappa if surface.kappa else 0.0
+    size = (
+        abs(flight.x - surface.x)
+        + abs(flight.z - surface.z)
+        + surface.length
+        + abs(1 / surface.kappa if surface.kappa else 0.0)
     )
-    return 4 * (sqrt(size / flight.g) + abs(flight.vz) / flight.g) + 1e3 * size / flight.g / (
-        1 + abs(flight.vx)
-    )
+    return 4 * (sqrt(size / flight.g) + abs(flight.vz) / flight.g) + 1e3 * size / flight.g / (1 + abs(flight.vx))
 
 
 @dataclass

@@ -50,9 +50,7 @@ class Polygon:
         self.pieces = len(heights)
         self.areas = [0.0]
         for k in range(1, self.pieces):
-            self.areas.append(
-                self.areas[-1] + (halves[k] + halves[k - 1]) * (heights[k] - heights[k - 1])
-            )
+            self.areas.append(self.areas[-1] + (halves[k] + halves[k - 1]) * (heights[k] - heights[k - 1]))
 
     def piece(self, area: float) -> int:
         return max(k for k in range(self.pieces) if k == 0 or self.areas[k] <= area)

@@ -162,7 +162,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
         def rhs(s: float, state: np.ndarray) -> list[float]:
             return [2 * piece.state(s, sqrt(max(float(state[0]), 1e-300)))[0]]
 
-        solver = DOP853(rhs, u, [v * v], length, rtol=RTOL, atol=1e-200)
+        solver = DOP853(rhs, u, [v * v], length, rtol=RTOL, atol=1e-200, max_step=length / 10)
 
     def place(t: float, y: float) -> tuple[float, float]:
         return (y, t * t) if slow else (t, sqrt(y))
@@ -188,17 +188,13 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
         message = solver.step()
         if solver.status == "failed":
             raise UndecidedError(f"integration: {message}")
-        dense = None
+        dense = solver.dense_output()
         last = solver.t_old
-        for share in (0.5, 1.0):
+        for share in (0.25, 0.5, 0.75, 1.0):
             t = solver.t_old + (solver.t - solver.t_old) * share
-            if share < 1:
-                dense = solver.dense_output()
-                y = float(dense(t)[0])
-            else:
-                y = float(solver.y[0])
+            y = float(dense(t)[0] if share < 1 else solver.y[0])
             after = watched(t, y)
-            hits = [k for k in range(9) if after[k] <= 0 < before[k] or (k == TURN and after[k] * before[k] < 0)]
+            hits = [k for k in range(9) if after[k] <= 0 < before[k] or (k == TURN and _turns(before[k], after[k]))]
             if t != solver.t and last == t_begin:
                 back = [k for k in range(4) if before[k] <= 0 and after[k] < min(before[k], -1e-14)]
                 if back:  # it stands on the edge of a piece, and goes the other way
@@ -239,3 +235,8 @@ def _first(
     _, hit, t = min(found)
     u, v = place(t, float(dense(t)[0]))
     return hit, u, v
+
+
+def _turns(before: float, after: float) -> bool:
+    """Whether the force changes sign; not where it is 0 but for rounding, on a stream that runs at its balance."""
+    return before * after < 0 and max(abs(before), abs(after)) > 1e-8

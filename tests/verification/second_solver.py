@@ -330,3 +330,34 @@ class Solver:
 def solve(data: dict[str, Any]) -> Result:
     """What becomes of the stream of this chute."""
     return Solver(data).run()
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Compares random chutes and prints each disagreement with its seed and its spec."""
+    import argparse
+    import json
+    from collections import Counter
+    from multiprocessing import Pool
+
+    from tests.verification.second_cases import case, judge
+
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("chutes", type=int)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=1)
+    asked = parser.parse_args(arguments)
+    seeds = range(asked.first, asked.first + asked.chutes)
+    counts: Counter[str] = Counter()
+    with Pool(asked.jobs) as pool:
+        for seed, (verdict, wrong) in zip(seeds, pool.imap(judge, seeds, chunksize=20), strict=True):
+            counts[verdict] += 1
+            if verdict != "same":
+                print(f"seed {seed}: {verdict}", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
+            if verdict == "wrong":
+                print("  " + json.dumps(case(seed)[0]), flush=True)  # noqa: T201
+    print(dict(counts))  # noqa: T201
+    return int(counts["wrong"] > 0)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
