@@ -1,6 +1,7 @@
 """Drawn surfaces and flights of the second solver: where a parabola meets a line or an arc."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import cos, inf, pi, sin, sqrt
 
 import numpy as np
@@ -58,7 +59,7 @@ class Flight:
         top = self.vz / self.g
         total = 0.0
         ends = [0.0, top, t] if 0 < top < t else [0.0, t]
-        for one, other in zip(ends, ends[1:], strict=False):
+        for one, other in pairwise(ends):
             # the integrand has its kink (of a nearly vertical flight) at the top: w² takes it apart
             near, far = abs(one - top), abs(other - top)
             lo, hi = sorted((near, far))
@@ -122,7 +123,7 @@ def roots(powers: list[float], begin: float, end: float) -> list[float]:
     turns = roots([k * power for k, power in enumerate(powers)][1:], begin, end)
     found = []
     places = [begin, *turns, end]
-    for one, other in zip(places, places[1:], strict=False):
+    for one, other in pairwise(places):
         low, high = value(one), value(other)
         if low * high < 0:
             found.append(brentq(value, one, other, xtol=1e-300, rtol=1e-15, maxiter=500))

@@ -1,6 +1,7 @@
 """Sections and wall friction of the second solver: sums over wall elements, depths by root finding."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import atan2, cos, inf, pi, radians, sin, sqrt, tan
 from typing import Any
 
@@ -203,7 +204,7 @@ class Friction:
         assert delta is not None
         rows = [(1e3 * sigma, 1e3 * tau) for sigma, tau in liner["yield_locus_kpa"]]
         lines = []
-        for (s0, t0), (s1, t1) in zip(rows, rows[1:], strict=False):
+        for (s0, t0), (s1, t1) in pairwise(rows):
             slope = (t1 - t0) / (s1 - s0)
             lines.append((s0, t0 - slope * s0, slope))
         first = lines[0]

@@ -171,7 +171,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
         if slow:
             at, speed = y, t * t
             if speed == 0:
-                return [inf] * 9
+                return [1.0] * END + [length - at, 1.0]
         else:
             at, speed = t, sqrt(max(y, 1e-300))
         margins = piece.margins(at, speed)

@@ -53,7 +53,7 @@ class Result:
     receiver: dict[str, float] = field(default_factory=dict)
 
 
-class _Failed(Exception):
+class _FailedError(Exception):
     pass
 
 
@@ -116,16 +116,16 @@ class Solver:
                 self.nothing_catches()
             self.result.exit = self.stream
             self.receive()
-        except _Failed as failure:
+        except _FailedError as failure:
             self.result.status = str(failure)
         return self.result
 
     def nothing_catches(self) -> None:
         last = self.result.segments[-1]
         if last.status == "contact_lost":
-            raise _Failed("contact_lost")
+            raise _FailedError("contact_lost")
         last.status = "missed"
-        raise _Failed("missed")
+        raise _FailedError("missed")
 
     # flights
 
@@ -152,7 +152,7 @@ class Solver:
             t = flight.carried_to(self.x + table["run_m"])
         if t is None or self.z - flight.at(t)[1] > DEEPEST:
             segment.status = "missed"
-            raise _Failed("missed")
+            raise _FailedError("missed")
         segment.status, segment.entry = "ok", self.took_off
         x, z = flight.at(t)
         vx, vz = flight.velocity(t)
@@ -225,7 +225,7 @@ class Solver:
                         if segment.status == "contact_lost":
                             self.beyond(number)
                             return
-                        raise _Failed("missed")
+                        raise _FailedError("missed")
                     if segment.status != "contact_lost":
                         segment.status = "passed"
                     return
@@ -236,7 +236,7 @@ class Solver:
             if self.stream.v == 0:
                 segment.exit = self.stream
                 segment.status = "stall"
-                raise _Failed("stall")
+                raise _FailedError("stall")
             segment.status = "ok"
             if table["kind"] == "plate":
                 segment.exit = self.stream
@@ -260,7 +260,7 @@ class Solver:
             segment.exit, segment.end = self.stream, u
             if how in ("stall", "choke"):
                 segment.status = how
-                raise _Failed(how)
+                raise _FailedError(how)
             if how == "end":
                 return
             self.lose(segment, u, touch=3)
@@ -270,11 +270,11 @@ class Solver:
         """The stream never comes past the surface that it left: what follows is not tried."""
         segments = self.result.segments
         if number + 1 == len(segments):
-            raise _Failed("contact_lost")
+            raise _FailedError("contact_lost")
         if self.data["segments"][number + 1]["kind"] == "fall":
             return
         segments[number + 1].status = "missed"
-        raise _Failed("missed")
+        raise _FailedError("missed")
 
     def lose(self, segment: Segment, u: float, touch: int) -> None:
         segment.exit, segment.end = self.stream, u
