@@ -1,5 +1,6 @@
 """The one catalogue of columns: what tables, CSV, JSON and plots call a quantity, and how people read it."""
 
+import math
 import re
 from typing import Any, NamedTuple
 
@@ -30,6 +31,8 @@ class Column(NamedTuple):
         """
         if value != value:
             return ""
+        if math.isinf(value):
+            return "∞" if value > 0 else "-∞"
         if units == "us" and self.us_unit:
             return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
         return f"{value:.{self.digits}f}"
@@ -197,4 +200,4 @@ def quantity_text(name: str, value: float, units: str) -> str:
         dimension, other = ("length", "in") if name in _INCHES else _PEOPLE[unit]
         value, unit = convert(value, dimension, unit, other), other
     shown = TEXT.get(unit, unit)
-    return f"{value:.4g}" + ("°" if unit == "deg" else f" {shown}" if shown else "")
+    return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

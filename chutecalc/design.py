@@ -48,6 +48,8 @@ class Contact(NamedTuple):
     facets: Facets
     """Of ``section``."""
     wall: Wall
+    measured: tuple[Array, Array] | None
+    """Least and greatest normal stress of the yield locus's rows, Pa; None for other liners."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
 

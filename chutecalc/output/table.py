@@ -1,5 +1,6 @@
 """Tables that a chute designer reads, with the same digits on a terminal and in a pipe."""
 
+import math
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -217,8 +218,9 @@ def outcome(solution: Solution, units: str) -> str:
 
 
 def _exceeds(extreme: float, *ends: float) -> bool:
-    """Whether an extreme lies visibly above both ends."""
-    return extreme - max(ends) > 1e-6 * abs(extreme)
+    """Whether an extreme lies visibly above both ends, of which a stream at rest has one less."""
+    end = max((end for end in ends if end == end), default=extreme)
+    return extreme > end and (math.isinf(extreme) or extreme - end > 1e-6 * abs(extreme))
 
 
 def _advice(solution: Solution, said: Callable[[Mapping[str, Any], str], str]) -> str:

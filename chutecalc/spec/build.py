@@ -173,8 +173,14 @@ class _Geometry:
             end_section=None if end_section is None else sections[end_section],
             facets=tables[section],
             wall=walls[liner],
+            measured=self.measured(self.spec.liners[liner]),
             slip_ratio=in_si(self.spec.liners[liner].slip_ratio, "number"),
         )
+
+    def measured(self, liner: model.Liner) -> tuple[Array, Array] | None:
+        """The range of normal stress that a locus was measured in."""
+        rows = liner.yield_locus_kpa
+        return None if rows is None else (in_si(rows[0][0], "pressure"), in_si(rows[-1][0], "pressure"))
 
     def wall(self, liner: model.Liner) -> Wall:
         """The friction law of a liner."""
