@@ -11,7 +11,7 @@ from tests.conftest import spec
 from tests.verification.second_cases import case, differences, judge, ours_of, outcome, theirs_of
 
 BLOCK = 100
-CHUTES = int(os.environ.get("CHUTECALC_STRESS", "800"))
+CHUTES = int(os.environ.get("CHUTECALC_STRESS", "500"))
 
 
 @pytest.mark.parametrize("first", range(0, CHUTES, BLOCK))
