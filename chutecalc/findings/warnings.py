@@ -12,6 +12,7 @@ from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.pressure import greatest_wall_friction
 from chutecalc.physics.wall import wall_friction
+from chutecalc.solver.joint import TANGENT
 
 DECELERATION_MARGIN = 1.25
 CUT_OFF = np.radians(5.0)
@@ -227,7 +228,8 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Finding]:
     slope = np.degrees(scene.contact.surface.slope)
     template = "drawn tangent to the stream, from {slope_deg}, the curve changes with the flow; from_slope_deg fixes it"
     s = scene.part.leg.start.distance
-    yield from finding(scene, "geometry_follows_flow", NOTE, np.isfinite(slope), s, template, slope_deg=slope)
+    mask = slope < 90.0 - np.degrees(TANGENT)
+    yield from finding(scene, "geometry_follows_flow", NOTE, mask, s, template, slope_deg=slope)
 
 
 def not_accelerated(belt: Receiver, received: Numbers, s: Array, segment: str) -> Iterator[Finding]:

@@ -117,6 +117,7 @@ class _Geometry:
             place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
             self.faults.note(velocity == 0.0, place, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
         slope: Array | None = shared(np.where(velocity == 0.0, VERTICAL, inlet_slope))  # a stream at rest falls
+        falling = bool(np.all(slope == np.pi / 2))  # straight down, and past nothing yet that it may not follow
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
             if isinstance(segment, model.Fall):
@@ -128,10 +129,11 @@ class _Geometry:
                 built.append(Fall(name, segment.kind, drop, run))
                 slope = VERTICAL if straight_down.all() else None
                 continue
-            follows = self.drawn_slopes.get(number, slope)
+            after_fall = number > 0 and isinstance(self.spec.segments[number - 1], model.Fall)
+            follows = self.drawn_slopes.get(number, None if after_fall and not falling else slope)
             contact = self.contact(("segments", number), name, segment, follows, sections, tables, walls)
             built.append(contact)
-            slope = None if segment.kind == "plate" else contact.exit_slope
+            slope, falling = contact.exit_slope, False
         return tuple(built)
 
     def contact(

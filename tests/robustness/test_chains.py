@@ -1,9 +1,4 @@
-"""Error estimates of whole chutes: through falls, landings, impacts and losses of contact.
-
-``CHUTECALC_STRESS=n`` takes n times as many.
-"""
-
-import os
+"""Error estimates of whole chutes: through falls, landings, impacts and losses of contact."""
 
 import numpy as np
 import pytest
@@ -13,18 +8,18 @@ from chutecalc.design import Status
 from chutecalc.solver import chain
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.leg import inlet
+from tests import seeds
 from tests.robustness import extrapolation
 from tests.robustness.extrapolation import Flow, Real
 from tests.robustness.test_edges import ROUNDING
 
-TIMES = int(os.environ.get("CHUTECALC_STRESS", "1"))
 BASE = {
     "flow": {"rate_t_h": 300.0},
     "material": {"density_kg_m3": 1000.0, "internal_friction_deg": 45.0},
     "liners": {"wall": {"friction_deg": 20.0}},
     "sections": {"body": {"shape": "rectangular", "width_m": 0.6}},
 }
-COUNT = 61 * TIMES
+COUNT = seeds.times(61)
 
 
 def between(random, low, high):
@@ -33,7 +28,7 @@ def between(random, low, high):
 
 def falls(kind, seed):
     """Curve, fall, straight, fall, straight: variants of one chute, and what each number is."""
-    random = np.random.default_rng([seed, kind == "run"])
+    random = seeds.generator(seed, kind == "run")
     fall = {"kind": "fall", f"{kind}_m": 1.0}
     numbers = {
         "flow.rate_t_h": between(random, 50.0, 2000.0),
@@ -167,8 +162,8 @@ def told(leg):
 
 def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_does(monkeypatch):
     """The estimate's linear maps against differences of solved chutes: all that happens on the way has a part."""
-    random, ends, kinds = np.random.default_rng(7), 0, set()
-    for number in range(150 * TIMES):
+    random, ends, kinds = seeds.generator(7), 0, set()
+    for number in range(seeds.times(150)):
         try:
             design = chutecalc.parse(random_chain(random)).design
         except chutecalc.SpecError:  # a hood or curve that does not turn the right way
@@ -193,7 +188,7 @@ def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_do
             assert change <= estimate + slack, (number, leg.segment, change, estimate)
             assert change >= 0.9 * estimate - slack - 1e-11, (number, leg.segment, change, estimate)
             ends, kinds = ends + 1, kinds | {(leg.segment.kind, int(leg.status[0]))}
-    assert ends > 200 * TIMES
+    assert ends > seeds.times(200)
     assert {("fall", 0), ("plate", 0), ("hood", 0), ("curve", 0), ("curve", 1), ("curve", 3), ("straight", 1)} <= kinds
 
 

@@ -1,6 +1,6 @@
 """Extremes that a solution tells against its own stations, dense along random chutes of every kind."""
 
-import os
+from itertools import islice
 
 import numpy as np
 import pytest
@@ -8,41 +8,47 @@ import pytest
 import chutecalc
 from chutecalc.extremes import LARGEST, LEAST
 from chutecalc.solution import EXTREMES
-from tests.robustness.chutes import random_chute
+from tests import seeds
+from tests.robustness.chutes import draws, told
 
-COUNT = int(os.environ.get("CHUTECALC_STRESS", "15"))
+COUNT = 15
 SLACK = 1e-9
 """Relative. An extreme is that of a parabola over a hundredth of a panel: 1e-11 of what varies there."""
 
 
-@pytest.mark.parametrize("block", range(6))
+@pytest.mark.parametrize("block", range(seeds.times(6)))
 def test_no_station_lies_beyond_an_extreme(block):
     """Kinks of a locus, entries next to rest, tops of a throw, stalls and losses of contact among them."""
     compared = 0
-    for seed in range(5000 + block * COUNT, 5000 + (block + 1) * COUNT):
-        try:
-            solution = chutecalc.solve(chutecalc.parse(random_chute(seed)))
-        except chutecalc.SpecError:  # some are not admissible
-            continue
-        table = solution.stations(points=2001)
-        for way in solution.ways:
-            if sum(other.name == way.name for other in solution.ways) > 1:
-                continue  # left and met again: its stations stand under one name
-            rows = table["segment"][0] == way.name
-            for name in EXTREMES:
-                found = table[name][0][rows]
-                found = found[np.isfinite(found)]
-                if found.size:
-                    least, most = way.minimum[name][0], way.maximum[name][0]
-                    assert found.max() <= most + SLACK * abs(most), (seed, way.name, name)
-                    assert found.min() >= least - SLACK * abs(least) - 1e-12 * found.max(), (seed, way.name, name)
-                    compared += 1
-        check_together(solution, seed)
-        check_places(solution, seed)
+    found_ones = ((data, solution) for data, solution, _ in draws(5000 + block) if solution is not None)
+    for data, solution in islice(found_ones, COUNT):
+        with told(data):
+            compared += check_stations(solution)
+            check_together(solution)
+            check_places(solution)
     assert compared > COUNT
 
 
-def check_together(solution, seed):
+def check_stations(solution):
+    """No station lies beyond an extreme; how many columns there were."""
+    compared = 0
+    table = solution.stations(points=2001)
+    for way in solution.ways:
+        if sum(other.name == way.name for other in solution.ways) > 1:
+            continue  # left and met again: its stations stand under one name
+        rows = table["segment"][0] == way.name
+        for name in EXTREMES:
+            found = table[name][0][rows]
+            found = found[np.isfinite(found)]
+            if found.size:
+                least, most = way.minimum[name][0], way.maximum[name][0]
+                assert found.max() <= most + SLACK * abs(most), (way.name, name)
+                assert found.min() >= least - SLACK * abs(least) - 1e-12 * found.max(), (way.name, name)
+                compared += 1
+    return compared
+
+
+def check_together(solution):
     """What a sweep shows of all guiding surfaces together is the greatest of what ``run`` shows of each."""
     guided = [way for way, part in zip(solution.ways, solution.parts, strict=True) if part.contact is not None]
     wanted = [(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)]
@@ -50,7 +56,7 @@ def check_together(solution, seed):
     for name, sign in wanted if guided else ():
         each = [(way.maximum if sign == LARGEST else way.minimum)[name] for way in guided]
         expected = (np.fmax if sign == LARGEST else np.fmin).reduce(each)
-        assert np.allclose(together[name, sign], expected, rtol=1e-12, atol=0, equal_nan=True), (seed, name, sign)
+        assert np.allclose(together[name, sign], expected, rtol=1e-12, atol=0, equal_nan=True), (name, sign)
 
 
 NUMBERS = {
@@ -62,13 +68,13 @@ NUMBERS = {
 """Of findings, the number that is found where they are."""
 
 
-def check_places(solution, seed):
+def check_places(solution):
     """An extreme, and a finding that quotes one, is what the column says at its place."""
     for part, found in zip(solution.parts, solution.extremes, strict=True):
         for (name, sign), extreme in found.items():
             if np.isfinite(extreme.value[0]) and extreme.share[0] < 1.0:  # at the end it may be a limit
                 there = part.at(extreme.share[None], [name])[name][0, 0]
-                assert there == pytest.approx(extreme.value[0], rel=1e-8, abs=1e-12), (seed, part.name, name, sign)
+                assert there == pytest.approx(extreme.value[0], rel=1e-8, abs=1e-12), (part.name, name, sign)
     parts = {part.name: part for part in solution.parts}
     for finding in solution.findings():
         name = NUMBERS.get(finding.code, "")
@@ -79,7 +85,7 @@ def check_places(solution, seed):
         share = (finding.s_m[0] - first) / (last - first) if last > first else 1.0
         if share < 1.0 - 1e-12 and np.isfinite(value):
             there = part.at(np.array([share]), [name])[name][0, 0]
-            assert there == pytest.approx(value, rel=1e-6, abs=1e-9), (seed, finding.code)
+            assert there == pytest.approx(value, rel=1e-6, abs=1e-9), finding.code
 
 
 def chute(**tables):

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 import chutecalc
+from tests import seeds
 from tests.verification.second_slide import UndecidedError
 from tests.verification.second_solver import Result, Stream, solve
 
@@ -17,7 +18,7 @@ class Maker:
     """Chutes of moderate size, with some extremes; told by a seed."""
 
     def __init__(self, seed: int) -> None:
-        self.random = np.random.default_rng([7, seed])
+        self.random = seeds.generator(7, seed)
 
     def maybe(self, chance: float) -> bool:
         return bool(self.random.random() < chance)

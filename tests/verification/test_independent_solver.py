@@ -1,5 +1,6 @@
 """Random segments of every kind against a solver that shares nothing with chutecalc (independent.py)."""
 
+import numpy as np
 import pytest
 
 import chutecalc

@@ -1,17 +1,17 @@
 """Whole chutes against a second solver that shares nothing with chutecalc but the formulas."""
 
 import copy
-import os
 from collections import Counter
 
 import pytest
 
 import chutecalc
+from tests import seeds
 from tests.conftest import spec
 from tests.verification.second_cases import case, differences, judge, ours_of, outcome, theirs_of
 
 BLOCK = 100
-CHUTES = int(os.environ.get("CHUTECALC_STRESS", "500"))
+CHUTES = seeds.times(500)
 
 
 @pytest.mark.parametrize("first", range(0, CHUTES, BLOCK))
