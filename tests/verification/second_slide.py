@@ -169,9 +169,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
 
     def watched(t: float, y: float) -> list[float]:
         if slow:
-            at, speed = y, t * t
-            if speed == 0:
-                return [1.0] * END + [length - at, 1.0]
+            at, speed = y, max(t * t, 1e-30)  # at rest it is deeper than any wall
         else:
             at, speed = t, sqrt(max(y, 1e-300))
         margins = piece.margins(at, speed)
