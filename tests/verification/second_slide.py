@@ -156,7 +156,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
             f = piece.state(float(state[0]), r * r)[0]
             return [2 * r**3 / f]
 
-        solver = DOP853(rhs, sqrt(v), [u], 0.0, rtol=RTOL, atol=RTOL * 1e-2 * length)
+        solver = DOP853(rhs, sqrt(v), [u], 0.0, rtol=RTOL, atol=RTOL * 1e-2 * length, max_step=sqrt(v) / 12)
     else:
 
         def rhs(s: float, state: np.ndarray) -> list[float]:
