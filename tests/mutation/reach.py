@@ -13,7 +13,7 @@ import time
 import types
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 import pytest
 
@@ -26,7 +26,7 @@ Lines = dict[str, set[int]]
 class Recorder:
     """A pytest plugin that notes which lines of the package each test reaches, and how long it takes."""
 
-    def __init__(self, tree: Path, package: str, told: TextIO) -> None:
+    def __init__(self, tree: Path, package: str, told: int) -> None:
         """Loads the whole package first: what that runs belongs to no one test."""
         self.tree, self.package, self.told = tree, package, told
         self.prefix = f"{tree / package}{os.sep}"
@@ -34,7 +34,6 @@ class Recorder:
         self.lines: dict[str, Lines] = {}
         self.seconds: dict[str, float] = {}
         self.failed: set[str] = set()
-        sys.settrace(self.enter)
         threading.settrace(self.enter)
         with self.counted_for("import"):
             for module in pkgutil.walk_packages([str(tree / package)], f"{package}."):
@@ -57,6 +56,7 @@ class Recorder:
     def counted_for(self, whom: str) -> Iterator[None]:
         """What is reached meanwhile counts for a test, or for all tests of a file."""
         before, self.left = self.left, {}
+        sys.settrace(self.enter)  # anew, for an exception in it, as where a test recurses too deeply, ends it
         try:
             yield
         finally:
@@ -93,7 +93,7 @@ class Recorder:
     def pytest_runtest_logreport(self, report: Any) -> None:
         if report.outcome != "passed":
             self.failed.add(report.nodeid)
-            print(f"{report.nodeid} {report.outcome}: mutants go without it", file=self.told, flush=True)
+            os.write(self.told, f"{report.outcome}, and left out: {report.nodeid}\n".encode())
 
 
 class Reach:
@@ -138,10 +138,12 @@ def recorded(kept: Path, tree: Path, package: str) -> Reach:
         record = {"rest": rest.hexdigest(), "hashes": {}, "files": {}}
     changed = [file for file, now in hashes.items() if record["hashes"].get(file) != now]
 
+    terminal = os.dup(1)
+
     def work() -> int:
         if not changed:
             return run_pytest(tree, None, "--collect-only")  # so that its bytecode is there
-        recorder = Recorder(tree, package, told)
+        recorder = Recorder(tree, package, terminal)
         run_pytest(tree, recorder, *([] if whole else changed))
         sys.settrace(None)
         files: dict[str, Any] = {file: known for file, known in record["files"].items() if file not in changed}
@@ -155,10 +157,10 @@ def recorded(kept: Path, tree: Path, package: str) -> Reach:
         kept.write_text(json.dumps(whole_record), encoding="utf-8")
         return 0
 
-    told = os.fdopen(os.dup(1), "w")
     if changed:
         print(f"recording which lines are reached by the tests of {len(changed)} files", flush=True)
     _, status = os.waitpid(forked(tree, work, patience=7200.0, writes_bytecode=True), 0)
+    os.close(terminal)
     if status:
         said = Path(f"{tree}.out").read_text(encoding="utf-8")
         sys.exit(f"recording ended with status {status}:\n{said[-3000:]}")
