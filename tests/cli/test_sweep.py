@@ -2,7 +2,9 @@
 
 import csv
 import io
+import itertools
 import json
+import re
 import signal
 import subprocess
 import sys
@@ -16,9 +18,11 @@ import chutecalc
 from chutecalc.cli import main
 from chutecalc.ranges import read_values
 from chutecalc.studies import sweep as rows_of
+from chutecalc.studies.parameters import read_parameters
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
+VEE = str(ROOT / "specs/vee.toml")
 HOOD = str(ROOT / "specs/coal_hood_spoon.toml")
 DRAWN = {"body": {"shape": "chamfered", "base_m": 0.3, "chamfer_deg": 45.0, "chamfer_m": 0.2}}
 
@@ -109,7 +113,8 @@ def test_parallel_lists(capsys):
     rows = swept(capsys, "--zip", "radius=1,2,3", "phi=25,26,27", "rate=500", SPOON)
     assert [row["radius_m"] + row["friction_deg"] for row in rows] == ["1.025.0", "2.026.0", "3.027.0"]
     assert {row["rate_t_h"] for row in rows} == {"500.0"}
-    assert "one length" in refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
+    said = refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
+    assert "one length, or single values: radius_m 3, friction_deg 2" in said
 
 
 @pytest.mark.parametrize("keep", ["width", "depth"])
@@ -126,6 +131,65 @@ def test_what_is_kept(keep, capsys, tmp_path):
     (same,) = swept(capsys, "beta=45", "--keep", keep, path)
     (base,) = swept(capsys, "beta=45", path)
     assert same == base
+
+
+FIRST, SECOND = (
+    {"base_m": 0.3, "chamfer_deg": 45.0, "chamfer_m": 0.2},
+    {"base_m": 0.1, "chamfer_deg": 60.0, "chamfer_m": 0.3},
+)
+
+
+def gives_way(keep, beta, base_m, chamfer_deg, chamfer_m):
+    """Base and length of a chamfer at another angle, from the sketch: a trapezium of the same top, or height too."""
+    top = base_m + 2 * chamfer_m * np.cos(np.radians(chamfer_deg))
+    height = chamfer_m * np.sin(np.radians(chamfer_deg))
+    length = chamfer_m if keep == "width" else height / np.sin(np.radians(beta))
+    return {"base_m": top - 2 * length * np.cos(np.radians(beta)), "chamfer_deg": beta, "chamfer_m": length}
+
+
+@pytest.mark.parametrize("keep", ["width", "depth"])
+@pytest.mark.parametrize("sections", [{"one": FIRST, "two": SECOND}, {"one": SECOND, "two": FIRST}])
+def test_what_is_kept_of_two_sections(keep, sections, capsys, tmp_path):
+    segments = [
+        {"kind": "straight", "slope_deg": 40.0, "length_m": 2.0, "section": "one"},
+        {"kind": "straight", "slope_deg": 38.0, "length_m": 1.0, "section": "two"},
+    ]
+    shaped = {name: {"shape": "chamfered", **section} for name, section in sections.items()}
+    path = written(tmp_path, sections=shaped, segments=segments)
+    rows = swept(capsys, "beta=20:90:10", "--keep", keep, path)
+    for row in rows:
+        now = {name: gives_way(keep, float(row["chamfer_deg"]), **section) for name, section in sections.items()}
+        if min(section["base_m"] for section in now.values()) < 0.0:
+            assert row["status"] == "impossible"
+            continue
+        shaped = {name: {"shape": "chamfered", **section} for name, section in now.items()}
+        alone = chutecalc.solve(chutecalc.parse(spec(sections=shaped, segments=segments)))
+        assert row["status"] == "ok"
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+    assert {row["status"] for row in rows} == {"ok", "impossible"}
+
+
+def test_a_base_that_is_varied_too_is_the_one_that_gives_way(capsys, tmp_path):
+    path = written(tmp_path, sections=DRAWN)
+    rows = swept(capsys, "beta=40,60", "sections.body.base_mm=200,400", "--keep", "width", path)
+    assert len(rows) == 4
+    for row in rows:
+        base = float(row["sections.body.base_mm"]) / 1000
+        now = gives_way("width", float(row["chamfer_deg"]), base, 45.0, 0.2)
+        alone = chutecalc.solve(chutecalc.parse(spec(sections={"body": {"shape": "chamfered", **now}})))
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+
+
+def test_a_base_that_gives_way_to_nothing_leaves_a_vee(capsys, tmp_path):
+    for beta in range(20, 61, 5):  # B = 2 C (cos β - cos 60°), so that W = 2 C cos β; at 60° it is 0 to the last digit
+        base = 40.0 * (np.cos(np.radians(beta)) - np.cos(np.radians(60.0)))
+        shaped = {"shape": "chamfered", "base_m": base, "chamfer_deg": 60.0, "chamfer_m": 20.0}
+        (row,) = swept(capsys, f"beta={beta}", "--keep", "width", written(tmp_path, sections={"body": shaped}))
+        flanks = {"shape": "vee", "chamfer_deg": float(beta), "chamfer_m": 20.0}
+        alone = chutecalc.solve(chutecalc.parse(spec(sections={"body": flanks})))
+        assert row["status"] == "ok"
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+        assert float(row["exit_depth_m"]) == pytest.approx(alone.exit["depth_m"][0], rel=1e-9)
 
 
 def test_impossible_designs_keep_their_rows(capsys, tmp_path):
@@ -149,6 +213,22 @@ def test_values_that_only_together_cannot_be(capsys, tmp_path):
     assert [row["status"] for row in slopes] == ["impossible", "impossible", "ok"]
 
 
+def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, tmp_path):
+    segments = [
+        {"kind": "fall", "drop_m": 0.4},
+        {"name": "hood", "kind": "hood", "radius_m": 3.0, "to_slope_deg": 60.0},
+    ]
+    path = written(tmp_path, inlet={"velocity_m_s": 3.0, "slope_deg": 0.0}, segments=segments)
+    arrives = np.degrees(np.arctan(np.sqrt(2 * 9.80665 * 0.4) / 3.0))  # 43°: a hood has to steepen from there
+    rows = swept(capsys, "segments.hood.to_slope_deg=30:80:5", "phi=15,20", path)
+    slopes = [float(row["segments.hood.to_slope_deg"]) for row in rows]
+    assert slopes == [slope for slope in range(30, 81, 5) for _ in range(2)]
+    assert [row["status"] == "impossible" for row in rows] == [slope <= arrives for slope in slopes]
+    for row in rows[-2:]:
+        (alone,) = swept(capsys, "segments.hood.to_slope_deg=80", f"phi={row['friction_deg']}", path)
+        assert row == alone
+
+
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
     said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
@@ -160,7 +240,8 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     ("arguments", "words"),
     [
         (["radius", SPOON], "has no values"),
-        (["rad=1", SPOON], "no short name"),
+        (["rad=1", SPOON], "rad is no short name (beta, delta, phi, rate, radius, base) and no path"),
+        (["base=1", VEE], "base: the spec has no base_m in its sections; choose another parameter"),
         (["radius=a:b", SPOON], "no range"),
         (["radius=1:2:0", SPOON], "never lead"),
         (["radius=1:2:-1", SPOON], "never lead"),
@@ -183,11 +264,14 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--phi", "0"], "--phi belongs to the friction study"),
         (["beta", SPOON, "--base", "0"], "--base belongs to the friction study"),
         (["beta", SPOON, "--keep", "width"], "chamfer_m"),
+        (["beta", VEE, "--keep", "depth"], "--keep depth does not go with sections.flanks: a vee has no base"),
         (["radius=1,2", SPOON, "--keep", "width"], "beta"),
         (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
         (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
         (["beta", SPOON, "--top", "3", "--by", "status:max"], "numbers"),
+        (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top chooses among designs"),
+        (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "known are a station's columns"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
         (["beta", SPOON, "--resume"], "--resume goes on with a file"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),
@@ -239,6 +323,59 @@ def test_profiles_are_those_of_runs(how, capsys, tmp_path, monkeypatch):
     assert {row["status"] for row in rows} == {"ok", "stall"}
 
 
+def test_columns_of_profiles_are_those_asked_for_in_their_order(capsys, tmp_path):
+    names = ["pressure_kpa", "s_m", "velocity_m_s"]
+    rows = swept(capsys, "phi=20,35", SPOON, "--points", "4", "--columns", ",".join(names))
+    assert list(rows[0]) == ["friction_deg", "status", *names]
+    for phi in (20.0, 35.0):
+        run = chutecalc.solve(chutecalc.load(SPOON).put({"liners.wall.friction_deg": phi}))
+        stations = run.stations(points=4)
+        own = [row for row in rows if float(row["friction_deg"]) == phi]
+        assert len(own) == np.isfinite(stations["s_m"]).sum()
+        for k, row in enumerate(own):
+            assert row["status"] == run.status[0]
+            assert [row[name] for name in names] == [
+                "" if np.isnan(stations[name][0, k]) else str(stations[name][0, k]) for name in names
+            ]
+
+
+def test_what_stands_at_the_exit_alone_is_not_solved_for_more(capsys, monkeypatch):
+    (whole,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate,max_depth_m")
+    (clock,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_time_s")  # asks for the way there
+    assert float(clock["exit_time_s"]) == chutecalc.solve(chutecalc.load(SPOON)).exit["time_s"][0]
+    monkeypatch.setattr(rows_of, "solve", lambda *_: 1 / 0)
+    (row,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate")
+    assert float(row["exit_depth_m"]) == pytest.approx(float(whole["exit_depth_m"]), rel=1e-9)  # rtol is 1e-10
+
+
+def test_a_few_blocks_are_solved_ahead_of_the_one_that_is_told(monkeypatch):
+    chute = chutecalc.load(SPOON)
+    sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2"], chute))
+    monkeypatch.setattr(sweep, "block", lambda number: {"number": number})
+    asked = []
+    blocks = sweep.blocks((asked.append(number) or number for number in itertools.count()), jobs=3)
+    for number in range(20):
+        assert next(blocks) == (number, {"number": number})
+        assert len(asked) <= number + 4
+    blocks.close()
+
+
+def test_a_block_of_profiles_has_a_quarter_of_a_million_stations():
+    chute = chutecalc.load(SPOON)  # a fall and a spoon
+    for points, designs in ((2, rows_of.CHUNK), (101, 262_144 // 202), (200_000, 1)):
+        sweep = rows_of.Sweep(chute, read_parameters(["radius=1:4:#9"], chute), points=points)
+        assert sweep.block_size == designs
+        assert sweep.block_count == -(-9 // designs)
+
+
+def test_nothing_but_the_spec_is_needed_to_sweep_as_run_solves():
+    chute = chutecalc.load(SPOON)
+    sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2", "phi=20,25"], chute))
+    told = sweep.identity()
+    assert (told["tolerance"], told["keep"], told["top"], told["stations"]) == (1e-10, "base", None, [None, None])
+    assert sweep.count == 4
+
+
 def test_findings_and_ends(capsys):
     (row,) = swept(
         capsys, "radius=3", SPOON, "--columns", "findings,exit_froude,exit_time_s,error_estimate,max_wear_w_m2"
@@ -287,7 +424,9 @@ def test_pictures(arguments, tmp_path, capsys):
         assert main(["sweep", *arguments, SPOON, "--plot", str(file), "--units", "us"]) == 0
     assert files[0].read_bytes() == files[1].read_bytes()
     assert len(files[0].read_bytes()) > 10_000
-    assert "fpm" in files[0].read_text(encoding="utf-8") or "<path" in files[0].read_text(encoding="utf-8")
+    text = files[0].read_text(encoding="utf-8")  # letters are paths; what they say stands beside them in comments
+    assert re.search(r"<!-- exit velocity \S+ fpm -->", text)
+    assert "m/s" not in text
 
 
 def test_a_chart(capsys):

@@ -117,6 +117,18 @@ def test_the_best_angle_of_a_range_without_one_is_its_end():
     assert single.end_deg == 50.0
 
 
+def test_of_two_dips_the_lower_one_is_the_best_angle():
+    for delta in (60.0, 30.0):  # the second dip is the lower one, and the first
+        angles = np.arange(11.5, 90.0, 0.25)  # B² = 1 - 0.2 cot β: there is a section from 11.3° on
+        curve = np.array([float(by_the_paper("width", beta, delta, 1.0, 0.05, 25.0)[-1]) for beta in angles])
+        inner = curve[1:-1]
+        dips = inner[(inner < curve[:-2]) & (inner < curve[2:])]
+        assert len(dips) == 2
+        assert abs(dips[0] - dips[1]) > 1e-3
+        (best,) = FrictionStudy([11.5, 89.5], [delta], "width", base_m=1.0, area_m2=0.05).best()
+        assert best.inside_friction == pytest.approx(dips.min(), abs=1e-5)
+
+
 def test_weak_materials_are_told():
     assert FrictionStudy(internal_friction_deg=[20, 30]).inadmissible() == [20.0]  # atan(sin 30°) = 26.6°
 
