@@ -356,6 +356,8 @@ def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(fol
     together = [item._replace(seconds=0.0) for item in regression.check(chutes, update=True, processes=2)]
     assert alone == together
     assert [item.outcome for item in alone] == ["no_baseline"] * 6 + ["ok"]
+    assert [item.document is None for item in alone] == [False] * 6 + [True]
+    assert all(item.document is None for item in regression.check(chutes))  # nothing is written unasked
 
 
 def test_faults_come_back_from_another_process(folder):

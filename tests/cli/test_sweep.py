@@ -181,7 +181,8 @@ def test_a_base_that_is_varied_too_is_the_one_that_gives_way(capsys, tmp_path):
 
 
 def test_a_base_that_gives_way_to_nothing_leaves_a_vee(capsys, tmp_path):
-    for beta in range(20, 61, 5):  # B = 2 C (cos β - cos 60°), so that W = 2 C cos β; at 60° it is 0 to the last digit
+    # B = 2 C (cos β - cos 60°), so that W = 2 C cos β: near 60° a small difference, at 60° it is 0 to the last digit
+    for beta in (20, 40, 50, 59, 59.2, 59.3, 59.5, 59.6, 59.8, 59.9, 60):
         base = 40.0 * (np.cos(np.radians(beta)) - np.cos(np.radians(60.0)))
         shaped = {"shape": "chamfered", "base_m": base, "chamfer_deg": 60.0, "chamfer_m": 20.0}
         (row,) = swept(capsys, f"beta={beta}", "--keep", "width", written(tmp_path, sections={"body": shaped}))
@@ -211,6 +212,19 @@ def test_values_that_only_together_cannot_be(capsys, tmp_path):
     assert [row["status"] for row in rows] == ["ok", "impossible", "ok", "ok"]
     slopes = swept(capsys, "segments.hood.to_slope_deg=10,15,80", HOOD)
     assert [row["status"] for row in slopes] == ["impossible", "impossible", "ok"]
+
+
+def test_rows_of_a_locus_that_only_together_fall_are_impossible(capsys, tmp_path):
+    path = written(tmp_path, liners={"wall": {"yield_locus_kpa": [[0.2, 0.04], [2.0, 0.14]]}})
+    one, other = "liners.wall.yield_locus_kpa.1.2", "liners.wall.yield_locus_kpa.2.2"
+    rows = swept(capsys, f"{one}=0.04,0.08,0.12", f"{other}=0.06,0.1,0.14", path)
+    assert [row["status"] == "impossible" for row in rows] == [
+        first > second for first in (0.04, 0.08, 0.12) for second in (0.06, 0.1, 0.14)
+    ]
+    for row in rows:
+        (alone,) = swept(capsys, f"{one}={row[one]}", path) if row[other] == "0.14" else ({},)
+        assert {**row, **{name: value for name, value in alone.items() if name != other}} == row
+    assert len({row["exit_velocity_m_s"] for row in rows if row["status"] == "ok"}) == 6
 
 
 def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, tmp_path):

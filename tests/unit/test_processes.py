@@ -1,6 +1,5 @@
 """Work that several processes share: from any thread, and not beyond the process that asked for it."""
 
-import inspect
 import multiprocessing
 import os
 import signal
@@ -8,10 +7,7 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 
-import chutecalc
 from chutecalc.studies import processes
-from chutecalc.studies.regression import check
-from chutecalc.studies.sweep import Sweep
 
 
 def test_a_thread_may_share_its_work_too():
@@ -33,11 +29,3 @@ def test_a_process_ends_with_the_one_that_started_it(monkeypatch):
     monkeypatch.setattr(os, "_exit", lambda status: ended.set() if status == 1 else None)
     processes._end_with_parent()
     assert ended.is_set()
-
-
-def test_all_studies_are_solved_to_the_tolerance_of_solve_and_write_nothing_unasked():
-    usual = inspect.signature(chutecalc.solve).parameters["rtol"].default
-    assert usual == 1e-10
-    for study in (Sweep, check):
-        assert inspect.signature(study).parameters["rtol"].default == usual
-    assert inspect.signature(check).parameters["update"].default is False
