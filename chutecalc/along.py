@@ -12,10 +12,17 @@ from chutecalc.design import Contact, Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
+from chutecalc.solver.collocation import rule
 from chutecalc.solver.leg import ContactLeg, Leg
 from chutecalc.solver.profile import FlightProfile, SlideProfile
 
 Numbers = dict[str, Array]
+EVEN = np.linspace(0.0, 1.0, 65)
+"""Shares of a flight, along which all is smooth."""
+AT_REST = (1e-40, 1e-44)
+"""v², m²/s², so near rest that what has a limit there has it to the last digits."""
+LOOSE = 1e-6
+"""Of gravity: what is left of the normal acceleration where contact is lost, and not never there."""
 LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
 
 Profile = FlightProfile | SlideProfile
@@ -80,10 +87,72 @@ class Part:
         numbers = {
             "incidence_deg": np.degrees(arrival.incidence),
             "velocity_before_m_s": arrival.velocity,
-            "velocity_after_m_s": arrival.after,
-            "pressure_kpa": arrival.pressure / 1000.0,
+            "velocity_after_m_s": arrival.impact.after,
+            "pressure_kpa": arrival.impact.pressure / 1000.0,
+            "footprint_m": arrival.impact.footprint,
+            "wear_w_m2": arrival.impact.wear * self.slip_ratio,
         }
         return {name: np.where(struck, values, np.nan) for name, values in numbers.items()}
+
+    def shares(self) -> Array:
+        """Shares of the way that resolve all quantities on it: 0, the knots of the solution's panels, and 1.
+
+        Between two neighbours everything is smooth, for panels end where something has a kink. Of shape (places,) where
+        they are the same for all designs, else (places, designs); what a design has too few of repeats its end.
+        """
+        begin, end = self.ends()
+        if self.contact is None:
+            path = self.leg.path
+            rises = (path.downward < 0.0) & (end > 0.0)
+            if not rises.any():
+                return EVEN
+            top = np.minimum(-path.downward / path.gravity, self.leg.flight_time)  # next to it the velocity has its dip
+            with np.errstate(all="ignore"):
+                share = np.where(rises, path_length(path, top) / end, 1.0)
+            return np.sort(np.concatenate([np.repeat(EVEN[:, None], len(share), axis=1), share[None]]), axis=0)
+        rows, pieces = self.contact.rows, self.contact.stretch.pieces
+        if len(rows) == len(begin) and [len(piece.rows) for piece in pieces] == [len(rows)]:
+            (piece,) = pieces
+            if not piece.by_root and (piece.start == begin).all() and (piece.end == end).all():
+                return rule(len(piece.knots) - 2).knots
+        counts = np.ones(len(begin), dtype=np.intp)
+        for piece in pieces:
+            counts[rows[piece.rows]] += len(piece.knots) - 1
+        shares = np.ones((counts.max() + 1, len(begin)))
+        shares[0] = 0.0
+        way = np.where(end > begin, end - begin, np.inf)
+        counts[:] = 1
+        for piece in pieces:
+            designs = rows[piece.rows]
+            knots = rule(len(piece.knots) - 2).knots[:, None]
+            places = piece.knots if piece.by_root else piece.start + (piece.end - piece.start) * knots
+            number = counts[designs] + np.arange(len(places) - 1)[:, None]
+            shares[number, designs] = np.clip((places[1:] - begin[designs]) / way[designs], 0.0, 1.0)
+            counts[designs] += len(places) - 1
+        return shares
+
+    def limits(self, names: Iterable[str]) -> Numbers:
+        """Columns at the end of the way, each of shape (designs,), as what they tend to there.
+
+        Towards a stall depth grows without bound, towards a loss of contact the Froude number: infinite, where a
+        station has nothing.
+        """
+        with np.errstate(all="ignore"):
+            at = self._profile(np.ones(1))
+            values = {name: _FORMULA[name](self, at)[0] for name in names}
+            if not isinstance(at, SlideProfile):
+                return values
+            rest = at.velocity_squared[0] == 0.0
+            if rest.any():
+                slow, slower = (at.moving(tiny) for tiny in AT_REST)
+                for name, there in values.items():
+                    near, nearer = (_FORMULA[name](self, one)[0] for one in (slow, slower))
+                    tends = np.where(np.abs(nearer) > 2.0 * np.abs(near), np.copysign(np.inf, near), near)
+                    values[name] = np.where(rest, np.where(np.abs(nearer) < 0.5 * np.abs(near), 0.0, tends), there)
+            if "froude" in values:
+                loose = (self.leg.status == Status.CONTACT_LOST) & (np.abs(at.normal[0]) < LOOSE * self.design.gravity)
+                values["froude"] = np.where(loose, np.inf, values["froude"])
+        return values
 
     def at(self, shares: Array, names: Iterable[str] = ()) -> Numbers:
         """Columns at shares of the way, of shape (places,) for all designs or (places, designs) for each.
@@ -92,7 +161,7 @@ class Part:
         """
         at = self._profile(shares)
         with np.errstate(all="ignore"):
-            values = {name: COLUMN[name](self, at) for name in names or COLUMN}
+            values = {name: _FORMULA[name](self, at) for name in names or COLUMN}
         shape = np.broadcast_shapes(at.distance.shape, *(column.shape for column in values.values()))
         return {name: stretched(column, shape) for name, column in values.items()}
 
@@ -103,6 +172,12 @@ class Part:
         if self.contact is None:
             return FlightProfile(self.leg, self.design.volume_rate, places)
         return SlideProfile(self.leg, self.contact, places, alike)
+
+    @property
+    def slip_ratio(self) -> Array:
+        """Slip at the wall over mean velocity."""
+        assert isinstance(self.leg.segment, Contact)
+        return self.leg.segment.slip_ratio
 
     @property
     def chamfered(self) -> bool:
@@ -135,11 +210,10 @@ def _on_surface(
 
 
 def _wear(wall: int) -> Formula:
-    """Friction power per area on one of the walls of :func:`chutecalc.physics.wear.wall_pressures`."""
+    """Friction power per area on one of the walls of :class:`chutecalc.solver.profile.SlideProfile`."""
 
     def formula(part: Part, at: SlideProfile) -> Array:
-        assert isinstance(part.leg.segment, Contact)
-        return at.pressures[wall] * at.wall_friction * at.velocity * part.leg.segment.slip_ratio
+        return at.wear[wall] * part.slip_ratio
 
     return formula
 
@@ -173,5 +247,15 @@ COLUMN: dict[str, Callable[[Part, Profile], Array]] = {
     "thickness": _on_surface(lambda part, at: at.depth / at.wet.width),
     "missing_load": _on_surface(lambda part, at: at.wet.missing),
     "wall_friction": _on_surface(lambda part, at: at.wall_friction),
+    "wall_stress_kpa": _on_surface(lambda part, at: at.stress / 1000.0),
+    "top_m": _on_surface(lambda part, at: at.top),
+    "above_top_m": _on_surface(lambda part, at: at.depth - at.top),
 }
-"""How each column follows from the profile; the last three, which findings ask for, are in no table."""
+"""How each column follows from the profile; from ``thickness`` on they are in no table, and findings ask for them."""
+ASKED = {
+    "equilibrium_friction": _on_surface(lambda part, at: at.even_friction),
+    "balance_m_s": _on_surface(lambda part, at: at.balance),
+    "balance_margin": _on_surface(lambda part, at: at.velocity / at.balance),
+}
+"""What costs more, and is worked out only where it is named."""
+_FORMULA = COLUMN | ASKED

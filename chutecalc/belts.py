@@ -7,9 +7,12 @@ from chutecalc.design import Design, Receiver
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.belt import discharge, loading
 
+SQUARE = 1e-9
+"""The cosine of the angle between stream and belt below which no velocity along it comes of the stream's."""
+
 
 def entering(design: Design) -> Numbers:
-    """The stream where it enters, each of length 1 or n; from a belt also V²/(g r) and its lower edge."""
+    """The stream where it enters, each of length 1 or n; from a belt also v²/(g r) and its lower edge."""
     x, z = design.inlet_place
     numbers = {
         "x_m": x,
@@ -19,7 +22,7 @@ def entering(design: Design) -> Numbers:
     }
     if design.belt is not None:
         belt = design.belt
-        middle = discharge(belt.velocity, belt.incline, belt.middle_radius, design.gravity)
+        middle = discharge(belt.velocity, belt.incline, belt.lower_radius, belt.middle_radius, design.gravity)
         reach = belt.lower_radius / belt.middle_radius
         numbers["discharge_froude"] = middle.froude
         numbers["lower_edge_x_m"] = belt.centre[0] + middle.x * reach
@@ -41,6 +44,8 @@ def received(belt: Receiver, design: Design, velocity: Array, slope: Array) -> N
             "wear_w_m2": onto.wear,
             "acceleration_length_m": onto.acceleration_length,
             "acceleration_power_kw": onto.acceleration_power / 1000.0,
+            "landed_velocity_m_s": onto.landed,
+            "landed_acceleration_length_m": onto.landed_length,
             "matching_slope_deg": np.degrees(belt.slope + np.where(slope >= belt.slope, turn, -turn)),
-            "matching_velocity_m_s": np.where(aside > 0.0, belt.velocity / aside, np.inf),
+            "matching_velocity_m_s": np.where(aside <= SQUARE, np.inf, belt.velocity / aside),
         }

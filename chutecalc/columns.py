@@ -1,5 +1,6 @@
 """The one catalogue of columns: what tables, CSV, JSON and plots call a quantity, and how people read it."""
 
+import math
 import re
 from typing import Any, NamedTuple
 
@@ -30,6 +31,8 @@ class Column(NamedTuple):
         """
         if value != value:
             return ""
+        if math.isinf(value):
+            return "∞" if value > 0 else "-∞"
         if units == "us" and self.us_unit:
             return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
         return f"{value:.{self.digits}f}"
@@ -97,7 +100,7 @@ COLUMNS = {
             "pressure_kpa",
             "pressure",
             "p",
-            "on the centre section, which carries the missing load too; in a vee, on the flanks at their foot",
+            "on the centre section; in a vee, on the flanks at their foot; on a plate, of the impact",
             "pressure",
             "kpa",
             3,
@@ -145,6 +148,8 @@ RECEIVER_COLUMNS = {
         Column("wear_w_m2", "belt wear", "", "friction power per area of the belt", "power", "w_m2", 1),
         Column("acceleration_length_m", "belt slip", "", "length in which it accelerates", "length", "m", 3, "ft", 2),
         Column("acceleration_power_kw", "belt power", "", "power that accelerates it", "power", "kw", 3),
+        Column("landed_velocity_m_s", "landed", "", "along it, impact's friction in", "velocity", "m_s", 3, "fpm", 1),
+        Column("landed_acceleration_length_m", "landed slip", "", "accelerates from then", "length", "m", 3, "ft", 2),
         Column("matching_slope_deg", "matching slope", "", "exit slope with the belt's velocity", "angle", "deg", 2),
         Column(
             "matching_velocity_m_s", "matching", "", "exit velocity that would match", "velocity", "m_s", 3, "fpm", 1
@@ -195,4 +200,4 @@ def quantity_text(name: str, value: float, units: str) -> str:
         dimension, other = ("length", "in") if name in _INCHES else _PEOPLE[unit]
         value, unit = convert(value, dimension, unit, other), other
     shown = TEXT.get(unit, unit)
-    return f"{value:.4g}" + ("°" if unit == "deg" else f" {shown}" if shown else "")
+    return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

@@ -48,6 +48,8 @@ class Contact(NamedTuple):
     facets: Facets
     """Of ``section``."""
     wall: Wall
+    measured: tuple[Array, Array] | None
+    """Least and greatest normal stress of the yield locus's rows, Pa; None for other liners."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
 
@@ -124,7 +126,10 @@ class Stream(NamedTuple):
     """Below horizontal, rad."""
     velocity: Array
     error: Array
-    """Estimated relative error of the velocity."""
+    """Estimated relative error of the velocity; in flight with the sign that goes with those of place and slope."""
+    x_error: Array
+    z_error: Array
+    slope_error: Array
     status: Index
     """A :class:`Status` each; once it is not OK the numbers are NaN."""
     airborne: Mask

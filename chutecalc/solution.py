@@ -10,7 +10,7 @@ from chutecalc.along import Numbers, Part
 from chutecalc.belts import entering, received
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status, Stream, stretched
-from chutecalc.extremes import FEW, LARGEST, LEAST, SAMPLES, Extreme, Wanted, extremes
+from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
 from chutecalc.findings import WORST, Finding, findings, in_order
 from chutecalc.findings.warnings import not_accelerated
 from chutecalc.physics.arrays import Array, Index
@@ -103,13 +103,15 @@ class Solution:
             wanted: pairs of a column's name and ``LEAST`` or ``LARGEST``.
 
         Returns:
-            Arrays of shape (designs,), up to where a stream ends; NaN where there is no such quantity.
+            Arrays of shape (designs,), up to where a stream ends; NaN where there is no such quantity, infinite where
+            it grows without bound, as depth does towards a stall.
         """
         names = list(dict.fromkeys(name for name, _ in wanted))
         found = {item: np.full(self.count, np.nan) for item in wanted}
         for part in self.parts:
             if part.contact is not None and wanted:
-                here = extremes(part, part.at(FEW, names), wanted, FEW)
+                shares = part.shares()
+                here = extremes(part, part.at(shares, names), shares, wanted)
                 found = {
                     (name, sign): (np.fmax if sign == LARGEST else np.fmin)(values, here[name, sign].value)
                     for (name, sign), values in found.items()
@@ -138,7 +140,10 @@ class Solution:
     @cached_property
     def error_estimate(self) -> Array:
         """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
-        return np.broadcast_to(self.final.error, self.count)
+        error = np.zeros(self.count)
+        for leg in self.legs:
+            error = np.where(leg.status < Status.MISSED, np.abs(leg.exit.error), error)
+        return error
 
     @cached_property
     def parts(self) -> list[Part]:
@@ -154,14 +159,19 @@ class Solution:
         return parts
 
     @cached_property
+    def shares(self) -> list[Array]:
+        """Where each part is sampled, see :meth:`chutecalc.along.Part.shares`."""
+        return [part.shares() for part in self.parts]
+
+    @cached_property
     def samples(self) -> list[Numbers]:
-        """The columns of each part at ``SAMPLES``; what extremes and findings are read from."""
-        return [part.at(SAMPLES) for part in self.parts]
+        """The columns of each part there; what extremes and findings are read from."""
+        return [part.at(shares) for part, shares in zip(self.parts, self.shares, strict=True)]
 
     @cached_property
     def extremes(self) -> list[dict[Wanted, Extreme]]:
         """The extremes of each part that are told, or that findings ask for."""
-        return [extremes(part, sampled, TOLD) for part, sampled in zip(self.parts, self.samples, strict=True)]
+        return [extremes(*items, TOLD) for items in zip(self.parts, self.samples, self.shares, strict=True)]
 
     @cached_property
     def ways(self) -> list[SegmentResult]:
@@ -189,7 +199,7 @@ class Solution:
 
     def findings(self) -> list[Finding]:
         """Failures, warnings and notes, each with a mask of the designs that it is about."""
-        found = findings(self.parts, self.samples, self.extremes, self.count)
+        found = findings(self.parts, self.samples, self.shares, self.extremes, self.count)
         if self.design.receiver is None:
             return found
         s, last = self.exit_columns(("s_m",))["s_m"], self.design.segments[-1].name

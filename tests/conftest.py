@@ -2,6 +2,7 @@
 
 import copy
 import signal
+from collections.abc import Generator
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +10,42 @@ import pytest
 
 import chutecalc
 from chutecalc.spec.file import BASELINE_SUFFIX
+from tests import seeds, skips
 
 # A shell's background job ignores Ctrl-C, and so would the programs that tests start and interrupt.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_configure() -> None:
+    seeds.settle()
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Shows the seed at the top, where pytest's own header is left out too (-q)."""
+    terminal = session.config.pluginmanager.get_plugin("terminalreporter")
+    if terminal is not None and seeds.replay():
+        terminal.write_line(f"random cases: {seeds.replay()}")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    report = yield
+    skips.judge(report)
+    if report.failed and seeds.replay():
+        report.sections.append(("random cases", f"the same again: {seeds.replay()} pytest '{item.nodeid}'"))
+    return report
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(
+    collector: pytest.Collector,
+) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    report = yield
+    skips.judge(report)
+    return report
+
 
 ROOT = Path(__file__).parent.parent
 REFERENCE = ROOT / "tests" / "reference"

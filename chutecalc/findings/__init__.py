@@ -9,6 +9,7 @@ from chutecalc.design import Contact, Status
 from chutecalc.extremes import Extreme, Wanted
 from chutecalc.findings import failures, warnings
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
+from chutecalc.physics.arrays import Array
 
 __all__ = ["WORST", "Finding", "findings", "in_order"]
 
@@ -20,6 +21,7 @@ CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
     warnings.steep_impact,
     warnings.flown_past,
     warnings.inadmissible_friction,
+    warnings.outside_locus,
     warnings.decelerating,
     warnings.below_cut_off,
     warnings.thick_stream,
@@ -31,13 +33,18 @@ CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
 
 
 def findings(
-    parts: list[Part], samples: list[Numbers], extremes: list[dict[Wanted, Extreme]], designs: int
+    parts: list[Part],
+    samples: list[Numbers],
+    shares: list[Array],
+    extremes: list[dict[Wanted, Extreme]],
+    designs: int,
 ) -> list[Finding]:
     """All findings of a solution: failures, then warnings, then notes, each along the way.
 
     Args:
         parts: of the way.
-        samples: their columns at :data:`chutecalc.extremes.SAMPLES`.
+        samples: their columns at
+        shares: of their ways.
         extremes: theirs, ``WORST`` among them.
         designs: how many there are.
     """
@@ -48,13 +55,15 @@ def findings(
             if part.contact is None:
                 found += failures.fallen_short(part.leg, designs) if part.kind != "flight" else ()
                 continue
-            worst = {name: extremes[number][name, sign] for name, sign in WORST}
+            worst = {wanted: extremes[number][wanted] for wanted in WORST}
             goes_on = np.zeros(designs, dtype=bool)
             for later in parts[number + 1 :]:
                 goes_on = goes_on | (later.leg.status != Status.NOT_REACHED) & (later.leg is not part.leg)
             segment = part.leg.segment
             assert isinstance(segment, Contact)
-            scene = Scene(part, part.contact, segment, sampled, worst, goes_on, part is guided[-1], designs)
+            scene = Scene(
+                part, part.contact, segment, sampled, shares[number], worst, goes_on, part is guided[-1], designs
+            )
             found += [finding for criterion in CRITERIA for finding in criterion(scene)]
     return in_order(found)
 

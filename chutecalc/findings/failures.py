@@ -8,7 +8,6 @@ from chutecalc.design import Status
 from chutecalc.findings.finding import FAILURE, WARNING, Finding, Scene, finding
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import ROOF
-from chutecalc.solver.joint import impact_friction
 from chutecalc.solver.leg import Leg
 
 
@@ -119,6 +118,4 @@ def fallen_short(leg: Leg, designs: int) -> Iterator[Finding]:
 
 def _steepest_impact(scene: Scene) -> Array:
     """The incidence, in degrees, from which on an impact on the segment leaves no velocity: tan i = 1/μ_e."""
-    arrival = scene.contact.arrival
-    friction, _ = impact_friction(scene.contact.slide, arrival.place, arrival.velocity, arrival.pressure)
-    return np.degrees(np.arctan(1.0 / friction))
+    return np.degrees(np.arctan(1.0 / scene.contact.arrival.impact.friction))

@@ -44,6 +44,10 @@ WORST: tuple[Wanted, ...] = (
     ("froude", LEAST),
     ("missing_load", LARGEST),
     ("velocity_m_s", LEAST),
+    ("wall_friction", LARGEST),
+    ("above_top_m", LARGEST),
+    ("wall_stress_kpa", LEAST),
+    ("wall_stress_kpa", LARGEST),
 )
 """Extremes along a part that decide a criterion."""
 
@@ -55,7 +59,9 @@ class Scene(NamedTuple):
     contact: ContactLeg
     segment: Contact
     sampled: Numbers
-    worst: dict[str, Extreme]
+    shares: Array
+    """Of the part's way, where it is sampled."""
+    worst: dict[Wanted, Extreme]
     goes_on: Mask
     """Designs that have gone on to something after this part."""
     last: bool
@@ -72,6 +78,11 @@ class Scene(NamedTuple):
         """The share of the drawn segment at a share of the part's way."""
         begin, end = self.part.ends()
         return begin + (end - begin) * share
+
+    def at(self, share: Array, *names: str) -> list[Array]:
+        """Columns at a share of the way, one for each design; at its end, what they tend to there."""
+        there, limits = self.part.at(np.broadcast_to(share, (1, len(share))), names), self.part.limits(names)
+        return [np.where(share == 1.0, limits[name], there[name][0]) for name in names]
 
     def spread(self, values: Array) -> Array:
         """Values of the designs that moved on the segment as values of all."""

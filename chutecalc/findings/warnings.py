@@ -6,13 +6,13 @@ import numpy as np
 
 from chutecalc.along import Numbers
 from chutecalc.design import Receiver, Status
-from chutecalc.extremes import SAMPLES
+from chutecalc.extremes import LARGEST, LEAST, extremes
 from chutecalc.findings.finding import NOTE, WARNING, Finding, Scene, finding
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.friction import equilibrium_friction
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.pressure import greatest_wall_friction
-from chutecalc.solver.balance import critical_velocity
+from chutecalc.physics.wall import wall_friction
+from chutecalc.solver.joint import TANGENT
 
 DECELERATION_MARGIN = 1.25
 CUT_OFF = np.radians(5.0)
@@ -29,44 +29,74 @@ def inadmissible_friction(scene: Scene) -> Iterator[Finding]:
     internal = scene.part.design.internal_friction
     if internal is None:
         return
-    bound, s = np.sin(internal), scene.part.leg.entry.distance
+    bound, worst, impact = np.sin(internal), scene.worst["wall_friction", LARGEST], scene.contact.arrival.impact
     numbers = {
         "greatest_deg": np.degrees(greatest_wall_friction(internal)),
         "internal_friction_deg": np.degrees(internal),
     }
-    most = np.nanmax(np.nan_to_num(scene.sampled["wall_friction"]), axis=0)
-    if scene.segment.wall.changes:
+    wall = scene.segment.wall
+    if wall.changes:
         template = (
             "the yield locus shows more friction than the material's own, {greatest_deg} = atan(sin"
             " {internal_friction_deg}), somewhere on the way; the material's own is used there"
         )
-        mask = most >= bound * (1.0 - ROUNDING)
+        least = bound * (1.0 - ROUNDING)
+        along = worst.value >= least
+        mask = along | ((impact.pressure > 0.0) & (wall_friction(wall, impact.stress) >= least))
+        s = np.where(along, scene.place(worst.share), scene.part.leg.entry.distance)
         yield from finding(scene, "inadmissible_friction", WARNING, mask, s, template, **numbers)
         return
     template = (
         "a wall friction of {friction_deg} is more than the material can show on any wall, {greatest_deg} ="
         " atan(sin {internal_friction_deg}); the angle given is used"
     )
-    numbers["friction_deg"] = np.degrees(np.arctan(scene.segment.wall.slopes[0]))
-    mask = (most > 0.0) & (scene.segment.wall.slopes[0] > bound * (1.0 + ROUNDING))
+    numbers["friction_deg"] = np.degrees(np.arctan(wall.slopes[0]))
+    mask = np.isfinite(worst.value) & (wall.slopes[0] > bound * (1.0 + ROUNDING))
+    s = scene.part.leg.entry.distance
     yield from finding(scene, "inadmissible_friction", WARNING, mask, s, template, **numbers)
 
 
+def outside_locus(scene: Scene) -> Iterator[Finding]:
+    """The floor bears less or more than the rows of the yield locus were measured at."""
+    if scene.segment.measured is None:
+        return
+    impact = scene.contact.arrival.impact
+    low, high = (rows / 1000.0 for rows in scene.segment.measured)
+    struck = np.where(impact.pressure > 0.0, impact.stress / 1000.0, np.nan)
+    least = np.fmin(scene.worst["wall_stress_kpa", LEAST].value, struck)
+    most = np.fmax(scene.worst["wall_stress_kpa", LARGEST].value, struck)
+    below, above = least < low * (1.0 - ROUNDING), most > high * (1.0 + ROUNDING)
+    template = (
+        "the floor bears {least_kpa} to {most_kpa}, and the yield locus was measured from {first_kpa} to {last_kpa}:"
+        " outside of that friction is extrapolated"
+    )
+    s = np.where(below, scene.place(scene.worst["wall_stress_kpa", LEAST].share), scene.part.leg.entry.distance)
+    numbers = {"least_kpa": least, "most_kpa": most, "first_kpa": low, "last_kpa": high}
+    yield from finding(scene, "outside_locus", WARNING, below | above, s, template, **numbers)
+
+
 def decelerating(scene: Scene) -> Iterator[Finding]:
-    """On a straight the stream comes near, or falls below, the velocity from which on friction wins."""
+    """On a straight the stream comes near, or falls below, the velocity from which on friction wins.
+
+    Where the section stays, that is decided where the stream is slowest; along a taper the balance moves.
+    """
     if scene.segment.kind != "straight":
         return
-    slowest = scene.worst["velocity_m_s"]
-    critical = critical_velocity(scene.contact.slide, scene.contact_place(slowest.share), slowest.value)
-    slope = np.degrees(scene.contact.surface.slope)
-    s = scene.place(slowest.share)
-    flat = np.isinf(critical) & np.isfinite(slowest.value)
+    worst = scene.worst["velocity_m_s", LEAST]
+    if scene.segment.end_section is not None:
+        margins = scene.part.at(scene.shares, ["balance_margin"])
+        worst = extremes(scene.part, margins, scene.shares, [("balance_margin", LEAST)])["balance_margin", LEAST]
+    velocity, critical, friction = scene.at(worst.share, "velocity_m_s", "balance_m_s", "wall_friction")
+    friction = np.where(velocity > 0.0, friction, scene.sampled["wall_friction"][0])  # not that of a heap at rest
+    slope, s = np.degrees(scene.contact.surface.slope), scene.place(worst.share)
+    flat = np.isinf(critical) & np.isfinite(velocity)
     template = (
-        "the slope of {slope_deg} is flatter than the wall friction angle, {friction_deg}: the stream decelerates"
+        "the slope of {slope_deg} is flatter than the friction angle at any velocity (the wall's is {friction_deg}):"
+        " the stream decelerates"
     )
-    angle = np.degrees(np.arctan(scene.sampled["wall_friction"][-1]))
+    angle = np.degrees(np.arctan(friction))
     yield from finding(scene, "decelerating", WARNING, flat, s, template, slope_deg=slope, friction_deg=angle)
-    margin = slowest.value / critical
+    margin = velocity / critical
     template = (
         "the stream runs at {velocity_m_s}, {margin} times the {critical_velocity_m_s} below which friction slows it"
         " to a stall on a slope of {slope_deg} (limit 1.25)"
@@ -78,7 +108,7 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
         (margin < DECELERATION_MARGIN) & ~flat,
         s,
         template,
-        velocity_m_s=slowest.value,
+        velocity_m_s=velocity,
         margin=margin,
         critical_velocity_m_s=critical,
         slope_deg=slope,
@@ -96,13 +126,13 @@ def steep_impact(scene: Scene) -> Iterator[Finding]:
         scene,
         "steep_impact",
         WARNING,
-        (arrival.incidence > STEEPEST_IMPACT) & (arrival.status == Status.OK),
+        (arrival.incidence > STEEPEST_IMPACT) & (arrival.status <= Status.STALL),
         scene.part.leg.entry.distance,
         template,
         incidence_deg=np.degrees(arrival.incidence),
         velocity_m_s=arrival.velocity,
-        after_m_s=arrival.after,
-        pressure_kpa=arrival.pressure / 1000.0,
+        after_m_s=arrival.impact.after,
+        pressure_kpa=arrival.impact.pressure / 1000.0,
     )
 
 
@@ -139,7 +169,7 @@ def below_cut_off(scene: Scene) -> Iterator[Finding]:
 
 def thick_stream(scene: Scene) -> Iterator[Finding]:
     """The depth is more than the free surface's width, or more than a tenth of the radius."""
-    thick, deep = scene.worst["thickness"], scene.worst["depth_m"]
+    thick, deep = scene.worst["thickness", LARGEST], scene.worst["depth_m", LARGEST]
     template = "the depth reaches {thickness} of the stream's width (limit 1): too thick for one mean velocity"
     mask = thick.value > THICKEST
     yield from finding(scene, "thick_stream", WARNING, mask, scene.place(thick.share), template, thickness=thick.value)
@@ -151,7 +181,7 @@ def thick_stream(scene: Scene) -> Iterator[Finding]:
 
 def slow_stream(scene: Scene) -> Iterator[Finding]:
     """The Froude number falls below 2: the neglected pressure gradient changes dv/ds by about K/Fr²."""
-    froude = scene.worst["froude"]
+    froude = scene.worst["froude", LEAST]
     template = (
         "the Froude number falls to {froude} (limit 2): the pressure left out along the stream changes dv/ds by ~1/Fr²"
     )
@@ -163,10 +193,8 @@ def missing_load(scene: Scene) -> Iterator[Finding]:
     """The paper's law lays more than a tenth of the weight on the centre section by way of correction."""
     if scene.part.design.equilibrium:
         return
-    missing = scene.worst["missing_load"]
-    there = scene.part.at(np.broadcast_to(missing.share, (1, len(missing.share))))
-    friction, wall = there["equivalent_friction"][0], there["wall_friction"][0]
-    even = equilibrium_friction(wall, friction / np.where(wall > 0.0, wall, np.inf) - 1.0, missing.value)
+    missing = scene.worst["missing_load", LARGEST]
+    friction, even = scene.at(missing.share, "equivalent_friction", "equilibrium_friction")
     template = (
         "hydrostatic wall pressures leave {missing_load} of the weight uncarried (limit 0.1): laid on the centre"
         " section, as here, μ_e is {equivalent_friction}; spread over all walls {equilibrium_friction}"
@@ -186,17 +214,11 @@ def missing_load(scene: Scene) -> Iterator[Finding]:
 
 def above_chamfer(scene: Scene) -> Iterator[Finding]:
     """The depth passes the drawn top of the section."""
-    depth = scene.sampled["depth_m"]
-    table = scene.contact.slide.facets_at(scene.contact_place(SAMPLES[:, None]))
-    if len(table.area) == 1 or (table.drawn[-1] > 0.0).any():
-        return
-    top = np.broadcast_to(table.height[-1], depth.shape)
-    above = np.nan_to_num(depth - top, nan=-np.inf)
-    most, columns = above.argmax(axis=0), np.arange(depth.shape[1])
+    worst = scene.worst["above_top_m", LARGEST]
+    (top,) = scene.at(worst.share, "top_m")
     template = "the depth of {depth_m} passes the drawn top of the section at {top_m}; the walls go on vertically there"
-    mask, s = above[most, columns] > 0.0, scene.sampled["s_m"][most, columns]
-    numbers = {"depth_m": depth[most, columns], "top_m": top[most, columns]}
-    yield from finding(scene, "above_chamfer", NOTE, mask, s, template, **numbers)
+    numbers = {"depth_m": worst.value + top, "top_m": top}
+    yield from finding(scene, "above_chamfer", NOTE, worst.value > 0.0, scene.place(worst.share), template, **numbers)
 
 
 def geometry_follows_flow(scene: Scene) -> Iterator[Finding]:
@@ -206,7 +228,8 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Finding]:
     slope = np.degrees(scene.contact.surface.slope)
     template = "drawn tangent to the stream, from {slope_deg}, the curve changes with the flow; from_slope_deg fixes it"
     s = scene.part.leg.start.distance
-    yield from finding(scene, "geometry_follows_flow", NOTE, np.isfinite(slope), s, template, slope_deg=slope)
+    mask = slope < 90.0 - np.degrees(TANGENT)
+    yield from finding(scene, "geometry_follows_flow", NOTE, mask, s, template, slope_deg=slope)
 
 
 def not_accelerated(belt: Receiver, received: Numbers, s: Array, segment: str) -> Iterator[Finding]:

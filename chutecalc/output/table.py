@@ -1,5 +1,6 @@
 """Tables that a chute designer reads, with the same digits on a terminal and in a pipe."""
 
+import math
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -157,12 +158,13 @@ class Printer:
 
     def _impacts(self, solution: Solution) -> Iterator[str]:
         """Each place at which the stream strikes a surface."""
-        for segment in solution.segments:
+        for segment in solution.ways:
             said = {name: quantity_text(name, float(values[0]), self.units) for name, values in segment.impact.items()}
             if segment.impact and segment.impact["incidence_deg"][0] == segment.impact["incidence_deg"][0]:
                 yield (
                     f"impact  {segment.name}: at {said['incidence_deg']}, {said['velocity_before_m_s']} before and"
-                    f" {said['velocity_after_m_s']} after, {said['pressure_kpa']}"
+                    f" {said['velocity_after_m_s']} after, {said['pressure_kpa']} and {said['wear_w_m2']} on"
+                    f" {said['footprint_m']}"
                 )
 
     def _belts(self, chute: Chute, solution: Solution) -> Iterator[str]:
@@ -182,15 +184,24 @@ class Printer:
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return
-        length, power = (said(belt, f"acceleration_{name}") for name in ("length_m", "power_kw"))
-        reached = belt["acceleration_length_m"][0] < float("inf")
         yield (
             f"receiver  {said(belt, 'velocity_along_m_s')} along the belt ({said(belt, 'velocity_ratio')} of its own),"
             f" {said(belt, 'velocity_across_m_s')} into it ({said(belt, 'impact_pressure_kpa')}); belt wear"
-            f" {said(belt, 'wear_w_m2')}, "
-            + (f"at its speed after {length} with {power}" if reached else "never at its speed")
+            f" {said(belt, 'wear_w_m2')}"
+        )
+        yield (
+            f"receiver  at the belt's speed {self._reached(belt['acceleration_length_m'][0])}, with"
+            f" {said(belt, 'acceleration_power_kw')}; friction on the impact leaves {said(belt, 'landed_velocity_m_s')}"
+            f" along it, from there {self._reached(belt['landed_acceleration_length_m'][0])}"
         )
         yield f"receiver  {_advice(solution, said)}"
+
+    def _reached(self, length: float) -> str:
+        """Where material has the belt's velocity."""
+        if length == float("inf"):
+            return "never"
+        way = quantity_text("length_m", abs(length), self.units)
+        return f"after {way}" if length >= 0.0 else f"{way} behind where it falls, for it runs back first"
 
 
 def outcome(solution: Solution, units: str) -> str:
@@ -207,8 +218,9 @@ def outcome(solution: Solution, units: str) -> str:
 
 
 def _exceeds(extreme: float, *ends: float) -> bool:
-    """Whether an extreme lies visibly above both ends."""
-    return extreme - max(ends) > 1e-6 * abs(extreme)
+    """Whether an extreme lies visibly above both ends, of which a stream at rest has one less."""
+    end = max((end for end in ends if end == end), default=extreme)
+    return extreme > end and (math.isinf(extreme) or extreme - end > 1e-6 * abs(extreme))
 
 
 def _advice(solution: Solution, said: Callable[[Mapping[str, Any], str], str]) -> str:

@@ -10,8 +10,10 @@ from chutecalc.physics.arrays import Array
 class Discharge(NamedTuple):
     """How a stream leaves a head pulley, arrays of length 1 or n."""
 
+    velocity: Array
+    """m/s: the belt's, or where the stream is held round the pulley what its radius makes of that."""
     froude: Array
-    """V²/(g r)."""
+    """v²/(g r) with that velocity."""
     slope: Array
     """Below horizontal, rad: -incline where the stream leaves tangent to the belt, else the angle that it is carried
     round to."""
@@ -20,26 +22,32 @@ class Discharge(NamedTuple):
     z: Array
 
 
-def discharge(velocity: Array, incline: Array, radius: Array, gravity: Array) -> Discharge:
+def discharge(velocity: Array, incline: Array, belt_radius: Array, radius: Array, gravity: Array) -> Discharge:
     """Where and how a stream leaves a belt over its head pulley.
 
-    With Fr = V²/(g r) ≥ cos ε it leaves tangent to the belt, where that meets the pulley; else it is carried round to
-    cos α_d = Fr, where its weight is just what holds it on. It starts at r (sin α, cos α) from the centre.
+    With V²/(g r) ≥ cos ε it leaves tangent to the belt, where that meets the pulley. Else it is held, turns with the
+    pulley, v = V r/r_b, and is carried round to cos α_d = v²/(g r), where its weight is just what holds it on; not at
+    all where that is cos ε or more. It starts at r (sin α, cos α) from the centre.
 
     Args:
         velocity: V of the belt, m/s, positive.
         incline: ε, rad, positive uphill.
-        radius: r of the pulley, belt and, for the centre line, half the material's depth, m.
+        belt_radius: r_b of the belt's surface on the pulley, m.
+        radius: r of what is looked at, m: for the centre line half the material's depth more.
         gravity: m/s².
 
-    >>> slow = discharge(np.array([1.0]), np.zeros(1), np.array([0.4]), np.array([9.81]))
-    >>> bool(abs(np.cos(slow.slope[0]) - 1.0 / (9.81 * 0.4)) < 1e-15)
-    True
+    >>> one = np.ones(1)
+    >>> slow = discharge(one, 0 * one, 0.4 * one, 0.44 * one, 9.81 * one)
+    >>> bool(abs(slow.velocity[0] - 1.1) < 1e-15), bool(abs(np.cos(slow.slope[0]) - 1.1**2 / (9.81 * 0.44)) < 1e-15)
+    (True, True)
     """
-    froude = velocity**2 / (gravity * radius)
-    carried = froude < np.cos(incline)
+    level = np.cos(incline)
+    held = velocity**2 / (gravity * radius) < level
+    own = np.where(held, velocity * radius / belt_radius, velocity)
+    froude = own**2 / (gravity * radius)
+    carried = froude < level
     slope = np.where(carried, np.arccos(np.where(carried, froude, 1.0)), -incline)
-    return Discharge(froude, slope, radius * np.sin(slope), radius * np.cos(slope))
+    return Discharge(own, froude, slope, radius * np.sin(slope), radius * np.cos(slope))
 
 
 class Loading(NamedTuple):
@@ -56,7 +64,12 @@ class Loading(NamedTuple):
     wear: Array
     """μ_b ρ V_ey² |V_b - V_ex|, W/m²."""
     acceleration_length: Array
-    """m of belt until the material has its velocity; infinite where it never has."""
+    """m along the belt from where the stream falls on it to where it has the belt's velocity; negative where it runs
+    back first and gets no further, infinite where it never has."""
+    landed: Array
+    """Velocity along the belt that friction on the impact leaves, m/s."""
+    landed_length: Array
+    """The acceleration length from that on."""
     acceleration_power: Array
     """ṁ V_b (V_b - V_ex), W."""
 
@@ -74,7 +87,9 @@ def loading(
     """The impact of a stream on a receiving belt, and what it takes to bring it to the belt's velocity.
 
     The acceleration length is (V_b² - V_ex²)/(2 g (±μ_b cos a_b + sin a_b)), + where the belt is the faster: friction
-    drives the material, and slope helps or hinders.
+    drives the material, and slope helps or hinders. A bracket of the wrong sign never brings it there. The impact's own
+    friction changes the velocity along by μ_b V_ey, towards the belt's and not past it: the length is told without that
+    and with it.
 
     Args:
         velocity, slope: of the stream at the chute's end, m/s and rad below horizontal.
@@ -90,11 +105,28 @@ def loading(
     along, across = velocity * np.cos(slope - belt_slope), np.abs(velocity * np.sin(slope - belt_slope))
     pressure = density * across**2
     lack = belt_velocity - along
+    landed = belt_velocity - np.sign(lack) * np.maximum(np.abs(lack) - friction * across, 0.0)
+    lengths = [_acceleration_length(start, belt_velocity, belt_slope, friction, gravity) for start in (along, landed)]
+    return Loading(
+        along=along,
+        across=across,
+        velocity_ratio=along / belt_velocity,
+        impact_pressure=pressure,
+        wear=friction * pressure * np.abs(lack),
+        acceleration_length=lengths[0],
+        landed=landed,
+        landed_length=lengths[1],
+        acceleration_power=mass_rate * belt_velocity * lack,
+    )
+
+
+def _acceleration_length(
+    along: Array, belt_velocity: Array, belt_slope: Array, friction: Array, gravity: Array
+) -> Array:
+    """How far material goes on a belt from a velocity along it until it has the belt's; NaN where there is none."""
+    lack = belt_velocity - along
     push = np.where(lack >= 0.0, friction, -friction) * np.cos(belt_slope) + np.sin(belt_slope)
-    gain = lack * (belt_velocity + along)
-    reachable = (gain * push > 0.0) | (gain == 0.0)
-    length = np.where(reachable, gain / np.where(reachable & (gain != 0.0), 2.0 * gravity * push, 1.0), np.inf)
-    length = np.where(np.isnan(along), np.nan, length)
-    ratio = along / belt_velocity
-    power = mass_rate * belt_velocity * lack
-    return Loading(along, across, ratio, pressure, friction * pressure * np.abs(lack), length, power)
+    reached = lack * push > 0.0
+    length = lack * (belt_velocity + along) / np.where(reached, 2.0 * gravity * push, 1.0)
+    length = np.where(lack == 0.0, 0.0, np.where(reached, length, np.inf))
+    return np.where(np.isnan(along), np.nan, length)

@@ -22,9 +22,14 @@ class Flight(NamedTuple):
 
 
 def flight(x: Array, z: Array, velocity: Array, slope: Array, gravity: Array) -> Flight:
-    """The flight of a stream that leaves (x, z) with a velocity, m/s, along a slope, rad below horizontal."""
+    """The flight of a stream that leaves (x, z) with a velocity, m/s, along a slope, rad below horizontal.
+
+    What is vertical has no forward velocity, though π/2 in doubles has a cosine of 6e-17.
+    """
     slope = shared(slope)
-    return Flight(x, z, velocity * np.cos(slope), velocity * np.sin(slope), gravity)
+    ahead = np.cos(slope)
+    ahead = np.where(ahead <= 1e-15, 0.0, ahead)
+    return Flight(x, z, velocity * ahead, velocity * np.sin(slope), gravity)
 
 
 def position(path: Flight, time: Array) -> tuple[Array, Array]:

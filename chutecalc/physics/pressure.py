@@ -53,6 +53,28 @@ def pressure_shortfall(inclination: Values, vertical_ratio: Values) -> Array:
     return shortfall
 
 
+def pressure_factor(excess: Values, missing: Values, equilibrium: bool) -> Array:
+    """By how much a friction law raises the hydrostatic pressures of all walls, f.
+
+    Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
+    (1 + χ) N of them. One factor for all walls closes the books: f = (1 + χ)/(1 + χ - m) with the paper's law, and
+    1/(1 - m) with the equilibrium law, whose χ is already divided by 1 - m.
+
+    Args:
+        excess: χ of the law.
+        missing: m, the share of the weight that hydrostatic wall pressures do not carry, in [0, 1).
+        equilibrium: which law.
+
+    Returns:
+        f, 1 for a rectangle, in the broadcast shape.
+
+    >>> float(pressure_factor(0.5, 0.5, False)), float(pressure_factor(1.0, 0.5, True))
+    (1.5, 2.0)
+    """
+    total = 1.0 + real(excess)
+    return 1.0 / (1.0 - real(missing)) if equilibrium else total / (total - real(missing))
+
+
 def greatest_wall_friction(internal_friction: Values) -> Array:
     """The steepest wall friction angle a material can show, φ_s = atan(sin δ) (Paper, section 6).
 

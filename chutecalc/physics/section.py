@@ -135,7 +135,7 @@ def _flat_rows(section: Polygon, vertical_ratio: Array) -> list[Facets]:
     excess, excess_rise, shortfall, shortfall_rise = zero, zero, zero, zero
     rows = []
     for number, (length, psi) in enumerate(zip(lengths, inclinations, strict=True)):
-        s, c = np.sin(psi), np.cos(psi)
+        s, c = np.sin(psi), np.where(psi == np.pi / 2, 0.0, np.cos(psi))  # 6e-17 there would open a deep stream
         lacking = pressure_shortfall(psi, vertical_ratio)
         own_excess = (1.0 - lacking) * 2.0 * np.sin(psi / 2) ** 2  # 1 - cos ψ, without its cancellation
         own_shortfall = lacking * c

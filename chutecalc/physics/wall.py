@@ -1,8 +1,10 @@
 """Wall friction: the shear stress that a wall shows at a normal stress, as one law of linear pieces.
 
 A constant angle is one piece through the origin. A measured wall yield locus has a piece between each two of its rows,
-its first and last slope going on beyond them, and is bounded from below by 0 and from above by the material's own
-strength, τ = σ sin δ: a wall cannot resist more than the material does.
+its first and last slope going on beyond them. Below the first row it never comes to less than 0 at σ = 0: a line that
+would cut the stress axis goes from that row to the origin instead, for else there would be no friction at all at the
+low pressures that chutes have. From above the locus is bounded by the material's own strength, τ = σ sin δ: a wall
+cannot resist more than the material does.
 """
 
 from typing import NamedTuple
@@ -10,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.intervals import interval_of, take_row
+from chutecalc.physics.intervals import interval_of, take_row, with_axes
 
 
 class Wall(NamedTuple):
@@ -51,14 +53,16 @@ def yield_locus(normal: Array, shear: Array, bound: Array) -> Wall:
     shape = np.broadcast_shapes(normal.shape[1:], shear.shape[1:], bound.shape)
     normal, shear = (np.broadcast_to(rows, (len(rows), *shape)) for rows in (normal, shear))
     bound = np.broadcast_to(bound, shape)
+    zero = np.zeros((1, *shape))
     slopes = np.diff(shear, axis=0) / np.diff(normal, axis=0)
     intercepts = shear[:-1] - slopes * normal[:-1]
-    zero = np.zeros((1, *shape))
-    candidates = np.concatenate([intercepts, zero, zero]), np.concatenate([slopes, zero, bound[None]])
+    bent = intercepts[:1] < 0.0
+    slopes = np.concatenate([np.where(bent, shear[:1] / normal[:1], slopes[:1]), slopes])
+    intercepts = np.concatenate([np.where(bent, 0.0, intercepts[:1]), intercepts])
+    candidates = np.concatenate([intercepts, zero]), np.concatenate([slopes, bound[None]])
     with np.errstate(all="ignore"):
         crossings = intercepts / (bound - slopes)
-        floor = -intercepts[:1] / slopes[:1]
-    corners = np.concatenate([normal[1:-1], crossings, floor])
+    corners = np.concatenate([np.where(bent, normal[:1], np.inf), normal[1:-1], crossings])
     starts = np.concatenate([zero, np.sort(np.where(corners > 0.0, corners, np.inf), axis=0)])
     ends = np.concatenate([starts[1:], np.full((1, *shape), np.inf)])
     inside = np.where(np.isfinite(ends), 0.5 * (starts + ends), 2.0 * starts + 1.0)  # no corner lies within a piece
@@ -78,11 +82,34 @@ def wall_friction(wall: Wall, stress: Array) -> Array:
     return slope + intercept / np.where(stress > 0.0, stress, np.inf)
 
 
+def added_friction(wall: Wall, stress: Array, added: Array) -> Array:
+    """Shear stress that a wall shows more for a normal stress added to another, over that: (τ(σ + p) - τ(σ))/p.
+
+    As the mean of dτ/dσ over what is added, which does not cancel. μ for a constant wall.
+
+    Args:
+        wall: the friction law.
+        stress: σ, Pa, 0 or more, shape (..., designs).
+        added: p, Pa, likewise; dτ/dσ where it is 0.
+
+    >>> wall = yield_locus(np.array([[1e3], [2e3]]), np.array([[0.6e3], [1.0e3]]), np.array([0.5]))
+    >>> added_friction(wall, np.array([1e3]), np.array([3e3])).round(12)  # τ goes from 500 to 1800 Pa
+    array([0.43333333])
+    """
+    if len(wall.starts) == 1:
+        return np.broadcast_to(wall.slopes[0], np.broadcast_shapes(stress.shape, wall.slopes.shape[1:]))
+    starts = with_axes(wall.starts, stress.ndim)
+    ends = np.concatenate([starts[1:], np.full((1, *starts.shape[1:]), np.inf)])
+    overlap = np.maximum(np.minimum(stress + added, ends) - np.maximum(stress, starts), 0.0)
+    width = overlap.sum(axis=0)
+    total = (with_axes(wall.slopes, stress.ndim) * overlap).sum(axis=0)
+    here = take_row(wall.slopes, wall_piece(wall, stress))
+    return np.where(width > 0.0, total / np.where(width > 0.0, width, 1.0), here)
+
+
 def _holding(stress: Array, normal: Array, slopes: Array, intercepts: Array, bound: Array) -> Index:
-    """Which of the pieces of the locus, zero and the bound holds at stresses, shape (pieces, designs)."""
-    count = len(slopes)
-    row = interval_of(normal[:-1], stress)
+    """Which of the pieces of the locus and the bound holds at stresses, shape (pieces, designs)."""
+    row = interval_of(np.concatenate([np.zeros_like(normal[:1]), normal[:-1]]), stress)
     measured = np.take_along_axis(intercepts, row, axis=0) + np.take_along_axis(slopes, row, axis=0) * stress
-    row = np.where(measured < 0.0, count, row)
-    chosen: Index = np.where(measured > bound * stress, count + 1, row)
+    chosen: Index = np.where(measured > bound * stress, len(slopes), row)
     return chosen

@@ -11,6 +11,7 @@ import numpy as np
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.circle import Arc, angle_area, arc
 from chutecalc.physics.intervals import interval_of
+from chutecalc.physics.pressure import pressure_factor
 from chutecalc.physics.section import Facets, take_facet
 
 
@@ -27,6 +28,8 @@ class Wetting(NamedTuple):
     """χ of the friction law."""
     missing: Array
     """m = 1 - (1/A) ∫ K cos ψ ζ dl, the share of the weight that hydrostatic wall pressures do not carry."""
+    factor: Array
+    """f by which the friction law raises hydrostatic pressures (:func:`chutecalc.physics.pressure.pressure_factor`)."""
 
 
 def wetted_length(facet: Facets, area: Array) -> tuple[Array, Array]:
@@ -83,7 +86,8 @@ class Excess:
     logarithmic growth with the area w/W of it.
     """
 
-    def __init__(self, facet: Facets, equilibrium: bool) -> None:
+    def __init__(self, facet: Facets, equilibrium: bool, both: bool = False) -> None:
+        """One facet a design; ``both`` loads where more is asked for than the paper's χ."""
         self.facet, self.equilibrium = facet, equilibrium
         self.stacked = bool(facet.area.any())
         """Whether any facet stands on others; what is 0 on the first need not be added."""
@@ -97,7 +101,7 @@ class Excess:
             self.apex = self.apex - self.spread * facet.area
         self.loads = [self._load(facet.excess, facet.excess_rise, facet.own_excess)]
         """What the friction law takes shares of: X, and for the equilibrium law the shortfall."""
-        if equilibrium:
+        if equilibrium or both:
             self.loads.append(self._load(facet.shortfall, facet.shortfall_rise, facet.own_shortfall))
 
     def _load(self, foot: Array, rise: Array, own: Array) -> "_Load":
@@ -106,6 +110,18 @@ class Excess:
 
     def at(self, area: Array) -> tuple[Array, Array]:
         """χ and A dχ/dA/2 at areas, shape (..., designs): by the latter χ falls with the logarithm of v²."""
+        return self.law(self.shares(area))
+
+    def law(self, shares: list[tuple[Array, Array]]) -> tuple[Array, Array]:
+        """χ of the friction law from what :meth:`shares` gives, and its growth."""
+        if not self.equilibrium:
+            return shares[0]
+        (excess, growth), (missing, missing_growth) = shares
+        carried = 1.0 - missing
+        return excess / carried, (growth + excess * missing_growth / carried) / carried
+
+    def shares(self, area: Array) -> list[tuple[Array, Array]]:
+        """The hydrostatic χ, and with both loads the missing m, each with half its logarithmic growth with the area."""
         width = self.spread * area
         width += self.apex
         np.sqrt(width, out=width)
@@ -125,11 +141,7 @@ class Excess:
                 (np.where(curved, bend.missing, missing), np.where(curved, 0.5 * bend.missing_growth, growth))
                 for missing, growth in rest
             ]
-        if not self.equilibrium:
-            return shares[0]
-        (excess, growth), (missing, missing_growth) = shares
-        carried = 1.0 - missing
-        return excess / carried, (growth + excess * missing_growth / carried) / carried
+        return shares
 
     def _share(self, load: "_Load", area: Array, wetted: Array, climb: Array, narrow: Array) -> tuple[Array, Array]:
         """A load over the area, and half its logarithmic growth with it.
@@ -172,7 +184,7 @@ def depth_and_width(facet: Facets, area: Array) -> tuple[Array, Array]:
 
 
 def wetting(facet: Facets, area: Array, equilibrium: bool = False) -> Wetting:
-    """Depth, wetted chamfer, surface width, χ and missing load of a flow area.
+    """Depth, wetted chamfer, surface width, χ, missing load and pressure factor of a flow area.
 
     Arguments as in :func:`excess_friction`, shapes likewise. The walls above a drawn top do not count as chamfer.
     """
@@ -184,7 +196,7 @@ def wetting(facet: Facets, area: Array, equilibrium: bool = False) -> Wetting:
         missing, chamfer = np.where(curved, bend.missing, missing), np.where(curved, facet.radius * bend.angle, chamfer)
     depth, width = depth_and_width(facet, area)
     excess, _ = excess_friction(facet, area, equilibrium)
-    return Wetting(depth, chamfer, width, excess, missing)
+    return Wetting(depth, chamfer, width, excess, missing, pressure_factor(excess, missing, equilibrium))
 
 
 def area_at_depth(table: Facets, depth: Array) -> Array:

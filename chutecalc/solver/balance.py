@@ -5,10 +5,7 @@ import numpy as np
 from chutecalc.design import length
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.roots import root_between
-from chutecalc.physics.section import take_facet, wetted_facet
-from chutecalc.physics.wall import wall_friction
-from chutecalc.physics.wetting import excess_friction
-from chutecalc.solver.slide import Slide
+from chutecalc.solver.slide import Slide, net_pull
 
 SLOWEST, FASTEST = 1e-9, 1e12
 GRID = 320
@@ -35,14 +32,16 @@ def critical_velocity(slide: Slide, place: Array, velocity: Array) -> Array:
     place, velocity = np.broadcast_to(place, n), np.broadcast_to(velocity, n)
 
     def surplus(log_velocity: Array, rows: Index) -> Array:
-        return _surplus(slide.rows(rows), place[rows], np.exp(log_velocity))
+        return net_pull(slide.rows(rows), place[rows], np.exp(2.0 * log_velocity))
 
     grid = np.repeat(np.linspace(np.log(SLOWEST), np.log(FASTEST), GRID)[:, None], n, axis=1)
     blocks = np.array_split(grid, max(1, GRID * n // BLOCK))
-    values = np.concatenate([_surplus(slide, np.broadcast_to(place, rows.shape), np.exp(rows)) for rows in blocks])
+    values = np.concatenate(
+        [net_pull(slide, np.broadcast_to(place, rows.shape), np.exp(2.0 * rows)) for rows in blocks]
+    )
     rising = (values[:-1] <= 0.0) & (values[1:] > 0.0)
     below = rising & (grid[:-1] <= np.log(velocity))
-    faster = _surplus(slide, place, velocity) > 0.0
+    faster = net_pull(slide, place, velocity**2) > 0.0
     last = len(grid) - 2 - below[::-1].argmax(axis=0)  # the highest balance below the stream
     first = (rising & (grid[1:] >= np.log(velocity))).argmax(axis=0)  # the lowest above it
     chosen, columns = np.where(faster, last, first), np.arange(n)
@@ -50,14 +49,3 @@ def critical_velocity(slide: Slide, place: Array, velocity: Array) -> Array:
     found = np.exp(root_between(surplus, *ends))
     exists = rising[chosen, columns] & np.where(faster, below.any(axis=0), True)
     return np.where(exists, found, np.where(faster, 0.0, np.inf))
-
-
-def _surplus(slide: Slide, place: Array, velocity: Array) -> Array:
-    """What is left of the slope's pull after friction, over g."""
-    table, area = slide.facets_at(place), slide.flow / velocity
-    facet = take_facet(table, np.broadcast_to(wetted_facet(table, area), area.shape))
-    excess, _ = excess_friction(facet, area, slide.equilibrium)
-    slope = slide.entry_slope + slide.turn * place
-    stress = slide.stress(place, velocity**2, facet)
-    result: Array = np.sin(slope) - wall_friction(slide.wall, stress) * (1.0 + excess) * np.cos(slope)
-    return result

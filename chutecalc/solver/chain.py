@@ -8,17 +8,19 @@ from chutecalc.physics.arrays import Array, shared
 from chutecalc.physics.flight import motion, position
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
+from chutecalc.solver.deviation import Deviation, at_landing, deviation, none, of_arc
 from chutecalc.solver.front import Effort, effort
-from chutecalc.solver.joint import Arrival
+from chutecalc.solver.joint import Arrival, entry_error
 from chutecalc.solver.leg import (
     ContactLeg,
+    Drawn,
     Leg,
-    Place,
     arrivals,
     entry_of,
     fall_leg,
     inlet,
     merged,
+    moved_on,
     onward,
     overwritten,
     points,
@@ -69,7 +71,7 @@ class _Chain:
         self.single = length(design) == 1
         self.legs: list[Leg] = []
         self.stream = inlet(design)
-        self.drawn: Place = (self.stream.x, self.stream.z)
+        self.drawn = Drawn(self.stream.x, self.stream.z, none((1,)))
         self.arrival: Arrival | None = None
         """On the next segment, where the fall before it has found that."""
 
@@ -79,28 +81,29 @@ class _Chain:
         more = number + 1 < len(self.design.segments)
         if isinstance(segment, Contact):
             leg = self.along(number, segment)
-            end = point(leg.contact.surface, np.ones(1)) if leg.contact else None
             self.legs.append(leg)
             self.stream = onward(leg, more)
-            if segment.side == ROOF and segment.kind != "plate":
+            if segment.kind != "plate":
                 self.strike_again(number, segment, leg)
-            self.drawn = (end[0], end[1]) if end else self.drawn
+            assert leg.contact is not None
+            x, z, _ = point(leg.contact.surface, np.ones(1))
+            self.drawn = Drawn(x, z, leg.contact.off)
         elif segment.onto_next:
             self.legs.append(self.onto_next(number, segment))
         else:
             leg = fall_leg(number, segment, self.stream, self.drawn, self.design)
             self.legs.append(leg)
-            self.stream, self.drawn = leg.exit, (leg.exit.x, leg.exit.z)
+            self.stream, self.drawn = leg.exit, Drawn(leg.exit.x, leg.exit.z, deviation(leg.exit))
 
-    def strike_again(self, number: int, hood: Contact, leg: Leg) -> None:
-        """A stream that dropped off a hood may strike it again further on."""
+    def strike_again(self, number: int, contact: Contact, leg: Leg) -> None:
+        """A stream that dropped off a hood, or was thrown off a crest that rises, may meet it again further on."""
         for _ in range(STRIKES):
             lost = leg.status == Status.CONTACT_LOST
             if not lost.any():
                 return
             status = np.where(lost, Status.OK, Status.NOT_REACHED)
             start = leg.exit._replace(status=status, airborne=lost)
-            again = self.along(number, hood, start, known=2)
+            again = self.along(number, contact, start, known=2)
             caught = again.status < Status.MISSED
             if not caught.any():
                 return
@@ -112,15 +115,18 @@ class _Chain:
         """A flight to where it meets the next segment; what misses that flies on from where this one began."""
         contact = self.design.segments[number + 1]
         assert isinstance(contact, Contact)  # a rule of the spec
-        start, surface, slide = self.meet(number + 1, contact, self.stream._replace(airborne=np.ones(1, dtype=bool)))
-        arrival = arrivals(start, surface, slide, 0)
+        start, surface, slide, drawn = self.meet(
+            number + 1, contact, self.stream._replace(airborne=np.ones(1, dtype=bool))
+        )
+        arrival = arrivals(start, surface, slide, drawn, 0)
         landed = (arrival.status == Status.OK) | (arrival.status == Status.STALL)
         time = np.where(landed, arrival.time, np.nan)
         x, z = position(arrival.path, time)
         velocity, slope = motion(arrival.path, time)
         distance = start.distance + arrival.distance
-        error = start.error * (start.velocity / velocity) ** 2
-        end = stream_of((distance, x, z, slope, velocity, error), start.status, landed)
+        slope_met = points(surface, arrival.place)[2]
+        off, _ = at_landing(deviation(start), drawn, arrival.path, time, surface, slope_met)
+        end = stream_of((distance, x, z, slope, velocity, *off), start.status, landed)
         self.stream = merged(landed, end, start)
         self.arrival = arrival._replace(  # flown already
             time=np.where(landed, 0.0, arrival.time), distance=np.where(landed, 0.0, arrival.distance)
@@ -128,10 +134,12 @@ class _Chain:
         status = np.where((start.status == Status.OK) & landed, Status.OK, Status.NOT_REACHED)
         return Leg(number, fall, start, arrival.path, time, end, end, status, None)
 
-    def meet(self, number: int, contact: Contact, stream: Stream) -> tuple[Stream, Surface, Slide]:
-        """A stream and the segment that it comes to, all of one length."""
+    def meet(self, number: int, contact: Contact, stream: Stream) -> tuple[Stream, Surface, Slide, Deviation]:
+        """A stream, the segment that it comes to, and by how much that may be drawn wrongly, all of one length."""
         design = self.design
-        surface = _surface(contact, number, stream, contact.start or self.drawn)
+        surface = _surface(contact, number, stream, contact.start or (self.drawn.x, self.drawn.z))
+        off = none((1,)) if contact.start else self.drawn.off
+        off = off._replace(slope=stream.slope_error if contact.entry_slope is None else np.zeros(1))
         slide = Slide(
             contact.side,
             design.gravity,
@@ -149,41 +157,48 @@ class _Chain:
             self.single,
         )
         if self.single:
-            return stream, surface, slide
+            return stream, surface, slide, off
         own = length(slide)
         n = max(length(stream), length(surface), own)
         slide = slide._replace(alike=own == 1)
-        return Stream._make(stretched(field, (n,)) for field in stream), surface, slide
+        return (
+            Stream._make(stretched(field, (n,)) for field in stream),
+            surface,
+            slide,
+            Deviation._make(stretched(field, (n,)) for field in off),
+        )
 
     def along(self, number: int, contact: Contact, start: Stream | None = None, known: int = 0) -> Leg:
         """A contact segment: onto it, along it, and where each design leaves it."""
-        start, surface, slide = self.meet(number, contact, self.stream if start is None else start)
+        start, surface, slide, drawn = self.meet(number, contact, self.stream if start is None else start)
         arrival, self.arrival = self.arrival, None
         if arrival is None:
-            arrival = arrivals(start, surface, slide, known)
+            arrival = arrivals(start, surface, slide, drawn, known)
         if number + 1 == len(self.design.segments):  # none that could catch what flies past
             arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
-        entry = entry_of(start, surface, arrival)
+        off = of_arc(drawn, surface)
+        entry = entry_of(start, surface, arrival, off)
+        error = entry_error(slide, arrival.met())
+        off = Deviation._make(np.where(error < 0.0, -field, field) for field in off)  # with an error of the other sign
         rows = np.flatnonzero(arrival.status == Status.OK)
-        here, place, flow, line = entry, arrival.place, slide, surface
-        if len(rows) < len(place):
-            here, place, flow, line = some(entry, rows), place[rows], slide.rows(rows), select(surface, rows)
+        entered = entry._replace(error=np.abs(error))
+        here, met, flow, line, aside = entered, arrival.met(), slide, surface, off
+        if len(rows) < len(met.place):
+            here, met, flow = some(entered, rows), arrival.met(rows), slide.rows(rows)
+            line, aside = select(surface, rows), some(off, rows)
         if contact.kind == "plate":
-            stretch = Stretch.standing(place, here.velocity**2, 2.0 * here.error)
+            stretch = Stretch.standing(met.place, here.velocity**2, 2.0 * here.error)
         else:
-            stretch = solve_stretch(flow, place, here.velocity**2, 2.0 * here.error, self.work)
-        x, z, slope = points(line, stretch.place)
-        distance = here.distance + line.length * (stretch.place - place)
-        error = np.where(stretch.status == Status.STALL, stretch.error, 0.5 * stretch.error)
-        numbers = (distance, x, z, slope, np.sqrt(stretch.velocity_squared), error)
-        moved = stream_of(numbers, stretch.status, here.airborne)
-        end = moved if len(rows) == len(start.status) else overwritten(entry, moved, rows)
+            stretch = solve_stretch(flow, met.place, here.velocity**2, 2.0 * here.error, self.work)
+        end = moved_on(here, stretch, met, flow, line, aside)
+        if len(rows) < len(start.status):
+            end = overwritten(entered, end, rows)
         status = np.where(start.status == Status.OK, end.status, Status.NOT_REACHED)
-        contact_leg = ContactLeg(surface, slide, arrival, stretch, rows)
+        contact_leg = ContactLeg(surface, slide, arrival, stretch, rows, off)
         return Leg(number, contact, start, arrival.path, arrival.time, entry, end, status, contact_leg)
 
 
-def _surface(contact: Contact, number: int, start: Stream, drawn: Place) -> Surface:
+def _surface(contact: Contact, number: int, start: Stream, drawn: tuple[Array, Array]) -> Surface:
     """The segment as it stands: a curve tangent to a falling stream takes its slope."""
     slope = shared(start.slope) if contact.entry_slope is None else contact.entry_slope
     turn = contact.exit_slope - slope

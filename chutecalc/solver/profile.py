@@ -11,13 +11,14 @@ import numpy as np
 from chutecalc.design import stretched
 from chutecalc.physics.arrays import Array, Mask, product
 from chutecalc.physics.flight import motion, path_length, position
-from chutecalc.physics.friction import equivalent_friction
+from chutecalc.physics.friction import equilibrium_friction, equivalent_friction
 from chutecalc.physics.roots import root_between
 from chutecalc.physics.section import Facets, take_facet, wetted_facet
 from chutecalc.physics.surface import point
 from chutecalc.physics.wall import wall_friction
 from chutecalc.physics.wear import wall_pressures
 from chutecalc.physics.wetting import Wetting, depth_and_width, wetting
+from chutecalc.solver.balance import critical_velocity
 from chutecalc.solver.collocation import interpolation, rule
 from chutecalc.solver.crossing import evaluate
 from chutecalc.solver.front import Piece
@@ -127,6 +128,21 @@ class SlideProfile:
         """The one in which the surface lies."""
         return take_facet(self.table, wetted_facet(self.table, self.contact.slide.area(self.velocity_squared)))
 
+    @property
+    def top(self) -> Array:
+        """Height of the section's drawn top above the floor, m; NaN where it has none."""
+        if len(self.table.area) == 1:
+            return np.full((1, 1), np.nan)
+        return np.where(self.table.drawn[-1] > 0.0, np.nan, self.table.height[-1])
+
+    @cached_property
+    def balance(self) -> Array:
+        """The velocity below which friction wins here, m/s, see :func:`chutecalc.solver.balance.critical_velocity`."""
+        shape = self.velocity.shape
+        slide = self.contact.slide.rows(np.tile(np.arange(shape[1]), shape[0]))
+        place = np.broadcast_to(self.place, shape)
+        return critical_velocity(slide, place.ravel(), self.velocity.ravel()).reshape(shape)
+
     @cached_property
     def area(self) -> Array:
         """Q/v, m²."""
@@ -148,23 +164,63 @@ class SlideProfile:
         there = np.isnan(self.velocity_squared)
         return np.where(there, np.nan, self.contact.slide.normal(self.place, self.velocity_squared))
 
+    def moving(self, velocity_squared: float) -> "SlideProfile":
+        """The same with some velocity at all places, m²/s²."""
+        other = SlideProfile(self.leg, self.contact, self.place, self.shares)
+        other.__dict__["velocity_squared"] = np.full(self.velocity_squared.shape, velocity_squared)
+        return other
+
+    @cached_property
+    def stress(self) -> Array:
+        """What the wall's friction is read at, f ρ n H, Pa; infinite at rest, where depth is."""
+        stress = self.contact.slide.density * np.maximum(self.normal, 0.0) * self.wet.factor * self.depth
+        return self._known(np.where(self.velocity_squared == 0.0, np.inf, stress))
+
     @cached_property
     def wall_friction(self) -> Array:
         """μ."""
-        slide = self.contact.slide
-        return self._finite(wall_friction(slide.wall, slide.density * np.maximum(self.normal, 0.0) * self.depth))
+        along = wall_friction(self.contact.slide.wall, self.stress)
+        return self._known(np.where(self._thrown, self.contact.arrival.impact.wall_friction, along))
 
     @cached_property
     def friction(self) -> Array:
         """μ_e."""
-        return equivalent_friction(self.wall_friction, self.wet.excess)
+        along = equivalent_friction(self.wall_friction, self.wet.excess)
+        return self._known(np.where(self._thrown, self.contact.arrival.impact.friction, along))
+
+    @property
+    def even_friction(self) -> Array:
+        """μ_e where all wall pressures carry the weight alike, as the equilibrium law has it."""
+        slide, missing = self.contact.slide, self.wet.missing
+        excess = self.wet.excess * (1.0 - missing) if slide.equilibrium else self.wet.excess
+        stress = slide.density * np.maximum(self.normal, 0.0) * self.depth / (1.0 - missing)
+        return self._known(equilibrium_friction(wall_friction(slide.wall, stress), excess, missing))
 
     @cached_property
     def pressures(self) -> tuple[Array, Array, Array]:
-        """On floor, chamfers and side walls, Pa."""
+        """On floor, chamfers and side walls, Pa; on a plate the impact's."""
         slide = self.contact.slide
         weight = slide.density * np.maximum(self.normal, 0.0)
-        return wall_pressures(slide.section_at(self.place), self.table, self.wet, self.area, weight, slide.equilibrium)
+        floor, chamfer, side = wall_pressures(slide.section_at(self.place), self.table, self.wet, weight)
+        thrown = self._thrown
+        struck = self._known(np.where(thrown, self.contact.arrival.impact.pressure, floor))
+        return struck, np.where(thrown, np.nan, chamfer), np.where(thrown, np.nan, side)
+
+    @cached_property
+    def wear(self) -> tuple[Array, Array, Array]:
+        """Friction power per area there, μ p v, W/m², where slip is the mean velocity; on a plate the impact's."""
+        floor, chamfer, side = (pressure * self.wall_friction * self.velocity for pressure in self.pressures)
+        return self._known(np.where(self._thrown, self.contact.arrival.impact.wear, floor)), chamfer, side
+
+    @property
+    def _thrown(self) -> Mask:
+        """The designs in which this is a plate that is struck: the stream leaves it where it strikes it."""
+        return (self.contact.arrival.incidence > 0.0) & (self.leg.segment.kind == "plate")
+
+    def _known(self, values: Array) -> Array:
+        """NaN where there is no stream."""
+        known: Array = stretched(np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape)
+        return known
 
     def _finite(self, values: Array) -> Array:
         """NaN where the stream stands still, which leaves it no depth."""
@@ -197,7 +253,7 @@ def _velocities(contact: ContactLeg, places: Array, shares: Array | None) -> Arr
     end, last = np.full((2, places.shape[1]), np.nan)
     end[contact.rows], last[contact.rows] = contact.stretch.place, contact.stretch.velocity_squared
     y = np.where(places == end, last, np.nan)
-    y = np.where(places == arrival.place, arrival.after**2, y)  # also of streams that get no further
+    y = np.where(places == arrival.place, arrival.impact.after**2, y)  # also of streams that get no further
     for piece in contact.stretch.pieces:
         rows = contact.rows[piece.rows]
         whole = np.zeros(len(rows), dtype=bool)

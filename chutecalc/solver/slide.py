@@ -16,9 +16,9 @@ from chutecalc.design import select
 from chutecalc.physics.arrays import Array, Index, sine_and_cosine
 from chutecalc.physics.intervals import take_row
 from chutecalc.physics.motion import ROOF, normal_acceleration
-from chutecalc.physics.section import Facets, Section, blend, facets, take_facet
-from chutecalc.physics.wall import Wall
-from chutecalc.physics.wetting import Excess, area_at_depth, depth_and_width
+from chutecalc.physics.section import Facets, Section, blend, facets, take_facet, wetted_facet
+from chutecalc.physics.wall import Wall, wall_friction
+from chutecalc.physics.wetting import Excess, area_at_depth, depth_and_width, excess_friction, wetting
 
 
 class Slide(NamedTuple):
@@ -80,14 +80,24 @@ class Slide(NamedTuple):
         return normal_acceleration(self.side, self.gravity, slope, -self.turn / self.length, velocity_squared)
 
     def stress(self, place: Array, velocity_squared: Array, facet: Facets) -> Array:
-        """Pressure on the centre section that decides the wall friction, ρ n H, Pa."""
-        depth, _ = depth_and_width(facet, self.area(velocity_squared))
-        stress: Array = self.density * self.normal(place, velocity_squared) * depth
+        """Pressure on the centre section that decides the wall friction, f ρ n H, Pa."""
+        wet = wetting(facet, self.area(velocity_squared), self.equilibrium)
+        stress: Array = self.density * self.normal(place, velocity_squared) * wet.factor * wet.depth
         return np.where(velocity_squared > 0.0, stress, np.inf)
 
     def can_lose_contact(self) -> bool:
         """Whether any design has a crest or a hood here: everything else presses on its floor by weight alone."""
         return self.side == ROOF or bool((self.turn > 0.0).any())
+
+
+def net_pull(slide: Slide, place: Array, velocity_squared: Array) -> Array:
+    """What friction leaves of gravity's pull along the surface, sin a - μ_e n/g, at places, shape (..., designs)."""
+    table, area = slide.facets_at(place), slide.area(velocity_squared)
+    facet = take_facet(table, np.broadcast_to(wetted_facet(table, area), area.shape))
+    excess, _ = excess_friction(facet, area, slide.equilibrium)
+    friction = wall_friction(slide.wall, slide.stress(place, velocity_squared, facet)) * (1.0 + excess)
+    pull: Array = np.sin(slide.entry_slope + slide.turn * place)
+    return pull - friction * slide.normal(place, velocity_squared) / slide.gravity
 
 
 class Branch(NamedTuple):
@@ -99,7 +109,25 @@ class Branch(NamedTuple):
     slope: Array
     """dτ/dσ of the piece."""
     adhesion: Array | None
-    """τ(0) of the piece over the density, m²/s²; None where no piece has any."""
+    """τ(0)/(ρ g) of the piece, m; None where no piece has any.
+
+    As friction is (slope + τ(0)/σ)(1 + χ) n with σ = f ρ n H, adhesion holds the stream by (1 + χ)/f τ(0)/(ρ H), where
+    (1 + χ)/f is what the walls bear hydrostatically, 1 + χ - m of the weight in the paper's terms.
+    """
+
+    def sticking(self, shares: list[tuple[Array, Array]], area: Array) -> tuple[Array, Array, Array]:
+        """What adhesion adds to friction, over g, and half of its fall and of its rise with the logarithm of the area.
+
+        Args:
+            shares: of ``excess`` at the area.
+            area: m².
+        """
+        assert self.adhesion is not None
+        (excess, growth), (missing, missing_growth) = shares
+        depth, width = depth_and_width(self.facet, area)
+        stuck = self.adhesion / depth
+        total = (1.0 + excess - missing) * stuck
+        return total, 0.5 * total * area / (width * depth), (growth - missing_growth) * stuck
 
 
 class Course:
@@ -109,7 +137,7 @@ class Course:
         self.slide, self.facet = slide, facet
         self.slope = take_row(slide.wall.slopes, piece)
         sticky = slide.wall.intercepts.any()
-        self.adhesion = take_row(slide.wall.intercepts, piece) / slide.density if sticky else None
+        self.adhesion = take_row(slide.wall.intercepts, piece) / (slide.density * slide.gravity) if sticky else None
         self.fixed = self._branch(take_facet(slide.drawn, facet))
         self.arcs = self.fixed.excess.arcs
 
@@ -120,7 +148,8 @@ class Course:
         return self._branch(take_facet(self.slide.facets_at(place), self.facet))
 
     def _branch(self, facet: Facets) -> Branch:
-        return Branch(facet, Excess(facet, self.slide.equilibrium), self.slope, self.adhesion)
+        excess = Excess(facet, self.slide.equilibrium, self.adhesion is not None)
+        return Branch(facet, excess, self.slope, self.adhesion)
 
 
 class Field(NamedTuple):
@@ -140,8 +169,6 @@ class Field(NamedTuple):
     """μ σ cos a."""
     bend: Array
     """2 h μ σ κ."""
-    adhesion: Array | None
-    """τ(0)/(ρ g) of the wall's piece, m."""
 
 
 def field(course: Course, place: Array, width: Array) -> Field:
@@ -156,7 +183,6 @@ def field(course: Course, place: Array, width: Array) -> Field:
         sine,
         branch.slope * (slide.side * cosine),
         branch.slope * (-2.0 * slide.side * width * slide.turn),
-        None if branch.adhesion is None else branch.adhesion / slide.gravity,
     )
 
 
@@ -179,27 +205,24 @@ def linearised(at: Field, y: Array) -> Linear:
     """The equation at an iterate Y at the field's places.
 
     With f = sin a - (1 + χ) (p + b Y) the derivative to Y is h/Y - (1 + χ) b, where h = A χ' (p + b Y)/2, and what it
-    leaves of f is sin a - (1 + χ) p - h. Adhesion adds to p, and to h by its own change with depth.
+    leaves of f is sin a - (1 + χ) p - h. What adhesion holds back is taken off f too, and changes h by its own change.
     """
     area = np.sqrt(y)
     np.divide(at.flow, area, out=area)
-    drag, bending = at.branch.excess.at(area)
+    shares = at.branch.excess.shares(area)
+    sticking = None if at.branch.adhesion is None else at.branch.sticking(shares, area)  # before shares are overwritten
+    drag, bending = at.branch.excess.law(shares)
     drag += 1.0
-    press, hold, held = at.press, at.bend * y, None
-    if at.adhesion is None:
-        hold += press  # μ_w n/g
-        bending *= hold
-    else:
-        depth, width = depth_and_width(at.branch.facet, area)
-        stuck = at.adhesion / depth
-        press = press + stuck
-        hold += press
-        bending *= hold
-        held = 0.5 * drag * stuck * area / (width * depth)
-        bending -= held
-        held /= y
-    forcing = np.multiply(drag, press, out=hold)
+    hold, held = at.bend * y, None
+    hold += at.press  # μ_w n/g
+    bending *= hold
+    forcing = np.multiply(drag, at.press, out=hold)
     np.subtract(at.sine, forcing, out=forcing)
+    if sticking is not None:
+        stuck, fall, rise = sticking
+        forcing -= stuck
+        bending += rise - fall
+        held = (fall - np.minimum(rise, 0.0)) / y
     forcing -= bending
     bending /= y
     growth = np.multiply(drag, at.bend, out=drag)
@@ -210,12 +233,12 @@ def linearised(at: Field, y: Array) -> Linear:
 def frozen(at: Field, y0: Array) -> Linear:
     """The same with μ_e as at Y0: near enough for Newton to start from, and right where friction is constant."""
     area = at.flow / np.sqrt(y0)
-    drag, _ = at.branch.excess.at(area)
-    drag += 1.0
-    press = at.press
-    if at.adhesion is not None:
-        press = press + at.adhesion / depth_and_width(at.branch.facet, area)[0]
-    return Linear(at.sine - drag * press, -drag * at.bend, NOTHING)
+    shares = at.branch.excess.shares(area)
+    drag = 1.0 + at.branch.excess.law(shares)[0]
+    forcing = at.sine - drag * at.press
+    if at.branch.adhesion is not None:
+        forcing -= at.branch.sticking(shares, area)[0]
+    return Linear(forcing, -drag * at.bend, NOTHING)
 
 
 TAPER_STEP = 1e-6
@@ -238,13 +261,12 @@ def _pull(course: Course, place: Array, y: Array) -> tuple[Array, Array]:
     slide, branch = course.slide, course.at(place)
     slope = slide.entry_slope + slide.turn * place
     area = slide.area(y)
-    chi, _ = branch.excess.at(area)
-    drag = branch.slope * (1.0 + chi)
+    shares = branch.excess.shares(area)
+    drag = branch.slope * (1.0 + branch.excess.law(shares)[0])
     sine, cosine = sine_and_cosine(slope)
     doubled = 2.0 * slide.length * slide.gravity
     press = slide.side * cosine + slide.bend() / slide.gravity * y
     pull = sine - drag * press
     if branch.adhesion is not None:
-        depth, _ = depth_and_width(branch.facet, area)
-        pull = pull - (1.0 + chi) * branch.adhesion / (slide.gravity * depth)
+        pull = pull - branch.sticking(shares, area)[0]
     return doubled * pull, doubled * slide.turn * (cosine + drag * slide.side * sine)

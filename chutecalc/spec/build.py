@@ -14,7 +14,7 @@ from chutecalc.physics.section import Facets, Section, facets
 from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.spec import model
 from chutecalc.spec.file import Place
-from chutecalc.spec.geometry import EVERY, GeometryFaults, in_si
+from chutecalc.spec.geometry import GeometryFaults, in_si
 from chutecalc.spec.sections import build_section, section_names
 
 LONGEST = 1e5  # m, as of every length
@@ -96,9 +96,9 @@ class _Geometry:
         velocity, incline = in_si(inlet.belt.velocity_m_s, "velocity"), in_si(inlet.belt.incline_deg, "angle")
         lower = in_si(inlet.belt.pulley_radius_m, "length") + in_si(inlet.belt.belt_thickness_m, "length")
         middle = lower + 0.5 * in_si(inlet.belt.material_depth_m, "length")
-        leaves = discharge(velocity, incline, middle, in_si(self.spec.flow.gravity_m_s2, "acceleration"))
+        leaves = discharge(velocity, incline, lower, middle, in_si(self.spec.flow.gravity_m_s2, "acceleration"))
         belt = Belt((x, z), velocity, incline, lower, middle)
-        return velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
+        return leaves.velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
 
     def receiver(self) -> Receiver | None:
         """The belt below, if there is one."""
@@ -117,21 +117,23 @@ class _Geometry:
             place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
             self.faults.note(velocity == 0.0, place, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
         slope: Array | None = shared(np.where(velocity == 0.0, VERTICAL, inlet_slope))  # a stream at rest falls
+        falling = bool(np.all(slope == np.pi / 2))  # straight down, and past nothing yet that it may not follow
         built: list[Segment] = []
         for number, (name, segment) in enumerate(zip(segment_names(self.spec), self.spec.segments, strict=True)):
             if isinstance(segment, model.Fall):
-                vertical = slope is not None and bool((slope == np.pi / 2).all())
-                if vertical and segment.run_m is not None:
-                    problem = "is never reached: the stream falls straight down"
-                    self.faults.note(EVERY, ("segments", number, "run_m"), segment.run_m, problem, "give drop_m")
+                straight_down = np.zeros(1, dtype=bool) if slope is None else slope == np.pi / 2
+                if segment.run_m is not None:
+                    problem, key = "is never reached: the stream falls straight down", ("segments", number, "run_m")
+                    self.faults.note(straight_down, key, segment.run_m, problem, "give drop_m")
                 drop, run = _optional(segment.drop_m), _optional(segment.run_m)
                 built.append(Fall(name, segment.kind, drop, run))
-                slope = VERTICAL if vertical else None
+                slope = VERTICAL if straight_down.all() else None
                 continue
-            follows = self.drawn_slopes.get(number, slope)
+            after_fall = number > 0 and isinstance(self.spec.segments[number - 1], model.Fall)
+            follows = self.drawn_slopes.get(number, None if after_fall and not falling else slope)
             contact = self.contact(("segments", number), name, segment, follows, sections, tables, walls)
             built.append(contact)
-            slope = None if segment.kind == "plate" else contact.exit_slope
+            slope, falling = contact.exit_slope, False
         return tuple(built)
 
     def contact(
@@ -173,8 +175,14 @@ class _Geometry:
             end_section=None if end_section is None else sections[end_section],
             facets=tables[section],
             wall=walls[liner],
+            measured=self.measured(self.spec.liners[liner]),
             slip_ratio=in_si(self.spec.liners[liner].slip_ratio, "number"),
         )
+
+    def measured(self, liner: model.Liner) -> tuple[Array, Array] | None:
+        """The range of normal stress that a locus was measured in."""
+        rows = liner.yield_locus_kpa
+        return None if rows is None else (in_si(rows[0][0], "pressure"), in_si(rows[-1][0], "pressure"))
 
     def wall(self, liner: model.Liner) -> Wall:
         """The friction law of a liner."""

@@ -12,10 +12,10 @@ import numpy as np
 from pydantic import Field, FiniteFloat, ValidationError
 
 from chutecalc import __version__
+from chutecalc.along import COLUMN
 from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS
 from chutecalc.errors import SpecError
-from chutecalc.extremes import SAMPLES
 from chutecalc.findings import Finding
 from chutecalc.solution import Solution
 from chutecalc.spec.faults import faults_of
@@ -23,7 +23,7 @@ from chutecalc.spec.file import BASELINE_SUFFIX, parse_text, read_text
 from chutecalc.spec.quantity import Number, Quantity, Table
 
 TOLERANCE = 1e-9
-STATIONS = slice(None, None, len(SAMPLES) // 4)  # five a segment, both ends among them
+STATIONS = np.linspace(0.0, 1.0, 5)  # of each segment's way
 RECEIVER = (
     "velocity_along_m_s",
     "velocity_across_m_s",
@@ -185,10 +185,10 @@ def baseline_of(
     3.878
     """
     segments = []
-    for way, sampled in zip(solution.ways, solution.samples, strict=True):
-        columns = {name: sampled[name][STATIONS] for name in COLUMNS if name in sampled}
+    for way, part in zip(solution.ways, solution.parts, strict=True):
+        columns = part.at(STATIONS, COLUMN.keys() & COLUMNS.keys())
         stations = [
-            _finite({name: values[k] for name, values in columns.items()}) for k in range(len(SAMPLES[STATIONS]))
+            _finite({name: columns[name][k] for name in COLUMNS if name in columns}) for k in range(len(STATIONS))
         ]
         segments.append(
             KeptSegment(

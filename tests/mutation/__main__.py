@@ -88,16 +88,11 @@ def outcomes(
     running: dict[int, tuple[Path, Mutant, float, float]] = {}
     while waiting or running:
         while waiting and free:
-            mutant = waiting.pop()
-            if tests := reach.tests(mutant.file, mutant.lines):
-                tree = free.pop()
-                modified = (tree / mutant.file).stat().st_mtime
-                process = started(tree, mutant, sources[mutant.file], tests)
-                running[process] = tree, mutant, time.perf_counter(), modified
-            else:
-                yield mutant, NOT_REACHED, "", 0.0
-        if not running:
-            continue
+            mutant, tree = waiting.pop(), free.pop()
+            modified = (tree / mutant.file).stat().st_mtime
+            tests = reach.tests(mutant.file, mutant.lines)
+            process = started(tree, mutant, sources[mutant.file], tests)
+            running[process] = tree, mutant, time.perf_counter(), modified
         process, status = os.wait()
         tree, mutant, start, modified = running.pop(process)
         with contextlib.suppress(ProcessLookupError):
@@ -106,8 +101,9 @@ def outcomes(
         os.utime(tree / mutant.file, (modified, modified))
         free.append(tree)
         late = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM
-        outcome = TIMEOUT if late else KILLED if status else SURVIVED
-        note = "" if outcome == SURVIVED else Path(f"{tree}.note").read_text(encoding="utf-8")
+        alive = SURVIVED if reach.known(mutant.file, mutant.lines) else NOT_REACHED
+        outcome = TIMEOUT if late else KILLED if status else alive
+        note = "" if outcome == alive else Path(f"{tree}.note").read_text(encoding="utf-8")
         yield mutant, outcome, note, time.perf_counter() - start
 
 

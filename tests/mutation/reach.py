@@ -99,6 +99,10 @@ class Recorder:
 class Reach:
     """Which tests reach what."""
 
+    def known(self, file: str, lines: range) -> bool:
+        """Whether any test is known to reach one of some lines."""
+        return not lines or any((file, line) in self.by_line for line in lines)
+
     def __init__(self, record: dict[str, Any]) -> None:
         tests = {test: entry for file in record["files"].values() for test, entry in file.items()}
         self.seconds: dict[str, float] = {test: seconds for test, (seconds, _) in tests.items()}
@@ -115,10 +119,10 @@ class Reach:
         """The tests that reach any of some lines, with their times, fastest first.
 
         What runs when the package is loaded, as a constant does, is reached by all tests that reach its file, or by all
-        where a file has nothing else.
+        where a file has nothing else. So may be what no test reaches in its own process.
         """
         found = set[str]().union(*(self.by_line.get((file, line), set()) for line in lines))
-        if not lines or self.imported.get(file, set()) & {*lines}:
+        if not found or self.imported.get(file, set()) & {*lines}:
             found = self.by_file.get(file) or set[str]().union(*self.by_file.values())
         return {test: self.seconds[test] for test in sorted(found, key=lambda test: (self.seconds[test], test))}
 

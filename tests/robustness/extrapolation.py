@@ -123,12 +123,13 @@ def finish(flow, c, r, h):
     """The first of the events within a step: regula falsi, with Illinois' halving, on the step's length."""
     first, status, end = np.full(h.shape, np.inf, Real), np.full(h.shape, -1), (c, r)
     for kind, event in (
+        (STALL, lambda at, root: root),  # first: beyond its rest a stream would come back into the segment
         (OK, lambda at, root: 1 - at),
-        (STALL, lambda at, root: root),
         (CONTACT_LOST, lambda at, root: press(flow, at, root)),
     ):
-        at, root, _ = step(flow, c, r, h)
-        low, high, above, below = np.zeros(h.shape, Real), h, event(c, r), event(at, root)
+        until = np.minimum(h, first)  # beyond the segment's end a stream may press on its surface again
+        at, root, _ = step(flow, c, r, until)
+        low, high, above, below = np.zeros(h.shape, Real), until, event(c, r), event(at, root)
         inside, side = below < 0, np.zeros(h.shape)
         for _ in range(20 if inside.any() else 0):
             middle = high - below * (high - low) / np.where(inside, below - above, 1)

@@ -5,7 +5,7 @@ import json
 from contextlib import suppress
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 import chutecalc
@@ -16,6 +16,7 @@ from chutecalc.output.table import Printer
 from chutecalc.studies.baseline import baseline_of, baseline_path, read_baseline
 from chutecalc.studies.regression import DRIFTED, Verdict, compare
 from tests.conftest import ROOT
+from tests.seeds import fuzzed
 
 LINES = st.sampled_from(
     [
@@ -55,13 +56,8 @@ def solved(tmp_path_factory):
     return now, file.read_text(encoding="utf-8").split("\n"), file
 
 
+@fuzzed(suppress=(HealthCheck.function_scoped_fixture,))
 @given(changes=st.lists(st.tuples(st.integers(0, 1000), LINES), min_size=1, max_size=3))
-@settings(
-    max_examples=150,
-    deadline=None,
-    derandomize=True,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
-)
 def test_any_line_changed(solved, changes):
     now, lines, file = solved
     changed = list(lines)

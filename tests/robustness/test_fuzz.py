@@ -5,13 +5,13 @@ import tomllib
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import chutecalc
 from tests.conftest import BASE, spec
-
-SETTINGS = settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow], derandomize=True)
+from tests.robustness.faults import check_faults
+from tests.seeds import fuzzed
 
 junk = st.one_of(
     st.none(),
@@ -43,32 +43,23 @@ def put(data, place, value):
 
 
 def check(data):
-    """Parses and solves; faults have to say where, what and how to mend it."""
+    """Parses and solves; faults have to say where, what and how to mend it, and a solution how it ends."""
     try:
         solution = chutecalc.solve(chutecalc.parse(data))
     except chutecalc.SpecError as error:
-        check_faults(error)
+        check_faults(error, data)
         return None
+    assert solution.status[0] in {"ok", "stall", "choke", "contact_lost", "missed"}
     return solution
 
 
-def check_faults(error):
-    assert error.faults
-    for fault in error.faults:
-        assert fault.problem
-        assert fault.remedy
-        assert fault.text("x.toml").startswith("x.toml")
-
-
-@SETTINGS
+@fuzzed()
 @given(st.sampled_from([place for place in places(STARTER) if place]), junk)
 def test_junk_anywhere_in_a_spec(place, value):
-    solution = check(put(STARTER, place, value))
-    if solution is not None:
-        assert solution.status[0] in {"ok", "stall", "choke", "contact_lost", "missed"}
+    check(put(STARTER, place, value))
 
 
-@SETTINGS
+@fuzzed()
 @given(
     st.sampled_from([place for place in places(STARTER) if place and isinstance(place[-1], str)]), st.text(max_size=10)
 )
@@ -78,16 +69,17 @@ def test_a_key_misspelt(place, name):
     for item in place[:-1]:
         here = here[item]
     here[name] = here.pop(place[-1])
-    check(changed)
+    solution = check(changed)
+    assert solution is None or name == place[-1] or place[:-1] in {("liners",), ("sections",)}
 
 
-@SETTINGS
+@fuzzed()
 @given(st.text(max_size=200))
 def test_any_text(text):
     check(text)
 
 
-@SETTINGS
+@fuzzed()
 @given(st.integers(0, 6000), st.integers(0, 60))
 def test_text_cut_out_of_a_spec(start, count):
     start %= len(chutecalc.STARTER)
@@ -133,12 +125,11 @@ chutes = st.fixed_dictionaries(
 )
 
 
-@settings(SETTINGS, max_examples=150)
+@fuzzed()
 @given(chutes)
 def test_any_admissible_chute(data):
     solution = check(data)
-    if solution is None:
-        return
+    assume(solution is not None)  # Hypothesis draws others for those, and fails where most are refused
     status = solution.status[0]
     assert np.isfinite(solution.exit_velocity[0]) == (status == "ok")
     failures = [finding for finding in solution.findings() if finding.severity == "failure"]

@@ -345,3 +345,210 @@ def test_a_stalled_stream_is_told_what_else_strains_it():
         )
     )
     assert {"stall", "thick_stream", "slow_stream"} <= set(codes(solution))
+
+
+LOCUS = {"wall": {"yield_locus_kpa": [[1.0, 0.6], [3.0, 1.4]]}}
+
+
+def all_of(solution, code):
+    return [finding for finding in solution.findings() if finding.code == code]
+
+
+def test_a_taper_is_judged_where_it_is_worst():
+    """Faster all the way, and too slow at its narrow end: friction wins there below v_c = B1/A1."""
+    sections = {name: {"shape": "rectangular", "width_m": width} for name, width in (("wide", 0.6), ("narrow", 0.16))}
+    solution = chutecalc.solve(
+        chute(
+            flow={"rate_t_h": 300.0},
+            material={"density_kg_m3": 1000.0, "internal_friction_deg": 45.0},
+            liners={"wall": {"friction_deg": 20.0}},
+            sections=sections,
+            inlet={"velocity_m_s": 4.0, "slope_deg": 22.0},
+            segments=[{"kind": "straight", "slope_deg": 22.0, "length_m": 1.0, "section": ["wide", "narrow"]}],
+        )
+    )
+    (finding,) = all_of(solution, "decelerating")
+    slope, mu = np.radians(22.0), np.tan(np.radians(20.0))
+    ratio = np.tan(np.radians(22.5)) ** 2
+    drag = mu * ratio * np.cos(slope) * 300 / 3600 / 0.16**2
+    critical = drag / (np.sin(slope) - mu * np.cos(slope))
+    assert critical == pytest.approx(5.07, abs=0.01)
+    assert finding.numbers["critical_velocity_m_s"][0] == pytest.approx(critical, rel=1e-10)
+    assert finding.numbers["velocity_m_s"][0] == solution.exit_velocity[0]
+    assert finding.s_m[0] == pytest.approx(1.0, rel=1e-14)
+
+
+def stalled_on_a_locus(**more):
+    return chutecalc.solve(
+        chute(
+            liners=LOCUS,
+            sections=rectangular(0.5),
+            inlet={"velocity_m_s": 2.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}],
+            **more,
+        )
+    )
+
+
+def test_a_stall_on_a_locus_is_judged_at_the_pressure_of_rest():
+    """There σ is infinite and μ the last slope, 0.4: no bound binds, and the friction told is that of the entry."""
+    solution = stalled_on_a_locus(material={"internal_friction_deg": 60.0})
+    assert solution.status[0] == "stall"
+    entry = solution.segments[0].entry["equivalent_friction"][0]
+    ratio, depth = np.tan(np.radians(15.0)) ** 2, solution.segments[0].entry["depth_m"][0]
+    wall = entry / (1 + ratio * depth / 0.5)
+    (slow,) = all_of(solution, "decelerating")
+    assert slow.numbers["friction_deg"][0] == pytest.approx(np.degrees(np.arctan(wall)), rel=1e-12)
+    assert not all_of(solution, "inadmissible_friction")
+    assert all_of(stalled_on_a_locus(material={"internal_friction_deg": 20.0}), "inadmissible_friction")
+
+
+def test_the_range_of_a_locus_is_told_where_a_chute_leaves_it():
+    (outside,) = all_of(stalled_on_a_locus(), "outside_locus")
+    assert outside.numbers["most_kpa"][0] == np.inf
+    assert outside.message().startswith("the floor bears ")
+    assert "to ∞ kPa, and the yield locus was measured from 1 kPa to 3 kPa" in outside.message()
+    inside = chutecalc.solve(
+        chute(
+            liners={"wall": {"yield_locus_kpa": [[0.01, 0.006], [30.0, 14.0]]}},
+            inlet={"velocity_m_s": 4.0, "slope_deg": 40.0},
+            segments=[{"kind": "straight", "slope_deg": 40.0, "length_m": 2.0}],
+        )
+    )
+    assert not all_of(inside, "outside_locus")
+
+
+def test_an_impact_alone_can_leave_the_locus_and_meet_the_bound():
+    """3 kPa and more under the impact, 1 to 3 kPa along the floor; a last line steeper than sin δ binds there alone."""
+
+    def struck(last):
+        return chutecalc.solve(
+            chute(
+                flow={"rate_t_h": 3000.0},
+                liners={"wall": {"yield_locus_kpa": [[0.5, 0.2], [4.0, 1.6], [4.1, 1.6 + 0.1 * last]]}},
+                sections=rectangular(0.5),
+                inlet={"velocity_m_s": 6.0, "slope_deg": 70.0},
+                segments=[{"kind": "straight", "slope_deg": 45.0, "length_m": 2.0}],
+            )
+        )
+
+    solution = struck(30.0)
+    floor = solution.segments[0]
+    assert 0.5 < floor.minimum["pressure_kpa"][0] < floor.maximum["pressure_kpa"][0] < 4.0
+    assert floor.impact["pressure_kpa"][0] > 4.1
+    assert all_of(solution, "outside_locus")[0].s_m[0] == 0.0
+    assert len(all_of(solution, "inadmissible_friction")) == 1
+    assert not all_of(struck(0.4), "inadmissible_friction")
+
+
+def test_a_stall_tells_all_that_strains_it():
+    """At rest the stream is as deep as there is room: above its chamfers, thick, and slow."""
+    solution = chutecalc.solve(
+        chute(
+            sections={"body": {"shape": "chamfered", "base_m": 0.6, "chamfer_deg": 45.0, "chamfer_m": 0.4}},
+            flow={"rate_t_h": 200.0},
+            inlet={"velocity_m_s": 3.0, "slope_deg": 5.0},
+            segments=[{"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}],
+        )
+    )
+    assert {"stall", "thick_stream", "slow_stream", "above_chamfer"} <= set(codes(solution))
+    (above,) = all_of(solution, "above_chamfer")
+    assert above.numbers["depth_m"][0] == np.inf
+    assert above.numbers["top_m"][0] == pytest.approx(0.4 * np.sin(np.radians(45.0)), rel=1e-12)
+
+
+def test_an_impact_that_stops_the_stream_is_a_steep_one():
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 4.0, "slope_deg": 85.0},
+            liners={"wall": {"friction_deg": 35.0}},
+            segments=[{"kind": "straight", "slope_deg": 15.0, "length_m": 2.0}],
+        )
+    )
+    assert solution.status[0] == "stall"
+    (steep,) = all_of(solution, "steep_impact")
+    assert steep.numbers["incidence_deg"][0] == pytest.approx(70.0, rel=1e-12)
+    assert steep.numbers["after_m_s"][0] == 0.0
+
+
+def test_both_friction_laws_of_a_locus_are_told_each_at_its_own_pressure():
+    """A 60° vee on a locus: the missing load's finding quotes what each law makes of the wall."""
+    rows = [[0.5, 0.4], [6.0, 2.0]]
+    laws = [
+        chutecalc.solve(
+            chute(
+                liners={"wall": {"yield_locus_kpa": rows}},
+                model={"friction_law": law},
+                sections={"body": {"shape": "vee", "chamfer_deg": 60.0}},
+                inlet={"velocity_m_s": 6.0, "slope_deg": 50.0},
+                segments=[{"kind": "straight", "slope_deg": 50.0, "length_m": 0.001}],
+            )
+        )
+        for law in ("paper", "equilibrium")
+    ]
+    (missing,) = all_of(laws[0], "missing_load")
+    paper, even = (law.segments[0].maximum["equivalent_friction"][0] for law in laws)
+    assert missing.numbers["equivalent_friction"][0] == pytest.approx(paper, rel=1e-3)  # along a millimetre
+    assert missing.numbers["equilibrium_friction"][0] == pytest.approx(even, rel=1e-3)
+
+
+@pytest.mark.parametrize(("kind", "words"), [("curve", "up to "), ("hood", "under a hood from ")])
+def test_a_loss_of_contact_quotes_what_would_keep_it(kind, words):
+    """v² = R g cos a at the balance, for this radius as for this velocity."""
+    velocity, slopes = (3.0, (10.0, 80.0)) if kind == "curve" else (5.0, (-40.0, 30.0))
+    segment = {"kind": kind, "radius_m": 2.5, "from_slope_deg": slopes[0], "to_slope_deg": slopes[1]}
+    inlet = {"velocity_m_s": velocity, "slope_deg": slopes[0]}
+    solution = chutecalc.solve(chute(inlet=inlet, segments=[segment, {"kind": "fall", "drop_m": 3.0}]))
+    lost = all_of(solution, "contact_lost")[0]
+    numbers = {name: values[0] for name, values in lost.numbers.items()}
+    weight = 9.80665 * np.cos(np.radians(numbers["slope_deg"]))
+    assert numbers["balance_m_s"] == pytest.approx(np.sqrt(2.5 * weight), rel=1e-12)
+    assert numbers["balance_m_s"] == pytest.approx(numbers["velocity_m_s"], rel=1e-9)  # it leaves there
+    assert numbers["radius_m"] == pytest.approx(numbers["velocity_m_s"] ** 2 / weight, rel=1e-12)
+    assert f"there it keeps contact {words}" in lost.message()
+    assert f"{numbers['velocity_m_s']:.4g} m/s" in lost.message()
+
+
+def test_an_inadmissible_angle_is_quoted():
+    solution = chutecalc.solve(chute(liners={"wall": {"friction_deg": 40.0}}))
+    (finding,) = all_of(solution, "inadmissible_friction")
+    greatest = np.degrees(np.arctan(np.sin(np.radians(50.0))))
+    assert finding.numbers["friction_deg"][0] == pytest.approx(40.0, rel=1e-14)
+    assert finding.numbers["greatest_deg"][0] == pytest.approx(greatest, rel=1e-14)
+    assert "a wall friction of 40°" in finding.message()
+
+
+def test_only_a_spoon_at_the_end_has_to_clear_itself():
+    flat = {"kind": "straight", "slope_deg": 20.0, "length_m": 0.2}
+    spoon = {"kind": "curve", "radius_m": 2.0, "from_slope_deg": 60.0, "to_slope_deg": 20.0}
+    inlet = {"velocity_m_s": 5.0, "slope_deg": 60.0}
+    for segments, expected in (
+        ([spoon], True),
+        ([spoon, flat], False),  # it ends in a straight, as flat as it may be
+        ([spoon, {"kind": "fall", "drop_m": 1.0}], True),
+        ([spoon, {"kind": "fall", "drop_m": 2.0}, spoon | {"from_slope_deg": 50.0, "to_slope_deg": 45.0}], False),
+        ([{"kind": "curve", "radius_m": 9.0, "from_slope_deg": 10.0, "to_slope_deg": 20.0}], False),  # a crest
+    ):
+        slope = segments[0]["from_slope_deg"]
+        solution = chutecalc.solve(chute(inlet=inlet | {"slope_deg": slope}, segments=segments))
+        if slope == 10.0:
+            solution = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 10.0}, segments=segments))
+        assert solution.status[0] == "ok", segments
+        assert bool(all_of(solution, "below_cut_off")) == expected, segments
+
+
+def test_a_fall_that_is_never_reached_says_so():
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 0.0, "slope_deg": 90.0},
+            segments=[
+                {"kind": "fall", "onto_next": True},
+                {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0]},
+                {"name": "last", "kind": "fall", "run_m": 3.0},
+            ],
+        )
+    )
+    assert solution.status[0] == "missed"
+    (missed,) = all_of(solution, "missed")
+    assert (missed.segment, missed.severity) == ("last", "failure")
+    assert missed.message().startswith("the stream never comes to where the fall ends")

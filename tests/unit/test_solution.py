@@ -5,7 +5,6 @@ import pytest
 
 import chutecalc
 from chutecalc.columns import COLUMNS, quantity_text
-from chutecalc.extremes import SAMPLES
 from chutecalc.units import UNITS, convert, twins
 from tests.conftest import chute
 
@@ -97,7 +96,6 @@ def test_extremes_are_found_between_samples():
     assert spoon.maximum["velocity_m_s"][0] == pytest.approx(v[top], rel=1e-11)
     assert spoon.maximum["velocity_m_s"][0] >= v[top] * (1 - 1e-14)
     assert spoon.minimum["depth_m"][0] <= fine["depth_m"][0, 200_001:].min() * (1 + 1e-14)
-    assert len(SAMPLES) == 65
 
 
 def test_stations_ask_for_something_possible(three):

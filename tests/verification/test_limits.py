@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import chutecalc
+from tests import seeds
 from tests.conftest import BASE, chute, spec, vee
 
 G = 9.80665
@@ -135,7 +136,7 @@ MIXED = spec(
 
 def mixed(count, seed=5):
     """Designs of which some stall, some choke, some lose contact, some run through."""
-    random = np.random.default_rng(seed)
+    random = seeds.generator(seed)
     return {
         "flow.rate_t_h": np.exp(random.uniform(np.log(30), np.log(4000), count)),
         "liners.wall.friction_deg": random.uniform(5, 36, count),
@@ -154,7 +155,7 @@ def test_a_designs_digits_do_not_depend_on_its_batch(wall, outcomes):
     stations = together.stations(points=7)
     assert set(together.status) == outcomes
 
-    random = np.random.default_rng(1)
+    random = seeds.generator(1)
     for size in (1, 2, 3, 7, 8, 9, 100, 433):
         rows = random.choice(2000, size, replace=False)
         alone = chutecalc.solve(base.vary({path: values[rows] for path, values in changes.items()}))

@@ -7,6 +7,7 @@ import pytest
 from scipy.optimize import brentq
 
 import chutecalc
+from chutecalc.physics.belt import loading
 from tests.conftest import chute, vee
 
 G = 9.80665
@@ -274,10 +275,12 @@ def test_discharge_from_a_belt(velocity):
     tables = base.data | {"inlet": data}
     solution = chutecalc.solve(chutecalc.parse(tables))
     radius = 0.4 + 0.02 + 0.1
-    froude = velocity**2 / (G * radius)
-    slope = np.arccos(froude) if froude < np.cos(np.radians(12.0)) else -np.radians(12.0)
+    held = velocity**2 / (G * radius) < np.cos(np.radians(12.0))
+    own = velocity * radius / 0.42 if held else velocity  # it turns with the pulley
+    slope = np.arccos(own**2 / (G * radius)) if held else -np.radians(12.0)
     entry, inlet = solution.segments[0].entry, solution.inlet
-    assert entry["velocity_m_s"][0] == velocity
+    assert entry["velocity_m_s"][0] == pytest.approx(own, rel=1e-15)
+    assert inlet["discharge_froude"][0] == pytest.approx(own**2 / (G * radius), rel=1e-14)
     assert entry["slope_deg"][0] == pytest.approx(np.degrees(slope), rel=1e-13)
     assert entry["x_m"][0] == pytest.approx(10 + radius * np.sin(slope), rel=1e-14)
     assert entry["z_m"][0] == pytest.approx(20 + radius * np.cos(slope), rel=1e-14)
@@ -286,7 +289,7 @@ def test_discharge_from_a_belt(velocity):
 
 
 def test_the_receiving_belt():
-    receiver = {"velocity_m_s": 4.0, "slope_deg": -5.0, "friction_deg": 30.0}
+    receiver = {"velocity_m_s": 4.0, "slope_deg": -5.0, "friction_deg": 10.0}
     solution = chutecalc.solve(
         chute(
             inlet={"velocity_m_s": 3.0, "slope_deg": 35.0},
@@ -296,7 +299,7 @@ def test_the_receiving_belt():
         )
     )
     belt, v = solution.receiver, np.sqrt(9 + 2 * G * np.sin(np.radians(35.0)))
-    angle, mu = np.radians(40.0), np.tan(np.radians(30.0))
+    angle, mu = np.radians(40.0), np.tan(np.radians(10.0))
     along, across = v * np.cos(angle), v * np.sin(angle)
     pull = mu * np.cos(np.radians(-5.0)) + np.sin(np.radians(-5.0))
     assert belt["velocity_along_m_s"][0] == pytest.approx(along, rel=1e-13)
@@ -306,7 +309,88 @@ def test_the_receiving_belt():
     assert belt["wear_w_m2"][0] == pytest.approx(mu * 800 * across**2 * (4 - along), rel=1e-12)
     assert belt["acceleration_length_m"][0] == pytest.approx((16 - along**2) / (2 * G * pull), rel=1e-12)
     assert belt["acceleration_power_kw"][0] == pytest.approx(1 / 3.6 * 4 * (4 - along), rel=1e-12)
+    # with the friction of the impact first, here less than what is lacking
+    landed = along + mu * across
+    assert landed < 4.0
+    assert belt["landed_velocity_m_s"][0] == pytest.approx(landed, rel=1e-13)
+    assert belt["landed_acceleration_length_m"][0] == pytest.approx((16 - landed**2) / (2 * G * pull), rel=1e-12)
     # what would match does match
     match = np.radians(belt["matching_slope_deg"][0] + 5.0)
     assert v * np.cos(match) == pytest.approx(4.0, rel=1e-12)
     assert belt["matching_velocity_m_s"][0] * np.cos(angle) == pytest.approx(4.0, rel=1e-12)
+
+
+def falling_onto(drop, velocity, slope, friction):
+    """A stream that falls straight down onto a belt."""
+    receiver = {"velocity_m_s": velocity, "slope_deg": slope, "friction_deg": friction}
+    segments = [{"kind": "fall", "drop_m": drop}]
+    inlet = {"velocity_m_s": 0.0, "slope_deg": 90.0}
+    solution = chutecalc.solve(chute(inlet=inlet, segments=segments, receiver=receiver))
+    return {name: values[0] for name, values in solution.receiver.items()}, solution
+
+
+def test_a_stream_that_runs_back_first_is_brought_to_the_belts_speed_behind_where_it_fell():
+    belt, solution = falling_onto(2.5, 1.0, -12.0, 25.0)
+    along = -np.sqrt(2 * G * 2.5) * np.sin(np.radians(12.0))
+    push = np.tan(np.radians(25.0)) * np.cos(np.radians(12.0)) - np.sin(np.radians(12.0))
+    assert push == pytest.approx(0.25, abs=0.005)
+    assert belt["acceleration_length_m"] == pytest.approx((1 - along**2) / (2 * G * push), rel=1e-12)
+    assert belt["acceleration_length_m"] < 0.0
+    assert belt["landed_velocity_m_s"] == 1.0  # its impact alone brings it there
+    assert belt["landed_acceleration_length_m"] == 0.0
+    assert not [finding for finding in solution.findings() if finding.code == "not_accelerated"]
+
+
+def test_a_belt_too_steep_for_its_friction_never_brings_a_stream_to_its_speed():
+    belt, solution = falling_onto(3.0, 2.0, -18.0, 14.0)
+    assert belt["acceleration_length_m"] == np.inf
+    assert [finding.code for finding in solution.findings() if finding.code == "not_accelerated"]
+
+
+def test_no_velocity_matches_a_belt_square_to_the_stream():
+    belt, _ = falling_onto(1.0, 2.0, 0.0, 25.0)
+    assert belt["matching_velocity_m_s"] == np.inf
+    failed = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 1.0, "slope_deg": 0.0},
+            segments=[{"kind": "straight", "slope_deg": 0.0, "length_m": 50.0}],
+            receiver={"velocity_m_s": 2.0, "slope_deg": 0.0, "friction_deg": 25.0},
+        )
+    )
+    assert failed.status[0] == "stall"
+    assert all(np.isnan(values[0]) for values in failed.receiver.values())
+
+
+@pytest.mark.parametrize("slope", [-20.0, 0.0, 15.0])
+@pytest.mark.parametrize("start", [-3.0, -1.0, 0.5, 6.0])
+def test_acceleration_on_a_belt_is_the_motion_of_a_block(slope, start):
+    """Friction towards the belt's speed, weight along it: integrated until the speeds are one."""
+    one, mu, speed = np.ones(1), 0.45, 2.0
+    # a stream of that velocity along the belt and none into it
+    flows = loading(abs(start) * one, np.radians(slope) + (np.pi if start < 0 else 0.0) * one, speed * one,
+                    np.radians(slope) * one, mu * one, one, one, G * one)  # fmt: skip
+    assert flows.along[0] == pytest.approx(start, rel=1e-12)
+    pull = np.sign(speed - start) * mu * G * np.cos(np.radians(slope)) + G * np.sin(np.radians(slope))
+    if pull * (speed - start) <= 0.0:
+        assert flows.acceleration_length[0] == np.inf
+        return
+    velocity, way, dt = start, 0.0, 1e-4
+    while (velocity - speed) * (start - speed) > 0.0:
+        velocity, way = velocity + pull * dt, way + velocity * dt + pull * dt * dt / 2
+    assert flows.acceleration_length[0] == pytest.approx(way, abs=2 * abs(speed) * dt)  # it stops within one step
+
+
+@pytest.mark.parametrize("slope", [5.0, 30.0, 55.0])
+def test_the_matching_slope_lies_on_the_streams_side_of_the_belt(slope):
+    """An exit slope next to the one there is: flatter streams match from above the belt, steeper ones from below."""
+    solution = chutecalc.solve(
+        chute(
+            inlet={"velocity_m_s": 5.0, "slope_deg": slope},
+            liners={"wall": {"friction_deg": 0.0}},
+            segments=[{"kind": "straight", "slope_deg": slope, "length_m": 0.001}],
+            receiver={"velocity_m_s": 4.0, "slope_deg": 20.0, "friction_deg": 30.0},
+        )
+    )
+    match = solution.receiver["matching_slope_deg"][0]
+    assert solution.exit_velocity[0] * np.cos(np.radians(match - 20.0)) == pytest.approx(4.0, rel=1e-12)
+    assert (match > 20.0) == (slope > 20.0)

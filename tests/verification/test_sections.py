@@ -136,45 +136,85 @@ SECTIONS = {
 }
 
 
+def elements(section, depth):
+    """The wetted walls of one side: width, inclination, ζ at their feet and tops, or the half-angle of an arc."""
+    foot = 0.0
+    sides = [(9.0, np.pi / 2)]
+    if isinstance(section, Polygon):
+        sides = [(float(one[0]), float(psi[0])) for one, psi in zip(section.lengths, section.inclinations, strict=True)]
+        sides.append((9.0, np.pi / 2))
+    else:
+        foot = float(section.radius[0])
+    for length, psi in sides:
+        top = min(foot + length * np.sin(psi), depth)
+        if top > foot:
+            yield psi, depth - foot, depth - top
+        foot += length * np.sin(psi)
+
+
 @pytest.mark.parametrize("equilibrium", [False, True])
 @pytest.mark.parametrize("depth", [0.01, 0.1, 0.5])
 @pytest.mark.parametrize("name", SECTIONS)
 def test_the_books_close(name, depth, equilibrium):
-    """∫ μ p v dl over the wetted walls is μ_e ρ n A v: with p as told for the floor, K ρ n ζ on the walls."""
-    section, ratio, weight = SECTIONS[name], 0.3, 1.0
-    table, area, facet, found = wet(section, ratio, depth)
-    floor, _, _ = wall_pressures(section, table, wetting(facet, area[None]), area[None], np.ones((1, 1)), equilibrium)
+    """∫ μ p v dl over the wetted walls is μ_e ρ n A v, with pressures falling from those told at the walls' feet."""
+    section, ratio = SECTIONS[name], 0.3
+    table, area, facet, _ = wet(section, ratio, depth)
+    told = wall_pressures(section, table, wetting(facet, area[None], equilibrium), np.ones((1, 1)))
+    floor, chamfer, side = (pressure.item() for pressure in told)
     excess, _ = excess_friction(facet, area, equilibrium)
-    raised = 1 / (1 - found.missing[0]) if equilibrium else 1.0
+    feet = [(chamfer if psi < np.pi / 2 else side, psi, below, above) for psi, below, above in elements(section, depth)]
+    for drawn, pressure in ((True, chamfer), (False, side)):
+        feet_of_kind = [pressure_ratio(psi, ratio) * below for _, psi, below, _ in feet if (psi < np.pi / 2) == drawn]
+        if feet_of_kind:  # what is told is the hardest pressed of its kind
+            scale = pressure / max(feet_of_kind)
     if isinstance(section, Circle):
-        angle = float(found.chamfer[0] / section.radius[0])
-        above = max(depth - section.radius[0], 0.0)
-        wall = (
-            2
-            * section.radius[0]
-            * quad(
-                lambda psi: pressure_ratio(psi, ratio) * (section.radius[0] * (np.cos(psi) - np.cos(angle)) + above),
-                0,
-                angle,
-            )[0]
-            + ratio * above**2
-        )
-        base = 0.0
+        radius = float(section.radius[0])
+        angle, dry = np.arccos(1 - min(depth / radius, 1.0)), max(depth - radius, 0.0)
+        scale = floor / depth
+        borne = 2 * radius * quad(
+            lambda psi: scale * pressure_ratio(psi, ratio) * (radius * (np.cos(psi) - np.cos(angle)) + dry), 0, angle
+        )[0]  # fmt: skip
     else:
-        base, foot, wall = float(section.base[0]), 0.0, 0.0
-        for length, psi in (
-            *zip(section.lengths, section.inclinations, strict=True),
-            (np.array([9.0]), np.array([np.pi / 2])),
-        ):
-            top = min(foot + float(length[0] * np.sin(psi[0])), depth)
-            if top > foot:
-                k = pressure_ratio(psi, ratio)[0]
-                wall += 2 * k * ((depth - foot) ** 2 - (depth - top) ** 2) / 2 / np.sin(psi[0])
-            foot += float(length[0] * np.sin(psi[0]))
-    # a load that is missing where there is no floor has no width to lie on: it is a line load
-    line = found.missing[0] * area[0] if base == 0.0 and not equilibrium else 0.0
-    borne = base * floor.item() / weight + wall * raised + line
+        borne = float(section.base[0]) * floor
+    for _, psi, below, above in feet:
+        borne += 2 * scale * pressure_ratio(psi, ratio) * (below**2 - above**2) / 2 / np.sin(psi)
     assert borne == pytest.approx((1 + excess[0]) * area[0], rel=1e-10)
+
+
+def test_friction_on_the_walls_as_shown_is_what_slows_the_stream():
+    """In a solved chute, from its columns alone: the force of friction a metre is μ_e ρ n A."""
+    angle, base = np.radians(45.0), 0.05
+    chamfers = {"body": {"shape": "chamfered", "base_m": base, "chamfer_deg": 45.0}}
+    at = chutecalc.solve(chute(sections=chamfers, inlet={"velocity_m_s": 3.0, "slope_deg": 50.0}, segments=[STRAIGHT]))
+    at = {name: values[0] for name, values in at.stations(points=5).items() if name not in ("segment", "kind")}
+    wetted = at["depth_m"] / np.sin(angle)
+    force = np.tan(np.radians(25.0)) * (base * at["pressure_kpa"] + 2 * wetted * at["chamfer_pressure_kpa"] / 2)
+    weight = 0.8 * at["normal_acceleration_m_s2"] * at["area_m2"]
+    assert np.allclose(force, at["equivalent_friction"] * weight, rtol=1e-13)
+
+
+@pytest.mark.parametrize("law", ["paper", "equilibrium"])
+def test_pressures_stay_finite_as_the_floor_vanishes(law):
+    """The flank of a floor of 1 mm, of 1 µm and of none: one pressure to the first order in the width."""
+    found = []
+    for base in (1e-3, 1e-6, 0.0):
+        body = {"shape": "chamfered", "base_m": base, "chamfer_deg": 45.0}
+        inlet = {"velocity_m_s": 4.0, "slope_deg": 50.0}
+        solution = chutecalc.solve(
+            chute(sections={"body": body}, model={"friction_law": law}, inlet=inlet, segments=[STRAIGHT])
+        )
+        found.append(solution.segments[0].entry)
+    wide, narrow, none = (float(entry["chamfer_pressure_kpa"][0]) for entry in found)
+    assert abs(wide / none - 1) < 1e-2
+    assert abs(narrow / none - 1) < 1e-5
+    ratio = pressure_ratio(np.radians(45.0), (1 - np.sin(np.radians(50.0))) / (1 + np.sin(np.radians(50.0))))
+    assert found[1]["pressure_kpa"][0] == pytest.approx(narrow / ratio, rel=1e-12)
+    depth, normal = found[2]["depth_m"][0], found[2]["normal_acceleration_m_s2"][0]
+    missing = 1 - ratio  # of a vee; both laws carry (1 + χ) N by 1/(1 - m) or (1 + χ)/(1 + χ - m)
+    excess = ratio * (1 / np.cos(np.radians(45.0)) - 1)
+    factor = 1 / (1 - missing) if law == "equilibrium" else (1 + excess) / (1 + excess - missing)
+    assert none == pytest.approx(factor * ratio * 0.8 * normal * depth, rel=1e-12)
+    assert found[2]["pressure_kpa"][0] == none
 
 
 def test_equilibrium_in_a_vee_is_one_over_cosine():

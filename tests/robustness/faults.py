@@ -1,0 +1,33 @@
+"""What every fault of a spec has to say: what is wrong, where, and what to do."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import chutecalc
+
+
+def check_faults(error: chutecalc.SpecError, data: Any) -> None:
+    """Holds all faults of a spec, its tables or its text, against that."""
+    assert error.faults
+    for fault in error.faults:
+        assert fault.problem, fault
+        assert fault.remedy, fault
+        assert "nan" not in fault.problem, fault
+        text = fault.text("x.toml")
+        assert text.startswith("x.toml"), fault
+        assert fault.problem in text, fault
+    if isinstance(data, dict):
+        known = set(paths(data))
+        for fault in error.faults:
+            table, _, _ = fault.path.rpartition(".")
+            # a key that stands there, or one that is missing in a table that stands there or at the top
+            assert fault.path in known or (fault.path and (not table or table in known)), fault
+
+
+def paths(data: Any, above: tuple[str, ...] = ()) -> Iterator[str]:
+    """Every key of nested tables, in full, as users write them: lists count from 1."""
+    items = data.items() if isinstance(data, dict) else enumerate(data, 1) if isinstance(data, list) else ()
+    for key, value in items:
+        place = (*above, str(key))
+        yield ".".join(place)
+        yield from paths(value, place)

@@ -1,0 +1,363 @@
+"""A second solver of whole chutes, written from the formulas alone, to hold the first one against.
+
+`solve` takes a spec's tables in the metric keys and gives what becomes of the stream. From the command line,
+`python -m tests.verification.second_solver 20000 --first 0` compares that many random chutes.
+"""
+
+from dataclasses import dataclass, field
+from math import acos, cos, degrees, inf, nan, radians, sin, sqrt, tan
+from typing import Any
+
+from tests.verification.second_flights import Flight, Landing, Surface, landing
+from tests.verification.second_sections import Friction, atan_slope
+from tests.verification.second_slide import Setting, UndecidedError, slide
+
+EQUAL = radians(1e-6)
+DEEPEST = 100e3
+LEAPS = 50
+
+
+@dataclass
+class Stream:
+    """Where the stream is, and how it moves."""
+
+    s: float
+    x: float
+    z: float
+    v: float
+    slope: float
+
+
+@dataclass
+class Segment:
+    """What became of one segment; the numbers are nan where it was not reached."""
+
+    name: str
+    status: str = "not_reached"
+    entry: Stream | None = None
+    exit: Stream | None = None
+    impacts: list[tuple[float, float, float]] = field(default_factory=list)  # incidence, before, after
+    begin: float = 0.0  # how far along the drawn segment its entry and exit are
+    end: float = 0.0
+    setting: Setting | None = None
+    struck: float = nan  # μ_e of its first impact
+
+
+@dataclass
+class Result:
+    """A chute's outcome."""
+
+    status: str = "ok"
+    segments: list[Segment] = field(default_factory=list)
+    exit: Stream | None = None
+    receiver: dict[str, float] = field(default_factory=dict)
+
+
+class _FailedError(Exception):
+    pass
+
+
+def inlet_of(data: dict[str, Any], g: float) -> Stream:
+    """Where the stream starts: given, or from a belt's pulley."""
+    inlet = data["inlet"]
+    x, z = inlet.get("at_m", (0.0, 0.0))
+    if "belt" not in inlet:
+        return Stream(0.0, x, z, inlet["velocity_m_s"], radians(inlet["slope_deg"]))
+    belt = inlet["belt"]
+    incline = radians(belt.get("incline_deg", 0.0))
+    outside = belt["pulley_radius_m"] + belt.get("belt_thickness_m", 0.0)
+    radius = outside + belt.get("material_depth_m", 0.0) / 2
+    speed = belt["velocity_m_s"]
+    angle = -incline
+    if speed**2 / (g * radius) < cos(incline):  # held round the pulley
+        speed *= radius / outside
+        if speed**2 / (g * radius) < cos(incline):
+            angle = acos(speed**2 / (g * radius))
+    return Stream(0.0, x + radius * sin(angle), z + radius * cos(angle), speed, angle)
+
+
+class Solver:
+    """One chute, followed from the inlet on."""
+
+    def __init__(self, data: dict[str, Any]) -> None:
+        self.data = data
+        flow, material = data["flow"], data["material"]
+        self.g = flow.get("gravity_m_s2", 9.80665)
+        self.density = material["density_kg_m3"]
+        self.rate = flow["rate_t_h"] / 3.6 / self.density
+        delta = material.get("internal_friction_deg")
+        self.delta = None if delta is None else radians(delta)
+        ratio = material.get("pressure_ratio")
+        self.ratio = (1 - sin(self.delta)) / (1 + sin(self.delta)) if ratio is None else ratio  # type: ignore[arg-type]
+        self.law = data.get("model", {}).get("friction_law", "paper")
+        self.result = Result()
+        self.stream = inlet_of(data, self.g)
+        self.flight: Flight | None = None  # while nothing carries the stream
+        self.took_off = self.stream
+        self.onto: Segment | None = None
+        # where the next segment is drawn from
+        self.x, self.z, self.slope = self.stream.x, self.stream.z, self.stream.slope
+
+    def run(self) -> Result:
+        tables = self.data["segments"]
+        counts: dict[str, int] = {}
+        for table in tables:
+            kind = table["kind"]
+            counts[kind] = counts.get(kind, 0) + 1
+            self.result.segments.append(Segment(table.get("name", kind)))
+        try:
+            for number, (table, segment) in enumerate(zip(tables, self.result.segments, strict=True)):
+                if table["kind"] == "fall":
+                    self.fall(table, segment, number)
+                else:
+                    self.surface(table, segment, number)
+            struck = tables[-1]["kind"] == "plate" and self.result.segments[-1].status == "ok"
+            if self.flight is not None and not struck:
+                self.nothing_catches()
+            self.result.exit = self.stream
+            self.receive()
+        except _FailedError as failure:
+            self.result.status = str(failure)
+        return self.result
+
+    def nothing_catches(self) -> None:
+        last = self.result.segments[-1]
+        if last.status == "contact_lost":
+            raise _FailedError("contact_lost")
+        last.status = "missed"
+        raise _FailedError("missed")
+
+    # flights
+
+    def fly(self, touch: int = 0) -> None:
+        stream = self.stream
+        self.took_off = stream
+        self.flight = Flight(
+            stream.x, stream.z, stream.v * cos(stream.slope), -stream.v * sin(stream.slope), self.g, touch
+        )
+        if abs(stream.slope - radians(90)) < 1e-15:
+            self.flight.vx = 0.0
+
+    def fall(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        if self.flight is None:
+            self.fly()
+        flight = self.flight
+        assert flight is not None
+        if table.get("onto_next"):
+            self.onto = segment  # reached where the next one catches the stream
+            return
+        if "drop_m" in table:
+            t = flight.fallen_to(self.z - table["drop_m"])
+        else:
+            t = flight.carried_to(self.x + table["run_m"])
+        if t is None or self.z - flight.at(t)[1] > DEEPEST:
+            segment.status = "missed"
+            raise _FailedError("missed")
+        segment.status, segment.entry = "ok", self.took_off
+        x, z = flight.at(t)
+        vx, vz = flight.velocity(t)
+        self.stream = Stream(self.took_off.s + flight.path(t), x, z, sqrt(vx * vx + vz * vz), atan_slope(vx, vz))
+        segment.exit = self.stream
+        self.flight = None
+        self.x, self.z, self.slope = x, z, self.stream.slope
+
+    # surfaces
+
+    def draw(self, table: dict[str, Any]) -> Surface:
+        """The drawn line or arc, and where the next one starts."""
+        self.x, self.z = table.get("start_m", (self.x, self.z))
+        kind = table["kind"]
+        side = -1 if kind in ("hood", "plate") else 1
+        if kind in ("straight", "plate"):
+            slope = radians(table["slope_deg"])
+            if "length_m" in table:
+                length = table["length_m"]
+            else:
+                length = table["drop_m"] / abs(sin(slope)) if "drop_m" in table else table["run_m"] / cos(slope)
+            surface = Surface(self.x, self.z, slope, 0.0, length, side)
+        else:
+            slope = radians(table["from_slope_deg"]) if "from_slope_deg" in table else self.slope
+            turn = slope - radians(table["to_slope_deg"])
+            radius = table["radius_m"]
+            surface = Surface(self.x, self.z, slope, (1 if turn > 0 else -1) / radius, abs(turn) * radius, side)
+        self.x, self.z = surface.at(surface.length)
+        self.slope = surface.slope_at(surface.length)
+        return surface
+
+    def setting(self, table: dict[str, Any], surface: Surface) -> Setting:
+        sections, liners = self.data["sections"], self.data["liners"]
+        names = table.get("section", next(iter(sections)))
+        first, last = names if isinstance(names, list) else (names, names)
+        liner = liners[table.get("liner", next(iter(liners)))]
+        return Setting(
+            surface,
+            (sections[first], sections[last]),
+            Friction(liner, self.delta),
+            self.ratio,
+            self.law,
+            self.rate,
+            self.density,
+            self.g,
+        )
+
+    def surface(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        surface = self.draw(table)
+        setting = segment.setting = self.setting(table, surface)
+        u = 0.0
+        if self.flight is None:
+            turn = surface.side * (self.stream.slope - surface.slope)
+            if abs(turn) <= EQUAL:
+                self.stream = Stream(self.stream.s, surface.x, surface.z, self.stream.v, surface.slope)
+            elif turn > 0:
+                self.strike(segment, 0.0, turn)
+            else:
+                self.fly(touch=1)
+        for _ in range(LEAPS):
+            if self.flight is not None:
+                met, passed = landing(self.flight, surface)
+                self.flight.touch = 0
+                onto, self.onto = self.onto, None
+                if met is not None and onto is not None:
+                    self.lands(onto, surface, met)
+                if met is None:
+                    if passed == inf:
+                        segment.status = segment.status if segment.status == "contact_lost" else "missed"
+                        if segment.status == "contact_lost":
+                            self.beyond(number)
+                            return
+                        raise _FailedError("missed")
+                    if segment.status != "contact_lost":
+                        segment.status = "passed"
+                    return
+                self.land(segment, surface, met)
+                u = met.u
+            if segment.entry is None:
+                segment.entry, segment.begin = self.stream, u
+            if self.stream.v == 0:
+                segment.exit = self.stream
+                segment.status = "stall"
+                raise _FailedError("stall")
+            segment.status = "ok"
+            if table["kind"] == "plate":
+                segment.exit = self.stream
+                segment.end = u
+                self.fly(touch=2)
+                assert self.flight is not None
+                self.flight.touch = 0
+                return
+            if setting.press(u, self.stream.v) < 0:
+                self.lose(segment, u, touch=2)
+                continue
+            if setting.chokes(u, self.stream.v):
+                how, v = "choke", self.stream.v
+            else:
+                slid = slide(setting, u, self.stream.v)
+                how, v = slid.how, slid.v
+                x, z = surface.at(slid.u)
+                s = self.stream.s + slid.u - u
+                u = slid.u
+                self.stream = Stream(s, x, z, v, surface.slope_at(u))
+            segment.exit, segment.end = self.stream, u
+            if how in ("stall", "choke"):
+                segment.status = how
+                raise _FailedError(how)
+            if how == "end":
+                return
+            self.lose(segment, u, touch=3)
+        raise UndecidedError("strikes the same surface again and again")
+
+    def beyond(self, number: int) -> None:
+        """The stream never comes past the surface that it left: what follows is not tried."""
+        segments = self.result.segments
+        if number + 1 == len(segments):
+            raise _FailedError("contact_lost")
+        if self.data["segments"][number + 1]["kind"] == "fall":
+            return
+        segments[number + 1].status = "missed"
+        raise _FailedError("missed")
+
+    def lose(self, segment: Segment, u: float, touch: int) -> None:
+        segment.exit, segment.end = self.stream, u
+        segment.status = "contact_lost"
+        self.fly(touch=touch)
+
+    def lands(self, fall: Segment, surface: Surface, met: Landing) -> None:
+        x, z = surface.at(met.u)
+        slope = surface.slope_at(met.u) + surface.side * met.incidence
+        fall.status, fall.entry = "ok", self.took_off
+        fall.exit = Stream(self.took_off.s + met.flown, x, z, met.speed, slope)
+
+    def land(self, segment: Segment, surface: Surface, met: Landing) -> None:
+        x, z = surface.at(met.u)
+        self.stream = Stream(self.took_off.s + met.flown, x, z, met.speed, surface.slope_at(met.u))
+        self.flight = None
+        self.strike(segment, met.u, met.incidence)
+
+    def strike(self, segment: Segment, u: float, incidence: float) -> None:
+        setting = segment.setting
+        assert setting is not None
+        v = self.stream.v
+        mu = setting.at_impact(u, v, incidence)
+        after = max(v * (cos(incidence) - mu * sin(incidence)), 0.0)
+        segment.struck = segment.struck if segment.impacts else mu
+        segment.impacts.append((degrees(incidence), v, after))
+        x, z = setting.surface.at(u)
+        self.stream = Stream(self.stream.s, x, z, after, setting.surface.slope_at(u))
+
+    def receive(self) -> None:
+        table = self.data.get("receiver")
+        if table is None:
+            return
+        belt, slope, mu = table["velocity_m_s"], radians(table["slope_deg"]), tan(radians(table["friction_deg"]))
+        turn = self.stream.slope - slope
+        along, across = self.stream.v * cos(turn), abs(self.stream.v * sin(turn))
+        bracket = (mu if belt > along else -mu) * cos(slope) + sin(slope)
+        gain = belt**2 - along**2
+        reached = (belt - along) * bracket > 0
+        length = gain / (2 * self.g * bracket) if reached else (inf if gain else 0.0)
+        self.result.receiver = {
+            "velocity_along_m_s": along,
+            "velocity_across_m_s": across,
+            "velocity_ratio": along / belt,
+            "impact_pressure_kpa": self.density * across**2 / 1e3,
+            "wear_w_m2": mu * self.density * across**2 * abs(belt - along),
+            "acceleration_length_m": length,
+            "acceleration_power_kw": self.rate * self.density * belt * (belt - along) / 1e3,
+            "matching_slope_deg": nan,
+        }
+
+
+def solve(data: dict[str, Any]) -> Result:
+    """What becomes of the stream of this chute."""
+    return Solver(data).run()
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Compares random chutes and prints each disagreement with its seed and its spec."""
+    import argparse
+    import json
+    from collections import Counter
+    from multiprocessing import Pool
+
+    from tests.verification.second_cases import case, judge
+
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("chutes", type=int)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=1)
+    asked = parser.parse_args(arguments)
+    seeds = range(asked.first, asked.first + asked.chutes)
+    counts: Counter[str] = Counter()
+    with Pool(asked.jobs) as pool:
+        for seed, (verdict, wrong) in zip(seeds, pool.imap(judge, seeds, chunksize=20), strict=True):
+            counts[verdict] += 1
+            if verdict != "same":
+                print(f"seed {seed}: {verdict}", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
+            if verdict == "wrong":
+                print("  " + json.dumps(case(seed)[0]), flush=True)  # noqa: T201
+    print(dict(counts))  # noqa: T201
+    return int(counts["wrong"] > 0)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
