@@ -18,12 +18,20 @@ import chutecalc
 from chutecalc.cli import main
 from chutecalc.ranges import read_values
 from chutecalc.studies import sweep as rows_of
-from chutecalc.studies.parameters import read_parameters
+from chutecalc.studies.grid import Grid
+from chutecalc.studies.parameters import Parameter, read_parameters
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
 VEE = str(ROOT / "specs/vee.toml")
 HOOD = str(ROOT / "specs/coal_hood_spoon.toml")
+BOTH = {"material": {"density_kg_m3": 800.0, "internal_friction_deg": 50.0, "pressure_ratio": 0.3}}
+CURVES = {
+    "segments": [
+        {"kind": "curve", "radius_m": 2.0, "to_slope_deg": 30.0},
+        {"name": "last", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 20.0},
+    ]
+}
 DRAWN = {"body": {"shape": "chamfered", "base_m": 0.3, "chamfer_deg": 45.0, "chamfer_m": 0.2}}
 
 
@@ -100,6 +108,27 @@ def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch):
     monkeypatch.setattr(rows_of, "CHUNK", 4)
     assert swept(capsys, *arguments, "--jobs", "3") == whole
     assert swept(capsys, *arguments, "--jobs", "1") == whole
+
+
+def test_three_parameters_go_round_as_in_a_product_of_lists():
+    lists = [[1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 7.0, 8.0, 9.0, 10.0]]
+    grid = Grid([Parameter(name, (), np.array(values)) for name, values in zip("abc", lists, strict=True)])
+    assert grid.count == 30
+    for first, last in ((0, 30), (4, 11), (13, 14), (15, 30)):
+        rows = np.arange(first, last)
+        found = np.stack([np.broadcast_to(values, len(rows)) for values in grid.at(rows)], axis=1)
+        assert found.tolist() == [list(row) for row in itertools.product(*lists)][first:last]
+
+
+def test_a_tolerance_that_cannot_be_is_refused_at_once():
+    chute = chutecalc.load(SPOON)
+    with pytest.raises(chutecalc.UsageError, match="rtol has to be from"):
+        rows_of.Sweep(chute, read_parameters(["phi=20,25"], chute), rtol=0.5)
+
+
+def test_the_wall_may_vary_where_the_pressure_ratio_is_given(capsys, tmp_path):
+    rows = swept(capsys, "phi=20,25", written(tmp_path, **BOTH))
+    assert [row["status"] for row in rows] == ["ok", "ok"]
 
 
 def test_a_short_name_means_every_such_key(capsys):
@@ -256,6 +285,12 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["radius", SPOON], "has no values"),
         (["rad=1", SPOON], "rad is no short name (beta, delta, phi, rate, radius, base) and no path"),
         (["base=1", VEE], "base: the spec has no base_m in its sections; choose another parameter"),
+        (
+            ["delta=30,40", BOTH],
+            "delta: K_v is given by material.pressure_ratio, whatever δ is: choose that, or remove",
+        ),
+        (["delta_rad=0.5,0.6", BOTH], "K_v is given by material.pressure_ratio"),
+        (["radius=1,2", CURVES], "there are several, choose segments.1.radius_m or segments.last.radius_m"),
         (["radius=a:b", SPOON], "no range"),
         (["radius=1:2:0", SPOON], "never lead"),
         (["radius=1:2:-1", SPOON], "never lead"),
@@ -298,8 +333,10 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
 def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
-    assert words in refused(capsys, *arguments)
-    assert list(tmp_path.iterdir()) == []
+    with_tables = [written(tmp_path, **word) if isinstance(word, dict) else word for word in arguments]
+    before = list(tmp_path.iterdir())
+    assert words in refused(capsys, *with_tables)
+    assert list(tmp_path.iterdir()) == before
 
 
 def test_ranges_are_decimal():

@@ -15,6 +15,14 @@ def test_a_thread_may_share_its_work_too():
         assert pool.submit(lambda: list(processes.in_processes(abs, [-1, -2, 3], 2))).result() == [1, 2, 3]
 
 
+def test_no_process_is_left_when_the_results_are_not_wanted_any_more():
+    results = processes.in_processes(abs, [*range(-50, 0)], 2)
+    assert next(results) == 50
+    assert multiprocessing.active_children()
+    results.close()
+    assert multiprocessing.active_children() == []
+
+
 def test_processes_begin_deaf_to_ctrl_c_and_the_first_one_is_not_afterwards():
     before = signal.getsignal(signal.SIGINT)
     heard = list(processes.in_processes(signal.getsignal, [signal.SIGINT] * 2, 2))
