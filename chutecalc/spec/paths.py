@@ -50,6 +50,9 @@ def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str],
     if isinstance(here, list) and _is_number(key) and 1 <= int(key) <= len(here):
         here[int(key) - 1] = value
         return None
+    if not isinstance(here, dict | list):
+        remedy = f"put a value at {'.'.join(tables)} itself"
+        return Fault(path, f"leads nowhere: {'.'.join(tables)} is no table", remedy, value_text(value))
     if not isinstance(here, dict) or not key:
         return Fault(path, "names no key", "use a path such as segments.1.drop_m", value_text(value))
     for name in same_quantity(key):

@@ -134,6 +134,38 @@ def test_a_number_that_came_to_be_or_ceased_to_has_drifted(folder, capsys):
     assert rows["depth_m"][6] == "none"
 
 
+def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_begins(folder):
+    chute = chutecalc.load(ROOT / "specs" / "impact_plate.toml")
+    solution = chutecalc.solve(chute)
+    now = regression.baseline_of(chute, solution, [])
+    was = now.model_copy(deep=True)
+    assert regression.compare(was, now) == ([], [])
+    was.segments[1].impact["incidence_deg"] += 1.0
+    was.inlet["velocity_m_s"] *= 1.5
+    del was.segments[1].impact["velocity_after_m_s"]
+    _, drifts = regression.compare(was, now)
+    found = {drift.column: drift for drift in drifts}
+    assert found.keys() == {"incidence_deg", "velocity_m_s", "velocity_after_m_s"}
+    assert found["velocity_m_s"].place == regression.Place("inlet", 1, "")
+    assert found["incidence_deg"].place == found["velocity_after_m_s"].place == ("plate", 1, "impact")
+    struck = solution.segments[1].entry["s_m"][0]
+    assert found["incidence_deg"].s_m == found["velocity_after_m_s"].s_m == struck
+    assert found["velocity_after_m_s"].off == 1.0  # it came to be
+    largest = max(row["slope_deg"] for _, row in now.rows() if "slope_deg" in row)  # of all angles in this chute
+    assert found["incidence_deg"].off == pytest.approx(1.0 / max(largest, was.segments[1].impact["incidence_deg"]))
+
+
+def test_what_is_empty_or_minus_nothing_is_not_written(folder):
+    chute = chutecalc.load("spoon.toml")
+    now = regression.baseline_of(chute, chutecalc.solve(chute), [])
+    now.inlet["x_m"] = -1e-30
+    document = now.document()
+    assert str(document["inlet"]["x_m"]) == "0.0"
+    assert "receiver" not in document  # the spec has none
+    for segment in document["segments"]:
+        assert all(segment.values()), segment
+
+
 def test_a_removed_segment(folder, capsys):
     document = baseline()
     kept = document["segments"]
@@ -356,6 +388,8 @@ def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(fol
     together = [item._replace(seconds=0.0) for item in regression.check(chutes, update=True, processes=2)]
     assert alone == together
     assert [item.outcome for item in alone] == ["no_baseline"] * 6 + ["ok"]
+    assert [item.document is None for item in alone] == [False] * 6 + [True]
+    assert all(item.document is None for item in regression.check(chutes))  # nothing is written unasked
 
 
 def test_faults_come_back_from_another_process(folder):

@@ -119,6 +119,14 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert "PATH=VALUE" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("path", ["title.x", "title.1", "flow.rate_t_h.x_m", "segments.spoon.kind."])
+def test_what_is_no_table_holds_no_key(path, capsys, starter):
+    assert main(["run", str(starter), "--set", f"{path}=1"]) == 2
+    above = path.rpartition(".")[0]
+    fault = f"{path} = 1 leads nowhere: {above} is no table. Put a value at {above} itself."
+    assert capsys.readouterr().err == f"{starter}: {fault}\n"
+
+
 def test_set_gives_what_the_spec_leaves_out_and_its_faults_keep_their_lines(capsys, starter, tmp_path):
     text = starter.read_text()
     line = next(number for number, row in enumerate(text.splitlines(), 1) if row.startswith("rate_t_h"))

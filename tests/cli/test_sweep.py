@@ -2,7 +2,9 @@
 
 import csv
 import io
+import itertools
 import json
+import re
 import signal
 import subprocess
 import sys
@@ -16,10 +18,20 @@ import chutecalc
 from chutecalc.cli import main
 from chutecalc.ranges import read_values
 from chutecalc.studies import sweep as rows_of
+from chutecalc.studies.grid import Grid
+from chutecalc.studies.parameters import Parameter, read_parameters
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
+VEE = str(ROOT / "specs/vee.toml")
 HOOD = str(ROOT / "specs/coal_hood_spoon.toml")
+BOTH = {"material": {"density_kg_m3": 800.0, "internal_friction_deg": 50.0, "pressure_ratio": 0.3}}
+CURVES = {
+    "segments": [
+        {"kind": "curve", "radius_m": 2.0, "to_slope_deg": 30.0},
+        {"name": "last", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 20.0},
+    ]
+}
 DRAWN = {"body": {"shape": "chamfered", "base_m": 0.3, "chamfer_deg": 45.0, "chamfer_m": 0.2}}
 
 
@@ -98,6 +110,27 @@ def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch):
     assert swept(capsys, *arguments, "--jobs", "1") == whole
 
 
+def test_three_parameters_go_round_as_in_a_product_of_lists():
+    lists = [[1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 7.0, 8.0, 9.0, 10.0]]
+    grid = Grid([Parameter(name, (), np.array(values)) for name, values in zip("abc", lists, strict=True)])
+    assert grid.count == 30
+    for first, last in ((0, 30), (4, 11), (13, 14), (15, 30)):
+        rows = np.arange(first, last)
+        found = np.stack([np.broadcast_to(values, len(rows)) for values in grid.at(rows)], axis=1)
+        assert found.tolist() == [list(row) for row in itertools.product(*lists)][first:last]
+
+
+def test_a_tolerance_that_cannot_be_is_refused_at_once():
+    chute = chutecalc.load(SPOON)
+    with pytest.raises(chutecalc.UsageError, match="rtol has to be from"):
+        rows_of.Sweep(chute, read_parameters(["phi=20,25"], chute), rtol=0.5)
+
+
+def test_the_wall_may_vary_where_the_pressure_ratio_is_given(capsys, tmp_path):
+    rows = swept(capsys, "phi=20,25", written(tmp_path, **BOTH))
+    assert [row["status"] for row in rows] == ["ok", "ok"]
+
+
 def test_a_short_name_means_every_such_key(capsys):
     both = swept(capsys, "phi=24", HOOD)
     apart = swept(capsys, "liners.steel.friction_deg=24", "liners.ceramic.friction_deg=24", HOOD)
@@ -109,7 +142,8 @@ def test_parallel_lists(capsys):
     rows = swept(capsys, "--zip", "radius=1,2,3", "phi=25,26,27", "rate=500", SPOON)
     assert [row["radius_m"] + row["friction_deg"] for row in rows] == ["1.025.0", "2.026.0", "3.027.0"]
     assert {row["rate_t_h"] for row in rows} == {"500.0"}
-    assert "one length" in refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
+    said = refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
+    assert "one length, or single values: radius_m 3, friction_deg 2" in said
 
 
 @pytest.mark.parametrize("keep", ["width", "depth"])
@@ -126,6 +160,66 @@ def test_what_is_kept(keep, capsys, tmp_path):
     (same,) = swept(capsys, "beta=45", "--keep", keep, path)
     (base,) = swept(capsys, "beta=45", path)
     assert same == base
+
+
+FIRST, SECOND = (
+    {"base_m": 0.3, "chamfer_deg": 45.0, "chamfer_m": 0.2},
+    {"base_m": 0.1, "chamfer_deg": 60.0, "chamfer_m": 0.3},
+)
+
+
+def gives_way(keep, beta, base_m, chamfer_deg, chamfer_m):
+    """Base and length of a chamfer at another angle, from the sketch: a trapezium of the same top, or height too."""
+    top = base_m + 2 * chamfer_m * np.cos(np.radians(chamfer_deg))
+    height = chamfer_m * np.sin(np.radians(chamfer_deg))
+    length = chamfer_m if keep == "width" else height / np.sin(np.radians(beta))
+    return {"base_m": top - 2 * length * np.cos(np.radians(beta)), "chamfer_deg": beta, "chamfer_m": length}
+
+
+@pytest.mark.parametrize("keep", ["width", "depth"])
+@pytest.mark.parametrize("sections", [{"one": FIRST, "two": SECOND}, {"one": SECOND, "two": FIRST}])
+def test_what_is_kept_of_two_sections(keep, sections, capsys, tmp_path):
+    segments = [
+        {"kind": "straight", "slope_deg": 40.0, "length_m": 2.0, "section": "one"},
+        {"kind": "straight", "slope_deg": 38.0, "length_m": 1.0, "section": "two"},
+    ]
+    shaped = {name: {"shape": "chamfered", **section} for name, section in sections.items()}
+    path = written(tmp_path, sections=shaped, segments=segments)
+    rows = swept(capsys, "beta=20:90:10", "--keep", keep, path)
+    for row in rows:
+        now = {name: gives_way(keep, float(row["chamfer_deg"]), **section) for name, section in sections.items()}
+        if min(section["base_m"] for section in now.values()) < 0.0:
+            assert row["status"] == "impossible"
+            continue
+        shaped = {name: {"shape": "chamfered", **section} for name, section in now.items()}
+        alone = chutecalc.solve(chutecalc.parse(spec(sections=shaped, segments=segments)))
+        assert row["status"] == "ok"
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+    assert {row["status"] for row in rows} == {"ok", "impossible"}
+
+
+def test_a_base_that_is_varied_too_is_the_one_that_gives_way(capsys, tmp_path):
+    path = written(tmp_path, sections=DRAWN)
+    rows = swept(capsys, "beta=40,60", "sections.body.base_mm=200,400", "--keep", "width", path)
+    assert len(rows) == 4
+    for row in rows:
+        base = float(row["sections.body.base_mm"]) / 1000
+        now = gives_way("width", float(row["chamfer_deg"]), base, 45.0, 0.2)
+        alone = chutecalc.solve(chutecalc.parse(spec(sections={"body": {"shape": "chamfered", **now}})))
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+
+
+def test_a_base_that_gives_way_to_nothing_leaves_a_vee(capsys, tmp_path):
+    # B = 2 C (cos β - cos 60°), so that W = 2 C cos β: near 60° a small difference, at 60° it is 0 to the last digit
+    for beta in (20, 40, 50, 59, 59.2, 59.3, 59.5, 59.6, 59.8, 59.9, 60):
+        base = 40.0 * (np.cos(np.radians(beta)) - np.cos(np.radians(60.0)))
+        shaped = {"shape": "chamfered", "base_m": base, "chamfer_deg": 60.0, "chamfer_m": 20.0}
+        (row,) = swept(capsys, f"beta={beta}", "--keep", "width", written(tmp_path, sections={"body": shaped}))
+        flanks = {"shape": "vee", "chamfer_deg": float(beta), "chamfer_m": 20.0}
+        alone = chutecalc.solve(chutecalc.parse(spec(sections={"body": flanks})))
+        assert row["status"] == "ok"
+        assert float(row["exit_velocity_m_s"]) == pytest.approx(alone.exit_velocity[0], rel=1e-9)
+        assert float(row["exit_depth_m"]) == pytest.approx(alone.exit["depth_m"][0], rel=1e-9)
 
 
 def test_impossible_designs_keep_their_rows(capsys, tmp_path):
@@ -149,6 +243,35 @@ def test_values_that_only_together_cannot_be(capsys, tmp_path):
     assert [row["status"] for row in slopes] == ["impossible", "impossible", "ok"]
 
 
+def test_rows_of_a_locus_that_only_together_fall_are_impossible(capsys, tmp_path):
+    path = written(tmp_path, liners={"wall": {"yield_locus_kpa": [[0.2, 0.04], [2.0, 0.14]]}})
+    one, other = "liners.wall.yield_locus_kpa.1.2", "liners.wall.yield_locus_kpa.2.2"
+    rows = swept(capsys, f"{one}=0.04,0.08,0.12", f"{other}=0.06,0.1,0.14", path)
+    assert [row["status"] == "impossible" for row in rows] == [
+        first > second for first in (0.04, 0.08, 0.12) for second in (0.06, 0.1, 0.14)
+    ]
+    for row in rows:
+        (alone,) = swept(capsys, f"{one}={row[one]}", path) if row[other] == "0.14" else ({},)
+        assert {**row, **{name: value for name, value in alone.items() if name != other}} == row
+    assert len({row["exit_velocity_m_s"] for row in rows if row["status"] == "ok"}) == 6
+
+
+def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, tmp_path):
+    segments = [
+        {"kind": "fall", "drop_m": 0.4},
+        {"name": "hood", "kind": "hood", "radius_m": 3.0, "to_slope_deg": 60.0},
+    ]
+    path = written(tmp_path, inlet={"velocity_m_s": 3.0, "slope_deg": 0.0}, segments=segments)
+    arrives = np.degrees(np.arctan(np.sqrt(2 * 9.80665 * 0.4) / 3.0))  # 43°: a hood has to steepen from there
+    rows = swept(capsys, "segments.hood.to_slope_deg=30:80:5", "phi=15,20", path)
+    slopes = [float(row["segments.hood.to_slope_deg"]) for row in rows]
+    assert slopes == [slope for slope in range(30, 81, 5) for _ in range(2)]
+    assert [row["status"] == "impossible" for row in rows] == [slope <= arrives for slope in slopes]
+    for row in rows[-2:]:
+        (alone,) = swept(capsys, "segments.hood.to_slope_deg=80", f"phi={row['friction_deg']}", path)
+        assert row == alone
+
+
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
     said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
@@ -160,7 +283,14 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     ("arguments", "words"),
     [
         (["radius", SPOON], "has no values"),
-        (["rad=1", SPOON], "no short name"),
+        (["rad=1", SPOON], "rad is no short name (beta, delta, phi, rate, radius, base) and no path"),
+        (["base=1", VEE], "base: the spec has no base_m in its sections; choose another parameter"),
+        (
+            ["delta=30,40", BOTH],
+            "delta: K_v is given by material.pressure_ratio, whatever δ is: choose that, or remove",
+        ),
+        (["delta_rad=0.5,0.6", BOTH], "K_v is given by material.pressure_ratio"),
+        (["radius=1,2", CURVES], "there are several, choose segments.1.radius_m or segments.last.radius_m"),
         (["radius=a:b", SPOON], "no range"),
         (["radius=1:2:0", SPOON], "never lead"),
         (["radius=1:2:-1", SPOON], "never lead"),
@@ -183,11 +313,14 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--phi", "0"], "--phi belongs to the friction study"),
         (["beta", SPOON, "--base", "0"], "--base belongs to the friction study"),
         (["beta", SPOON, "--keep", "width"], "chamfer_m"),
+        (["beta", VEE, "--keep", "depth"], "--keep depth does not go with sections.flanks: a vee has no base"),
         (["radius=1,2", SPOON, "--keep", "width"], "beta"),
         (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
         (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
         (["beta", SPOON, "--top", "3", "--by", "status:max"], "numbers"),
+        (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top chooses among designs"),
+        (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "known are a station's columns"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
         (["beta", SPOON, "--resume"], "--resume goes on with a file"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),
@@ -200,8 +333,10 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
 def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
-    assert words in refused(capsys, *arguments)
-    assert list(tmp_path.iterdir()) == []
+    with_tables = [written(tmp_path, **word) if isinstance(word, dict) else word for word in arguments]
+    before = list(tmp_path.iterdir())
+    assert words in refused(capsys, *with_tables)
+    assert list(tmp_path.iterdir()) == before
 
 
 def test_ranges_are_decimal():
@@ -237,6 +372,59 @@ def test_profiles_are_those_of_runs(how, capsys, tmp_path, monkeypatch):
         for one, other in zip(own, alone, strict=True):
             assert all(one[name] == other[name] for name in other if name != "spec")
     assert {row["status"] for row in rows} == {"ok", "stall"}
+
+
+def test_columns_of_profiles_are_those_asked_for_in_their_order(capsys, tmp_path):
+    names = ["pressure_kpa", "s_m", "velocity_m_s"]
+    rows = swept(capsys, "phi=20,35", SPOON, "--points", "4", "--columns", ",".join(names))
+    assert list(rows[0]) == ["friction_deg", "status", *names]
+    for phi in (20.0, 35.0):
+        run = chutecalc.solve(chutecalc.load(SPOON).put({"liners.wall.friction_deg": phi}))
+        stations = run.stations(points=4)
+        own = [row for row in rows if float(row["friction_deg"]) == phi]
+        assert len(own) == np.isfinite(stations["s_m"]).sum()
+        for k, row in enumerate(own):
+            assert row["status"] == run.status[0]
+            assert [row[name] for name in names] == [
+                "" if np.isnan(stations[name][0, k]) else str(stations[name][0, k]) for name in names
+            ]
+
+
+def test_what_stands_at_the_exit_alone_is_not_solved_for_more(capsys, monkeypatch):
+    (whole,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate,max_depth_m")
+    (clock,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_time_s")  # asks for the way there
+    assert float(clock["exit_time_s"]) == chutecalc.solve(chutecalc.load(SPOON)).exit["time_s"][0]
+    monkeypatch.setattr(rows_of, "solve", lambda *_: 1 / 0)
+    (row,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate")
+    assert float(row["exit_depth_m"]) == pytest.approx(float(whole["exit_depth_m"]), rel=1e-9)  # rtol is 1e-10
+
+
+def test_a_few_blocks_are_solved_ahead_of_the_one_that_is_told(monkeypatch):
+    chute = chutecalc.load(SPOON)
+    sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2"], chute))
+    monkeypatch.setattr(sweep, "block", lambda number: {"number": number})
+    asked = []
+    blocks = sweep.blocks((asked.append(number) or number for number in itertools.count()), jobs=3)
+    for number in range(20):
+        assert next(blocks) == (number, {"number": number})
+        assert len(asked) <= number + 4
+    blocks.close()
+
+
+def test_a_block_of_profiles_has_a_quarter_of_a_million_stations():
+    chute = chutecalc.load(SPOON)  # a fall and a spoon
+    for points, designs in ((2, rows_of.CHUNK), (101, 262_144 // 202), (200_000, 1)):
+        sweep = rows_of.Sweep(chute, read_parameters(["radius=1:4:#9"], chute), points=points)
+        assert sweep.block_size == designs
+        assert sweep.block_count == -(-9 // designs)
+
+
+def test_nothing_but_the_spec_is_needed_to_sweep_as_run_solves():
+    chute = chutecalc.load(SPOON)
+    sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2", "phi=20,25"], chute))
+    told = sweep.identity()
+    assert (told["tolerance"], told["keep"], told["top"], told["stations"]) == (1e-10, "base", None, [None, None])
+    assert sweep.count == 4
 
 
 def test_findings_and_ends(capsys):
@@ -287,7 +475,9 @@ def test_pictures(arguments, tmp_path, capsys):
         assert main(["sweep", *arguments, SPOON, "--plot", str(file), "--units", "us"]) == 0
     assert files[0].read_bytes() == files[1].read_bytes()
     assert len(files[0].read_bytes()) > 10_000
-    assert "fpm" in files[0].read_text(encoding="utf-8") or "<path" in files[0].read_text(encoding="utf-8")
+    text = files[0].read_text(encoding="utf-8")  # letters are paths; what they say stands beside them in comments
+    assert re.search(r"<!-- exit velocity \S+ fpm -->", text)
+    assert "m/s" not in text
 
 
 def test_a_chart(capsys):

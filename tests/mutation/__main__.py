@@ -28,7 +28,7 @@ FIRST = 1.0
 
 
 class Chosen:
-    """A pytest plugin that runs some tests in their order, each with its time, and notes one that fails."""
+    """A pytest plugin that runs some tests in their order, each with its time, and notes which one it is at."""
 
     def __init__(self, tests: dict[str, float], note: Path) -> None:
         self.tests, self.note = tests, note
@@ -39,10 +39,7 @@ class Chosen:
 
     def pytest_runtest_setup(self, item: Any) -> None:
         patient(self.tests[item.nodeid])
-
-    def pytest_runtest_logreport(self, report: Any) -> None:
-        if report.failed:
-            self.note.write_text(report.nodeid, encoding="utf-8")
+        self.note.write_text(item.nodeid, encoding="utf-8")
 
 
 def drawn(sources: dict[str, bytes], count: int, seed: int) -> list[Mutant]:
@@ -91,16 +88,11 @@ def outcomes(
     running: dict[int, tuple[Path, Mutant, float, float]] = {}
     while waiting or running:
         while waiting and free:
-            mutant = waiting.pop()
-            if tests := reach.tests(mutant.file, mutant.lines):
-                tree = free.pop()
-                modified = (tree / mutant.file).stat().st_mtime
-                process = started(tree, mutant, sources[mutant.file], tests)
-                running[process] = tree, mutant, time.perf_counter(), modified
-            else:
-                yield mutant, NOT_REACHED, "", 0.0
-        if not running:
-            continue
+            mutant, tree = waiting.pop(), free.pop()
+            modified = (tree / mutant.file).stat().st_mtime
+            tests = reach.tests(mutant.file, mutant.lines)
+            process = started(tree, mutant, sources[mutant.file], tests)
+            running[process] = tree, mutant, time.perf_counter(), modified
         process, status = os.wait()
         tree, mutant, start, modified = running.pop(process)
         with contextlib.suppress(ProcessLookupError):
@@ -109,8 +101,9 @@ def outcomes(
         os.utime(tree / mutant.file, (modified, modified))
         free.append(tree)
         late = os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM
-        outcome = TIMEOUT if late else KILLED if status else SURVIVED
-        note = Path(f"{tree}.note").read_text(encoding="utf-8") if outcome == KILLED else ""
+        alive = SURVIVED if reach.known(mutant.file, mutant.lines) else NOT_REACHED
+        outcome = TIMEOUT if late else KILLED if status else alive
+        note = "" if outcome == alive else Path(f"{tree}.note").read_text(encoding="utf-8")
         yield mutant, outcome, note, time.perf_counter() - start
 
 

@@ -197,7 +197,8 @@ class Places(ast.NodeVisitor):
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> None:
         start = self.offset(node)
-        self.add("sign", start, start + (3 if isinstance(node.op, ast.Not) else 1), "")
+        sign = re.compile(rb"not\s*|.").match(self.source, start)
+        self.add("sign", start, sign.end() if sign else start, "")
         self.generic_visit(node)
 
     def visit_Call(self, node: ast.Call) -> None:

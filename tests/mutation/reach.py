@@ -26,15 +26,14 @@ Lines = dict[str, set[int]]
 class Recorder:
     """A pytest plugin that notes which lines of the package each test reaches, and how long it takes."""
 
-    def __init__(self, tree: Path, package: str) -> None:
+    def __init__(self, tree: Path, package: str, told: int) -> None:
         """Loads the whole package first: what that runs belongs to no one test."""
-        self.tree, self.package = tree, package
+        self.tree, self.package, self.told = tree, package, told
         self.prefix = f"{tree / package}{os.sep}"
         self.left: dict[types.CodeType, set[int]] = {}
         self.lines: dict[str, Lines] = {}
         self.seconds: dict[str, float] = {}
         self.failed: set[str] = set()
-        sys.settrace(self.enter)
         threading.settrace(self.enter)
         with self.counted_for("import"):
             for module in pkgutil.walk_packages([str(tree / package)], f"{package}."):
@@ -57,6 +56,7 @@ class Recorder:
     def counted_for(self, whom: str) -> Iterator[None]:
         """What is reached meanwhile counts for a test, or for all tests of a file."""
         before, self.left = self.left, {}
+        sys.settrace(self.enter)  # anew, for an exception in it, as where a test recurses too deeply, ends it
         try:
             yield
         finally:
@@ -93,10 +93,15 @@ class Recorder:
     def pytest_runtest_logreport(self, report: Any) -> None:
         if report.outcome != "passed":
             self.failed.add(report.nodeid)
+            os.write(self.told, f"{report.outcome}, and left out: {report.nodeid}\n".encode())
 
 
 class Reach:
     """Which tests reach what."""
+
+    def known(self, file: str, lines: range) -> bool:
+        """Whether any test is known to reach one of some lines."""
+        return not lines or any((file, line) in self.by_line for line in lines)
 
     def __init__(self, record: dict[str, Any]) -> None:
         tests = {test: entry for file in record["files"].values() for test, entry in file.items()}
@@ -114,10 +119,10 @@ class Reach:
         """The tests that reach any of some lines, with their times, fastest first.
 
         What runs when the package is loaded, as a constant does, is reached by all tests that reach its file, or by all
-        where a file has nothing else.
+        where a file has nothing else. So may be what no test reaches in its own process.
         """
         found = set[str]().union(*(self.by_line.get((file, line), set()) for line in lines))
-        if not lines or self.imported.get(file, set()) & {*lines}:
+        if not found or self.imported.get(file, set()) & {*lines}:
             found = self.by_file.get(file) or set[str]().union(*self.by_file.values())
         return {test: self.seconds[test] for test in sorted(found, key=lambda test: (self.seconds[test], test))}
 
@@ -137,10 +142,12 @@ def recorded(kept: Path, tree: Path, package: str) -> Reach:
         record = {"rest": rest.hexdigest(), "hashes": {}, "files": {}}
     changed = [file for file, now in hashes.items() if record["hashes"].get(file) != now]
 
+    terminal = os.dup(1)
+
     def work() -> int:
         if not changed:
             return run_pytest(tree, None, "--collect-only")  # so that its bytecode is there
-        recorder = Recorder(tree, package)
+        recorder = Recorder(tree, package, terminal)
         run_pytest(tree, recorder, *([] if whole else changed))
         sys.settrace(None)
         files: dict[str, Any] = {file: known for file, known in record["files"].items() if file not in changed}
@@ -157,6 +164,7 @@ def recorded(kept: Path, tree: Path, package: str) -> Reach:
     if changed:
         print(f"recording which lines are reached by the tests of {len(changed)} files", flush=True)
     _, status = os.waitpid(forked(tree, work, patience=7200.0, writes_bytecode=True), 0)
+    os.close(terminal)
     if status:
         said = Path(f"{tree}.out").read_text(encoding="utf-8")
         sys.exit(f"recording ended with status {status}:\n{said[-3000:]}")

@@ -86,6 +86,25 @@ def test_sections_that_cannot_be_keep_their_rows():
     assert study.line(55)["chamfer_deg"].tolist() == [45.0]
 
 
+def test_a_wide_centre_section_that_just_vanishes_is_a_vee():
+    for beta in range(20, 80, 2):  # B² = 4 A cot β, rounded at 1e-16 of 10^4 m²
+        area = 1e4 / 4 * np.tan(np.radians(beta))
+        study = FrictionStudy([beta], [30], keep="width", base_m=100.0, area_m2=area)
+        assert (study.columns["status"][0], study.columns["base_m"][0]) == ("ok", 0.0), beta
+
+
+def test_the_better_end_is_told_where_both_are_nearly_equal():
+    def off(beta):
+        here, end = (by_the_paper("width", angle, 40.0, 0.5, 0.05, 25.0)[-1] for angle in (beta, 90.0))
+        return here - end
+
+    even = float(mpmath.findroot(off, (65.0, 75.0), solver="anderson"))
+    assert off(even - 1.0) > 0.0 > off(even + 1.0)
+    for shift, end in ((-1e-4, 90.0), (1e-4, even + 1e-4)):  # less than the 0.002° or so between two angles
+        (best,) = FrictionStudy([even + shift, 90.0], [40.0], keep="width").best()
+        assert best.end_deg == end
+
+
 @pytest.mark.parametrize("keep", ["width", "depth"])
 def test_a_centre_section_that_just_vanishes_is_a_vee(keep):
     area = 0.25 / 4 if keep == "width" else 0.25  # of a width of 0.5 m at 45°
@@ -117,6 +136,18 @@ def test_the_best_angle_of_a_range_without_one_is_its_end():
     assert single.end_deg == 50.0
 
 
+def test_of_two_dips_the_lower_one_is_the_best_angle():
+    for delta in (60.0, 30.0):  # the second dip is the lower one, and the first
+        angles = np.arange(11.5, 90.0, 0.25)  # B² = 1 - 0.2 cot β: there is a section from 11.3° on
+        curve = np.array([float(by_the_paper("width", beta, delta, 1.0, 0.05, 25.0)[-1]) for beta in angles])
+        inner = curve[1:-1]
+        dips = inner[(inner < curve[:-2]) & (inner < curve[2:])]
+        assert len(dips) == 2
+        assert abs(dips[0] - dips[1]) > 1e-3
+        (best,) = FrictionStudy([11.5, 89.5], [delta], "width", base_m=1.0, area_m2=0.05).best()
+        assert best.inside_friction == pytest.approx(dips.min(), abs=1e-5)
+
+
 def test_weak_materials_are_told():
     assert FrictionStudy(internal_friction_deg=[20, 30]).inadmissible() == [20.0]  # atan(sin 30°) = 26.6°
 
@@ -131,6 +162,7 @@ def test_weak_materials_are_told():
         ({"phi": -1.0}, "phi"),
         ({"base": 0.0}, "base has to be greater than 0"),
         ({"area": float("inf")}, "area"),
+        ({"area": 100001.0}, "area has to be greater than 0 and at most 100000 m², not 100001"),
         ({"keep": "height"}, "base, width, depth"),
         ({"csv": "-", "json": "-"}, "only one output"),
         ({"plot": "study.txt"}, ".svg, .png or .pdf"),

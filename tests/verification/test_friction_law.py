@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from chutecalc.physics.circle import arc
 from chutecalc.physics.friction import equilibrium_friction, equivalent_friction
 from chutecalc.physics.pressure import greatest_wall_friction, pressure_ratio, vertical_pressure_ratio
-from chutecalc.physics.section import Polygon, facets, take_facet, wetted_facet
+from chutecalc.physics.section import Circle, Polygon, facets, take_facet, wetted_facet
 from chutecalc.physics.wetting import area_at_depth, excess_friction, wetting
 
 OPEN = np.array([np.inf])
@@ -78,17 +79,40 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
     assert wet.missing[0] == pytest.approx(1 - hold / drawn, abs=1e-11)
 
 
-@pytest.mark.parametrize("name", SECTIONS)
-def test_growth_of_friction_with_area_by_central_differences(name):
-    table = facets(SECTIONS[name], np.array([0.3]))
-    for area in (0.003, 0.02, 0.2):
+@pytest.mark.parametrize("equilibrium", [False, True])
+@pytest.mark.parametrize("name", [*SECTIONS, "circle"])
+def test_growth_of_friction_with_area_by_central_differences(name, equilibrium):
+    section = Circle(np.array([0.3]), OPEN) if name == "circle" else SECTIONS[name]  # half full at 0.1414 m²
+    table = facets(section, np.array([0.3]))
+    for area in (0.003, 0.02, 0.12, 0.2):
         h = 1e-6 * area
         facet = take_facet(table, wetted_facet(table, np.array([area])))
-        low, _ = excess_friction(facet, np.array([area - h]))
-        high, _ = excess_friction(facet, np.array([area + h]))
-        _, growth = excess_friction(facet, np.array([area]))
+        low, _ = excess_friction(facet, np.array([area - h]), equilibrium)
+        high, _ = excess_friction(facet, np.array([area + h]), equilibrium)
+        _, growth = excess_friction(facet, np.array([area]), equilibrium)
         # rounding in the difference: 1e-16/1e-6
         assert growth[0] == pytest.approx(area * (high[0] - low[0]) / (2 * h), rel=1e-6, abs=1e-9)
+
+
+@pytest.mark.parametrize("lack", [0.0, 0.4, 1.0])
+def test_growth_of_both_loads_on_an_arc_by_differentiating_their_integrals(lack):
+    """X = χ A and its shortfall grow with the half-angle by what one more layer of stream, sin ψ0 dψ0, weighs."""
+    for angle in (0.2, 0.9, 1.5):
+        area = angle - np.sin(angle) * np.cos(angle)
+        found = arc(np.array([area]), np.array([lack]))
+
+        def loads(weight, angle=angle, area=area):
+            load = 2 * quad(lambda psi: weight(psi) * (np.cos(psi) - np.cos(angle)), 0, angle)[0]
+            layer = 2 * np.sin(angle) * quad(weight, 0, angle)[0]  # d/dψ0; dA/dψ0 = 2 sin²ψ0
+            return load / area, layer / (2 * np.sin(angle) ** 2) - load / area
+
+        excess, excess_growth = loads(lambda psi: (1 - lack * np.sin(psi) ** 2) * 2 * np.sin(psi / 2) ** 2)
+        missing, missing_growth = loads(lambda psi: lack * np.sin(psi) ** 2 * np.cos(psi))
+        assert found.angle[0] == pytest.approx(angle, rel=1e-14)
+        assert found.excess[0] == pytest.approx(excess, rel=1e-12)
+        assert found.excess_growth[0] == pytest.approx(excess_growth, rel=1e-11)
+        assert found.missing[0] == pytest.approx(missing, rel=1e-12, abs=1e-15)
+        assert found.missing_growth[0] == pytest.approx(missing_growth, rel=1e-11, abs=1e-15)
 
 
 @pytest.mark.parametrize("area", [0.001, 0.05, 0.4])
