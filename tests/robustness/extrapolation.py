@@ -107,7 +107,8 @@ def solve(flow):
                 break
             here = flow.some(rows)
             at, root, error = step(here, c[rows], r[rows], h[rows])
-            good = error <= TOLERANCE * 50
+            dips = dipping(here, (c[rows], r[rows]), (at, root), h[rows])
+            good = (error <= TOLERANCE * 50) & ~dips
             ended = good & ((at >= 1) | (root <= 0) | (press(here, at, root) < 0))
             on = rows[good & ~ended]
             c[on], r[on] = at[good & ~ended], root[good & ~ended]
@@ -115,8 +116,25 @@ def solve(flow):
                 last = rows[ended]
                 status[last], c[last], r[last] = finish(flow.some(last), c[last], r[last], h[last])
             growth = np.clip((TOLERANCE * 5 / np.maximum(error, Real(1e-30))) ** (Real(1) / (2 * ORDER - 1)), 0.1, 3)
-            h[rows] *= np.where(np.isfinite(growth), growth, Real(0.1))
+            growth = np.where(np.isfinite(growth), growth, Real(0.1))
+            h[rows] *= np.where(dips, np.minimum(growth, Real(0.5)), growth)
     return status, c, r**2
+
+
+def dipping(flow, start, end, h):
+    """Whether a stream that presses on its surface at both ends of a step leaves it in between, as a cubic tells."""
+    value, change = [], []
+    for c, r in (start, end):
+        dc, dr = rise(flow, c, r)
+        slope = flow.slope + flow.turn * c
+        value.append(press(flow, c, r))
+        bend = flow.gravity * np.sin(slope) * dc + 4 / flow.length * r**3 * dr
+        change.append(-h * flow.side * flow.turn * bend)
+    share = np.linspace(0, 1, 33)[1:-1, None]
+    left, right = (1 - share) ** 2, share**2
+    between = left * ((1 + 2 * share) * value[0] + share * change[0])
+    between = between + right * ((3 - 2 * share) * value[1] - (1 - share) * change[1])
+    return (value[0] >= 0) & (value[1] >= 0) & (between.min(axis=0) < 0)
 
 
 def finish(flow, c, r, h):

@@ -76,10 +76,10 @@ def given_keys(value):
 
 @pytest.mark.parametrize("path", FOUND, ids=lambda path: path.stem)
 def test_what_random_chutes_have_found_before(path):
-    """The title begins with how the stream has to end."""
+    """The title begins with how the stream has to end, or the two ways where that is a matter of the last digit."""
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     solution = drawn(data).solution
-    assert solution.status[0] == data["title"].split(":")[0]
+    assert solution.status[0] in data["title"].split(":")[0].split(" or ")
     check(solution)
 
 
