@@ -155,6 +155,17 @@ def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_b
     assert found["incidence_deg"].off == pytest.approx(1.0 / max(largest, was.segments[1].impact["incidence_deg"]))
 
 
+def test_numbers_of_a_segment_that_only_one_has_are_not_listed_and_the_receivers_are(folder):
+    chute = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
+    now = regression.baseline_of(chute, chutecalc.solve(chute), [])
+    was = now.model_copy(deep=True)
+    gone = was.segments.pop()
+    was.receiver["velocity_ratio"] += 0.1
+    changes, (drift,) = regression.compare(was, now)
+    assert [change.message for change in changes] == [f"segment {gone.name} is not in the baseline"]
+    assert (drift.place, drift.column) == (("receiver", 1, ""), "velocity_ratio")
+
+
 def test_what_is_empty_or_minus_nothing_is_not_written(folder):
     chute = chutecalc.load("spoon.toml")
     now = regression.baseline_of(chute, chutecalc.solve(chute), [])

@@ -314,7 +314,8 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--base", "0"], "--base belongs to the friction study"),
         (["beta", SPOON, "--keep", "width"], "chamfer_m"),
         (["beta", VEE, "--keep", "depth"], "--keep depth does not go with sections.flanks: a vee has no base"),
-        (["radius=1,2", SPOON, "--keep", "width"], "beta"),
+        (["radius=1,2", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
+        (["base=0.3,0.4", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
         (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
         (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
@@ -409,6 +410,8 @@ def test_a_few_blocks_are_solved_ahead_of_the_one_that_is_told(monkeypatch):
         assert next(blocks) == (number, {"number": number})
         assert len(asked) <= number + 4
     blocks.close()
+    numbers = [4, 0, 7, 1, 9]
+    assert list(sweep.blocks(numbers, jobs=3)) == [(number, {"number": number}) for number in numbers]
 
 
 def test_a_block_of_profiles_has_a_quarter_of_a_million_stations():
@@ -440,6 +443,10 @@ def test_findings_and_ends(capsys):
     belt = str(ROOT / "specs/belt_hood_spoon.toml")
     (row,) = swept(capsys, "rate=1800", belt, "--columns", "receiver_velocity_ratio")
     assert float(row["receiver_velocity_ratio"]) > 0.5
+    names = ["receiver_velocity_ratio", "max_depth_m", "exit_depth_m"]
+    (mixed,) = swept(capsys, "rate=1800", belt, "--columns", ",".join(names))
+    assert list(mixed) == ["rate_t_h", "status", *names]
+    assert float(mixed["receiver_velocity_ratio"]) == pytest.approx(float(row["receiver_velocity_ratio"]), rel=1e-9)
 
 
 def test_every_format_has_the_same_rows(capsys, tmp_path):

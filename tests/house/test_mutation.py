@@ -64,7 +64,9 @@ def test_a_toy_from_end_to_end(tmp_path):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_bytes(text)
     (tmp_path / "tests" / "mutation_accepted.txt").write_text(
-        "# comment\n\ntoy/calc.py never\n- return 5\n+ return 6\nas good\n", encoding="utf-8"
+        "# comment\n\ntoy/calc.py never\n- return 5\n+ return 6\nas good\n\n"
+        "toy/calc.py larger\n- return a if a > b else b\n+ *\nnot told, for it is killed\n",
+        encoding="utf-8",
     )
 
     def outcomes(status, *arguments):

@@ -108,7 +108,7 @@ def outcomes(
 
 
 def accepted(file: Path) -> dict[tuple[str, ...], str]:
-    """Why some mutants may survive, by file and function, line before and line after."""
+    """Why some mutants may survive, by file and function, line before and line after; * for whatever comes after."""
     text = file.read_text(encoding="utf-8") if file.exists() else ""
     blocks = [block.splitlines() for block in text.split("\n\n") if not block.startswith("#")]
     return {(head, before[2:], after[2:]): why for head, before, after, why in (block for block in blocks if block)}
@@ -147,7 +147,8 @@ def main() -> int:
         for mutant, outcome, killer, seconds in outcomes(trees, sources, chosen, reach):
             before, after = mutant.difference(sources[mutant.file])
             key = (f"{mutant.file} {mutant.function}".strip(), before, after)
-            if why := whys.get(key, "") if outcome in (SURVIVED, NOT_REACHED) else "":
+            why = whys.get(key) or whys.get((*key[:2], "*"), "") if outcome in (SURVIVED, NOT_REACHED) else ""
+            if why:
                 outcome = ACCEPTED
             room = Path(mutant.file).relative_to(given.package).parts[0].removesuffix(".py")
             result = {"id": mutant.id, "room": room, "outcome": outcome, "test": killer, "why": why}

@@ -1,11 +1,12 @@
 """Work that several processes share: from any thread, and not beyond the process that asked for it."""
 
 import multiprocessing
-import os
 import signal
-import threading
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
-from types import SimpleNamespace
+
+import pytest
 
 from chutecalc.studies import processes
 
@@ -30,10 +31,21 @@ def test_processes_begin_deaf_to_ctrl_c_and_the_first_one_is_not_afterwards():
     assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_a_process_ends_with_the_one_that_started_it(monkeypatch):
-    ended = threading.Event()
-    parent = SimpleNamespace(join=lambda: None)
-    monkeypatch.setattr(multiprocessing, "parent_process", lambda: parent)
-    monkeypatch.setattr(os, "_exit", lambda status: ended.set() if status == 1 else None)
-    processes._end_with_parent()
-    assert ended.is_set()
+WORKING = """
+import multiprocessing, threading, time
+from chutecalc.studies.processes import in_processes
+threading.Thread(target=lambda: list(in_processes(time.sleep, [600.0, 600.0], 2)), daemon=True).start()
+while len(multiprocessing.active_children()) < 2:
+    time.sleep(0.01)
+print("at work", flush=True)
+time.sleep(600.0)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are others there")
+def test_processes_end_with_the_one_that_started_them_even_where_that_is_killed():
+    first = subprocess.Popen([sys.executable, "-c", WORKING], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert first.stdout.readline() == b"at work\n"
+    first.kill()
+    first.communicate(timeout=120)  # at its end when no process has the other end of the pipes any more
+    assert first.returncode == -signal.SIGKILL
