@@ -147,20 +147,20 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
     """To the next event; y = v² over s, or, where the stream may come to rest, s over r = √v."""
     setting = piece.setting
     length = setting.surface.length
+    beyond = 1.2 * length  # old SciPy tries its first step anywhere, where a taper may have no width
     slow = _slow(piece.state(u, v)[0], v, length, 0.2)
     if slow:
 
         def rhs(r: float, state: np.ndarray) -> list[float]:
             if r <= 0:
                 return [0.0]
-            f = piece.state(float(state[0]), r * r)[0]
-            return [2 * r**3 / f]
+            return [2 * r**3 / piece.state(min(float(state[0]), beyond), r * r)[0]]
 
         solver = DOP853(rhs, sqrt(v), [u], 0.0, rtol=RTOL, atol=RTOL * 1e-2 * length, max_step=sqrt(v) / 12)
     else:
 
         def rhs(s: float, state: np.ndarray) -> list[float]:
-            return [2 * piece.state(s, sqrt(max(float(state[0]), 1e-300)))[0]]
+            return [2 * piece.state(min(s, beyond), sqrt(max(float(state[0]), 1e-300)))[0]]
 
         solver = DOP853(rhs, u, [v * v], length, rtol=RTOL, atol=1e-200, max_step=length / 10)
 
