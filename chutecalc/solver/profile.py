@@ -190,11 +190,10 @@ class SlideProfile:
 
     @property
     def even_friction(self) -> Array:
-        """μ_e where all wall pressures carry the weight alike, as the equilibrium law has it."""
+        """μ_e where all wall pressures carry the weight alike, for the paper's law to compare with."""
         slide, missing = self.contact.slide, self.wet.missing
-        excess = self.wet.excess * (1.0 - missing) if slide.equilibrium else self.wet.excess
         stress = slide.density * np.maximum(self.normal, 0.0) * self.depth / (1.0 - missing)
-        return self._known(equilibrium_friction(wall_friction(slide.wall, stress), excess, missing))
+        return self._known(equilibrium_friction(wall_friction(slide.wall, stress), self.wet.excess, missing))
 
     @cached_property
     def pressures(self) -> tuple[Array, Array, Array]:

@@ -312,7 +312,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--area", "0.1"], "--area"),
         (["beta", SPOON, "--phi", "0"], "--phi belongs to the friction study"),
         (["beta", SPOON, "--base", "0"], "--base belongs to the friction study"),
-        (["beta", SPOON, "--keep", "width"], "chamfer_m"),
+        (["beta", SPOON, "--keep", "width"], "--keep width needs sections.spoon.chamfer_m, the length of the chamfer"),
         (["beta", VEE, "--keep", "depth"], "--keep depth does not go with sections.flanks: a vee has no base"),
         (["radius=1,2", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
         (["base=0.3,0.4", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.extremes import LARGEST, LEAST
+from chutecalc.extremes import LARGEST, LEAST, extremes
 from chutecalc.solution import EXTREMES
 from tests import seeds
 from tests.robustness.chutes import draws, told
@@ -143,3 +143,36 @@ def test_in_a_vee_friction_has_a_limit_at_a_stall():
     assert vee.maximum["equivalent_friction"][0] == pytest.approx(vee.entry["equivalent_friction"][0], rel=1e-12)
     assert vee.maximum["depth_m"][0] == np.inf
     assert vee.minimum["wear_w_m2"][0] == 0.0
+
+
+def test_a_thrown_stream_is_slowest_at_its_apex():
+    """v cos θ there, without air."""
+    thrown = chute(
+        inlet={"velocity_m_s": 5.0, "slope_deg": -40.0},
+        segments=[{"kind": "fall", "drop_m": 1.0}],
+    ).segments[0]
+    assert thrown.minimum["velocity_m_s"][0] == pytest.approx(5.0 * np.cos(np.radians(40.0)), rel=1e-12)
+    assert thrown.maximum["velocity_m_s"][0] == thrown.exit["velocity_m_s"][0]
+
+
+class Parabola:
+    """A part of the way with one quantity, greatest at a share of it."""
+
+    def __init__(self, top):
+        self.top = top
+
+    def at(self, shares, names):
+        return dict.fromkeys(names, 3.0 - (shares - self.top) ** 2)
+
+    def limits(self, names):
+        return dict.fromkeys(names, np.full(1, np.nan)) | self.at(np.ones(1), names)
+
+
+@pytest.mark.parametrize("top", [0.0, 0.01, 0.04, 0.05, 0.5, 0.77, 0.96, 0.99, 1.0])
+def test_an_extreme_between_an_end_and_the_next_sample_is_found(top):
+    """Ten samples a tenth apart; a top next to an end lies higher than the end by what the parabola rises."""
+    shares, part = np.linspace(0.0, 1.0, 11), Parabola(top)
+    sampled = part.at(shares[:, None], ["depth_m"])
+    most = extremes(part, sampled, shares, [("depth_m", LARGEST)])["depth_m", LARGEST]
+    assert most.value[0] == pytest.approx(3.0, abs=1e-15)
+    assert most.share[0] == pytest.approx(top, abs=1e-8)  # √ε of what is flat there

@@ -32,7 +32,10 @@ def test_stall_inside_a_segment():
     finding = found(solution, "stall")
     assert (finding.severity, finding.segment) == ("failure", "straight")
     assert finding.s_m[0] == solution.legs[0].exit.distance[0]
-    assert "falls to 0" in finding.message()
+    way, slope = (finding.numbers[name][0] for name in ("way_m", "slope_deg"))
+    assert way == pytest.approx(finding.s_m[0], rel=1e-15)
+    assert slope == pytest.approx(5.0, rel=1e-15)
+    assert f"falls to 0 after {way:.4g} m on the segment, at a slope of 5°" in finding.message()
 
 
 def test_stall_at_an_impact():
@@ -401,6 +404,25 @@ def test_a_stall_on_a_locus_is_judged_at_the_pressure_of_rest():
     assert slow.numbers["friction_deg"][0] == pytest.approx(np.degrees(np.arctan(wall)), rel=1e-12)
     assert not all_of(solution, "inadmissible_friction")
     assert all_of(stalled_on_a_locus(material={"internal_friction_deg": 20.0}), "inadmissible_friction")
+
+
+def test_a_slow_stream_on_a_locus_quotes_the_friction_where_it_is_slowest():
+    """0.9 m/s at the end of a short flat chute: τ/σ at ρ g H there, not where it entered."""
+    solution = chutecalc.solve(
+        chute(
+            liners=LOCUS,
+            sections=rectangular(0.5),
+            inlet={"velocity_m_s": 1.0, "slope_deg": 2.0},
+            segments=[{"kind": "straight", "slope_deg": 2.0, "length_m": 0.02}],
+        )
+    )
+    (slow,) = all_of(solution, "decelerating")
+    end = {name: values[0] for name, values in solution.exit.items()}
+    assert solution.status[0] == "ok"
+    assert 0.0 < end["velocity_m_s"] < 1.0
+    stress = end["pressure_kpa"]  # of a rectangle, above the first row: τ = 0.2 kPa + 0.4 σ
+    assert stress > 1.0
+    assert slow.numbers["friction_deg"][0] == pytest.approx(np.degrees(np.arctan(0.4 + 0.2 / stress)), rel=1e-12)
 
 
 def test_the_range_of_a_locus_is_told_where_a_chute_leaves_it():

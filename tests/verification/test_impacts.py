@@ -55,6 +55,19 @@ def test_an_impact_has_the_friction_that_its_pressure_on_the_footprint_adds(leng
     assert impact["wear_w_m2"] * footprint * 0.5 * (1 + ratio * depth / 0.5) == pytest.approx(work, rel=1e-12)
 
 
+def test_a_slow_impact_wears_with_its_own_velocities():
+    solution = solved(
+        inlet={"velocity_m_s": 0.6, "slope_deg": 60.0},
+        segments=[{"kind": "straight", "slope_deg": 30.0, "length_m": 2.0}],
+    )
+    impact = {name: values[0] for name, values in solution.segments[0].impact.items()}
+    depth, ratio = 300 / 3600 / 0.6 / 0.6, np.tan(np.radians(22.5)) ** 2
+    after = 0.6 * (0.75**0.5 - np.tan(np.radians(20.0)) * (1 + ratio * depth / 0.6) * 0.5)
+    work = 300 / 3.6 * (0.75 * 0.36 - after**2) / 2
+    assert impact["velocity_after_m_s"] == pytest.approx(after, rel=1e-12)
+    assert impact["wear_w_m2"] * impact["footprint_m"] * 0.6 * (1 + ratio * depth / 0.6) == pytest.approx(work)
+
+
 def test_an_impact_that_stops_the_stream_wears_what_it_had_along_the_floor():
     solution = solved(
         inlet={"velocity_m_s": 5.0, "slope_deg": 85.0},

@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import quad
 
 import chutecalc
+from chutecalc.physics.roots import falls_through_zero
 from tests.conftest import chute, vee, vee_friction
 
 G = 9.80665
@@ -182,3 +183,21 @@ def test_nothing_catches_a_stream_that_loses_contact_before_another_contact_segm
     severity = {finding.code: (finding.severity, finding.segment) for finding in solution.findings()}
     assert severity["contact_lost"] == ("warning", "crest")
     assert severity["missed"] == ("failure", "after")
+
+
+def test_all_roots_at_which_a_polynomial_falls_are_found():
+    """Of degree 4 and less, within the horizon and beyond it, beside each other and far apart."""
+    sets = [
+        (0.2, 0.4, 0.6, 0.8),
+        (0.1, 0.11, 0.5, 3.0),
+        (-1.0, 0.3, 0.9, 2.5),
+        (0.02, 0.98, 1.5, 1.9),
+        (-2.0, -1.0, 0.5, 9.0),
+    ]
+    for roots in sets:
+        for sign in (1.0, -1.0):
+            rising = sign * np.poly(roots)[::-1]
+            found = falls_through_zero(rising[:, None], np.array([2.0]))[:, 0]
+            falling = roots[0::2] if sign > 0.0 else roots[1::2]  # from +∞ at -∞ through the first
+            expected = [root for root in falling if 0.0 < root < 2.0]
+            assert found[~np.isnan(found)] == pytest.approx(expected, rel=1e-12)

@@ -13,6 +13,7 @@ from tests.conftest import chute
 from tests.verification.test_independent_sections import circle
 
 G = 9.80665
+LIGHT = [[0.0002, 0.00018], [0.0003, 0.00024], [0.0006, 0.0003], [0.0012, 0.0004]]
 ROWS = [[0.5, 0.30], [1.0, 0.52], [2.0, 0.95]]
 
 
@@ -310,3 +311,27 @@ def test_roberts_wear_on_a_rectangular_spoon():
     assert np.allclose(stations["wear_number"][0], number, rtol=1e-13)
     exact = 1000 / 3.6 * 0.8 * G * np.tan(np.radians(25.0)) * number / 0.5
     assert np.allclose(stations["wear_w_m2"][0], exact, rtol=1e-12)
+
+
+def test_light_material_obeys_a_locus_as_heavy_does():
+    """Density, rate and locus a million times as great: the same velocities, through rows at parts of a pascal."""
+    stations = [
+        chutecalc.solve(
+            chute(
+                flow={"rate_t_h": 0.1 * factor},
+                material={"density_kg_m3": 0.05 * factor, "internal_friction_deg": 60.0},
+                liners={"wall": {"yield_locus_kpa": [[factor * row for row in pair] for pair in LIGHT]}},
+                sections={"body": {"shape": "rectangular", "width_m": 0.5}},
+                inlet={"velocity_m_s": 1.0, "slope_deg": 50.0},
+                segments=[
+                    {"kind": "straight", "slope_deg": 50.0, "length_m": 2.0},
+                    {"kind": "curve", "radius_m": 1.5, "to_slope_deg": 5.0},
+                ],
+            )
+        ).stations(points=51)
+        for factor in (1.0, 1e6)
+    ]
+    light, heavy = ({name: table[name][0] for name in ("velocity_m_s", "equivalent_friction")} for table in stations)
+    assert len(set(light["equivalent_friction"].round(3))) > 20  # rows of the locus are crossed
+    for name in light:
+        assert np.allclose(light[name], heavy[name], rtol=1e-9, atol=0, equal_nan=True), name
