@@ -199,7 +199,8 @@ def _taper_smoothness(count: int, course: Course, place: Array, y: Array) -> Arr
     # Of the surface's width² over the area: a stream that grows thin is not taken for a section that ends.
     opening = facet.width**2 / area + 4.0 * facet.cosine / facet.sine * (1.0 - facet.area / area)
     arc = facet.radius > 0.0
-    tapering = (np.where(arc, facet.radius, opening), np.where(arc, 1.0, facet.sine))
+    full = facet.radius * np.sqrt(np.sqrt(y)) - np.sqrt(course.slide.flow / np.pi)  # 0 where a full circle would flow
+    tapering = (np.where(arc, facet.radius, opening), np.where(arc, full, facet.sine))
     return np.minimum(*(_smoothness(count, np.broadcast_to(values, y.shape), 1.0) for values in tapering))
 
 

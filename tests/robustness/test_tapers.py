@@ -67,6 +67,23 @@ def test_errors_along_a_taper_are_within_their_estimates(shape, kind):
             assert (off <= end.error[ran] + right.error[ran] + ROUNDING).all(), (shape, kind, rtol, complete)
 
 
+@pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8])
+def test_a_pipe_that_narrows_until_the_stream_nearly_fills_it_tells_its_error(rtol):
+    """Beyond its end a full circle would flow, where depth has a branch point: what the estimate has to see coming."""
+    narrow = chutecalc.parse(
+        {
+            "flow": {"rate_t_h": 1390.0},
+            "material": {"density_kg_m3": 1500.0, "internal_friction_deg": 50.0},
+            "liners": {"wall": {"friction_deg": 42.2}},
+            "sections": {name: {"shape": "circular", "radius_m": r} for name, r in (("body", 1.45), ("end", 0.167))},
+            "inlet": {"velocity_m_s": 7.25, "slope_deg": -1.98},
+            "segments": [ARC | {"radius_m": 9.01, "from_slope_deg": -1.98, "to_slope_deg": 18.5}],
+        }
+    ).design
+    right, end = (run_chain(narrow, tolerance, False)[0][0].exit for tolerance in (1e-13, rtol))
+    assert abs(end.velocity[0] / right.velocity[0] - 1.0) <= end.error[0] + right.error[0] + ROUNDING
+
+
 @pytest.mark.parametrize("kind", ["crest", "spoon"])
 @pytest.mark.parametrize("shape", list(SECTIONS))
 def test_digits_along_a_taper_do_not_depend_on_the_batch(shape, kind):
