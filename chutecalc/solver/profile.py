@@ -236,7 +236,7 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
     divisor = start + np.sqrt(np.maximum(start**2 + 2.0 * push * distances, 0.0))
     time = np.where(divisor > 0.0, 2.0 * distances / np.where(divisor > 0.0, divisor, 1.0), 0.0)
     done = np.isnan(time)
-    for _ in range(6):
+    for _ in range(60):  # six do but next to the apex of a steep throw
         velocity, _ = motion(leg.path, time)
         step = (path_length(leg.path, time) - distances) / np.where(velocity > 0.0, velocity, np.inf)
         time = np.where(done, time, np.clip(time - step, 0.0, whole))  # each as if it were alone

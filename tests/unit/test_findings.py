@@ -425,6 +425,19 @@ def test_a_slow_stream_on_a_locus_quotes_the_friction_where_it_is_slowest():
     assert slow.numbers["friction_deg"][0] == pytest.approx(np.degrees(np.arctan(0.4 + 0.2 / stress)), rel=1e-12)
 
 
+def test_a_slow_stream_that_gains_speed_at_any_velocity_is_not_told_to_decelerate():
+    """In a vee friction does not depend on depth: on a steep one there is no velocity below which it wins."""
+    solution = chutecalc.solve(
+        chute(
+            sections=vee(),
+            inlet={"velocity_m_s": 0.3, "slope_deg": 50.0},
+            segments=[{"kind": "straight", "slope_deg": 50.0, "length_m": 0.01}],
+        )
+    )
+    assert solution.exit["velocity_m_s"][0] > 0.3
+    assert "decelerating" not in codes(solution)
+
+
 def test_the_range_of_a_locus_is_told_where_a_chute_leaves_it():
     (outside,) = all_of(stalled_on_a_locus(), "outside_locus")
     assert outside.numbers["most_kpa"][0] == np.inf
