@@ -12,7 +12,6 @@ from chutecalc.design import Contact, Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
-from chutecalc.solver.collocation import rule
 from chutecalc.solver.leg import ContactLeg, Leg
 from chutecalc.solver.profile import FlightProfile, SlideProfile
 
@@ -110,26 +109,18 @@ class Part:
             with np.errstate(all="ignore"):
                 share = np.where(rises, path_length(path, top) / end, 1.0)
             return np.sort(np.concatenate([np.repeat(EVEN[:, None], len(share), axis=1), share[None]]), axis=0)
-        rows, pieces = self.contact.rows, self.contact.stretch.pieces
-        if len(rows) == len(begin) and [len(piece.rows) for piece in pieces] == [len(rows)]:
-            (piece,) = pieces
-            if not piece.by_root and (piece.start == begin).all() and (piece.end == end).all():
-                return rule(len(piece.knots) - 2).knots
-        counts = np.ones(len(begin), dtype=np.intp)
-        for piece in pieces:
-            counts[rows[piece.rows]] += len(piece.knots) - 1
-        shares = np.ones((counts.max() + 1, len(begin)))
+        panels = self.contact.stretch.panels
+        if panels is None:
+            return np.array([0.0, 1.0])
+        places = panels.knots()
+        rows = self.contact.rows
+        way = np.where(end > begin, end - begin, np.inf)[rows]
+        shares = np.ones((len(places) + 1, len(begin)))
         shares[0] = 0.0
-        way = np.where(end > begin, end - begin, np.inf)
-        counts[:] = 1
-        for piece in pieces:
-            designs = rows[piece.rows]
-            knots = rule(len(piece.knots) - 2).knots[:, None]
-            places = piece.knots if piece.by_root else piece.start + (piece.end - piece.start) * knots
-            number = counts[designs] + np.arange(len(places) - 1)[:, None]
-            shares[number, designs] = np.clip((places[1:] - begin[designs]) / way[designs], 0.0, 1.0)
-            counts[designs] += len(places) - 1
-        return shares
+        inside = np.clip((places - begin[rows]) / way, 0.0, 1.0)
+        shares[1:, rows] = np.where(np.isnan(places), 1.0, inside)
+        alike = len(rows) == len(begin) and (shares == shares[:, :1]).all()
+        return shares[:, 0] if alike else shares
 
     def limits(self, names: Iterable[str]) -> Numbers:
         """Columns at the end of the way, each of shape (designs,), as what they tend to there.
@@ -166,12 +157,12 @@ class Part:
         return {name: stretched(column, shape) for name, column in values.items()}
 
     def _profile(self, shares: Array) -> Profile:
-        alike, each = (shares, shares[:, None]) if shares.ndim == 1 else (None, shares)
+        each = shares[:, None] if shares.ndim == 1 else shares
         begin, end = self.ends()
         places = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
         if self.contact is None:
             return FlightProfile(self.leg, self.design.volume_rate, places)
-        return SlideProfile(self.leg, self.contact, places, alike)
+        return SlideProfile(self.leg, self.contact, places)
 
     @property
     def slip_ratio(self) -> Array:

@@ -49,7 +49,7 @@ def arc(area: Array, lack: Array) -> Arc:
     root = np.cbrt(12.0 * area)
     u = root**2
     t = 2.0 * u / LARGEST - 1.0
-    sums = product(_series(), _chebyshev(t.ravel())).reshape(-1, *t.shape)
+    sums = product(series(), _chebyshev(t.ravel())).reshape(-1, *t.shape)
     angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = sums
     third = 2.0 / 3.0  # A d/dA = (2/3) u d/du
     excess = u * (level - lack * u * bent)
@@ -68,7 +68,7 @@ def angle_area(angle: Array) -> Array:
 
 
 @lru_cache(maxsize=1)
-def _series() -> Array:
+def series() -> Array:
     """Coefficients, shape (7, TERMS): of ψ0/√u, of the three loads, and of the loads' slopes in u."""
     from numpy.polynomial import chebyshev, legendre  # not loaded by NumPy itself, nor needed without a circle
 

@@ -9,7 +9,6 @@ from chutecalc.physics.flight import motion, position
 from chutecalc.physics.motion import ROOF
 from chutecalc.physics.surface import Surface, point
 from chutecalc.solver.deviation import Deviation, at_landing, deviation, none, of_arc
-from chutecalc.solver.front import Effort, effort
 from chutecalc.solver.joint import Arrival, entry_error
 from chutecalc.solver.leg import (
     ContactLeg,
@@ -28,7 +27,7 @@ from chutecalc.solver.leg import (
     stream_of,
 )
 from chutecalc.solver.slide import Slide
-from chutecalc.solver.stretch import Stretch, solve_stretch
+from chutecalc.solver.stretch import Effort, Stretch, effort, solve_stretch
 
 STRIKES = 50  # on one hood; a bound, so that no input can hang
 BUFFER = 512

@@ -3,27 +3,22 @@
 Places are arrays of shape (places, designs), as the panels' own values are; what is returned has that shape too.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
 
 from chutecalc.design import stretched
-from chutecalc.physics.arrays import Array, Mask, product
+from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.flight import motion, path_length, position
 from chutecalc.physics.friction import equilibrium_friction, equivalent_friction
-from chutecalc.physics.roots import root_between
 from chutecalc.physics.section import Facets, take_facet, wetted_facet
 from chutecalc.physics.surface import point
 from chutecalc.physics.wall import wall_friction
 from chutecalc.physics.wear import wall_pressures
 from chutecalc.physics.wetting import Wetting, depth_and_width, wetting
 from chutecalc.solver.balance import critical_velocity
-from chutecalc.solver.collocation import interpolation, rule
-from chutecalc.solver.crossing import evaluate
-from chutecalc.solver.front import Piece
 from chutecalc.solver.leg import ContactLeg, Leg
-from chutecalc.solver.slide import Course, Slide, place_rates
 
 
 class FlightProfile:
@@ -74,20 +69,14 @@ class SlideProfile:
     NaN where there is no stream, or no such quantity. Each quantity is worked out when it is first asked for.
     """
 
-    def __init__(self, leg: Leg, contact: ContactLeg, places: Array, shares: Array | None = None) -> None:
-        """The contact at places.
-
-        Args:
-            leg, contact: the solved leg.
-            places: NaN where none is wanted; outside the part travelled gives NaN.
-            shares: where ``places`` are the same shares of the part travelled in all designs, those, shape (places,).
-        """
-        self.leg, self.contact, self.place, self.shares = leg, contact, places, shares
+    def __init__(self, leg: Leg, contact: ContactLeg, places: Array) -> None:
+        """The contact at places: NaN where none is wanted; outside the part travelled gives NaN."""
+        self.leg, self.contact, self.place = leg, contact, places
 
     @cached_property
     def velocity_squared(self) -> Array:
         """m²/s²."""
-        return _velocities(self.contact, self.place, self.shares)
+        return _velocities(self.contact, self.place)
 
     @cached_property
     def velocity(self) -> Array:
@@ -166,7 +155,7 @@ class SlideProfile:
 
     def moving(self, velocity_squared: float) -> "SlideProfile":
         """The same with some velocity at all places, m²/s²."""
-        other = SlideProfile(self.leg, self.contact, self.place, self.shares)
+        other = SlideProfile(self.leg, self.contact, self.place)
         other.__dict__["velocity_squared"] = np.full(self.velocity_squared.shape, velocity_squared)
         return other
 
@@ -246,100 +235,28 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
     return time
 
 
-def _velocities(contact: ContactLeg, places: Array, shares: Array | None) -> Array:
+def _velocities(contact: ContactLeg, places: Array) -> Array:
     """v² at places, shape (places, designs)."""
     arrival = contact.arrival
     end, last = np.full((2, places.shape[1]), np.nan)
     end[contact.rows], last[contact.rows] = contact.stretch.place, contact.stretch.velocity_squared
-    y = np.where(places == end, last, np.nan)
-    y = np.where(places == arrival.place, arrival.impact.after**2, y)  # also of streams that get no further
-    for piece in contact.stretch.pieces:
-        rows = contact.rows[piece.rows]
-        whole = np.zeros(len(rows), dtype=bool)
-        if shares is not None and not piece.by_root:
-            whole = (piece.start == arrival.place[rows]) & (piece.end == end[rows])
-        if shares is not None and whole.any():
-            matrix = interpolation(len(piece.knots) - 2, shares)
-            y[:, rows[whole]] = product(matrix, piece.knots[:, whole])
-        if not whole.all():
-            part, others = _some(piece, ~whole), rows[~whole]
-            share = _share(part, places[:, others])
-            root = part.start + share * (part.end - part.start)
-            values = root**4 if piece.by_root else evaluate(part.knots, share)
-            y[:, others] = np.where(np.isnan(share), y[:, others], values)
-    return y
+    y = np.full(places.shape, np.nan)
+    if contact.stretch.panels is not None:
+        y[:, contact.rows] = _of_panels(contact.stretch.panels.velocities, places[:, contact.rows])
+    y = np.where(places == end, last, y)
+    return np.where(places == arrival.place, arrival.impact.after**2, y)  # also of streams that get no further
 
 
 def _times(contact: ContactLeg, places: Array) -> Array:
     """The time since the contact began, at places, s, shape (places, designs)."""
-    time = np.where(places == contact.arrival.place, 0.0, np.nan)
-    elapsed = np.zeros(places.shape[1])
-    for piece in contact.stretch.pieces:
-        for part in _timed(piece):
-            rows = contact.rows[part.rows]
-            clock = elapsed[rows] + _clock(contact.slide.rows(rows), part)
-            share = _share(part, places[:, rows])
-            time[:, rows] = np.where(np.isnan(share), time[:, rows], evaluate(clock, share))
-            elapsed[rows] = clock[-1]
-    return time
+    time = np.full(places.shape, np.nan)
+    if contact.stretch.panels is not None:
+        time[:, contact.rows] = _of_panels(contact.stretch.panels.times, places[:, contact.rows])
+    return np.where(places == contact.arrival.place, 0.0, time)
 
 
-TIMED = 3.0
-"""Across how much growth of v² a panel's nodes resolve 1/v to rounding; more of it is divided."""
-
-
-def _timed(piece: Piece) -> Iterator[Piece]:
-    """The piece, divided in c until each part's own nodes resolve 1/v: a smooth v² does not make that smooth."""
-    if piece.by_root:
-        yield piece
-        return
-    steep = piece.knots.max(axis=0) > TIMED * piece.knots.min(axis=0)
-    steep &= piece.end - piece.start > 1e-15
-    if not steep.all():
-        yield _some(piece, ~steep)
-    if steep.any():
-        part = _some(piece, steep)
-        middle = 0.5 * (part.start + part.end)
-        knots = rule(len(part.knots) - 2).knots[:, None]
-        halves = [evaluate(part.knots, np.broadcast_to(0.5 * knots + at, part.knots.shape)) for at in (0.0, 0.5)]
-        yield from _timed(part._replace(end=middle, knots=halves[0]))
-        yield from _timed(part._replace(start=middle, knots=halves[1]))
-
-
-def _some(piece: Piece, chosen: Mask) -> Piece:
-    """A piece of some of its designs."""
-    return Piece._make(field if isinstance(field, bool) else field[..., chosen] for field in piece)
-
-
-def _clock(slide: Slide, piece: Piece) -> Array:
-    """Time since the piece began at its knots: the integral of ds/v over c, or over r."""
-    own = rule(len(piece.knots) - 2)
-    width = piece.end - piece.start
-    if piece.by_root:
-        root = piece.start + width * own.nodes[:, None]
-        course = Course(slide, piece.facet, piece.piece)
-        change, _ = place_rates(course, root, width, piece.knots[1:-1])
-        rate = slide.length * change / root**2
-    else:
-        rate = slide.length * width / np.sqrt(piece.knots[1:-1])
-    return np.concatenate([np.zeros((1, len(piece.rows))), product(own.integral, rate)])
-
-
-def _share(piece: Piece, places: Array) -> Array:
-    """Where in a piece's own variable places lie, as shares of its width; NaN outside it."""
-    first, last = (piece.knots[0], piece.knots[-1]) if piece.by_root else (piece.start, piece.end)
-    linear = (places - first) / np.where(last > first, last - first, 1.0)
-    slack = 1e-12  # places are products of shares: their last digits are not the panels'
-    share = np.where((linear >= -slack) & (linear <= 1.0 + slack), np.clip(linear, 0.0, 1.0), np.nan)
-    if not piece.by_root:
-        return share
-    inside = np.flatnonzero(~np.isnan(share).ravel())
-    wanted, columns = places.ravel()[inside], np.broadcast_to(np.arange(share.shape[1]), share.shape).ravel()[inside]
-    low, high = np.zeros(len(inside)), np.ones(len(inside))
-    below, above = np.minimum(first[columns] - wanted, 0.0), np.maximum(last[columns] - wanted, 0.0)
-    roots = root_between(
-        lambda at, which: evaluate(piece.knots[:, columns[which]], at) - wanted[which], low, high, below, above
-    )
-    flat = np.full(share.size, np.nan)
-    flat[inside] = roots
-    return flat.reshape(share.shape)
+def _of_panels(column: Callable[[Array, Array], None], places: Array) -> Array:
+    """What a segment's panels say at places; NaN where there is none."""
+    out = np.full(places.shape, np.nan)
+    column(places, out)
+    return out

@@ -1,31 +1,81 @@
-"""One contact segment for many designs: adaptive panels, and the events that end or divide a stretch.
+"""One contact segment for many designs: their numbers into rows, the compiled solver along them, and what it found."""
 
-Each design first tries the whole way in one panel. Where the two rules disagree it goes on in its own steps: in c while
-the velocity changes gently, in r = √v towards a stop or away from rest. A panel never crosses a kink of the friction
-law (the top of a facet, a row of a yield locus): it is cut there, as where the stream chokes or loses contact.
-"""
-
+from array import array
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.core import batch, dense, gauss, march, section
+from chutecalc.core.slide import Slide as Way
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array, Index, Mask, shared
-from chutecalc.solver.events import cross_boundaries, judge, start_events
-from chutecalc.solver.front import CHOKE, LEAST_STEP, RUNNING, Effort, Front, Piece, Trial
-from chutecalc.solver.panel import CLINGING, PLACE, ROOT, WHOLE, panel_by_place, panel_by_root
-from chutecalc.solver.slide import Slide, field, linearised
-
-STOPPING, STARTING = 0.5, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
-SHY, AWAY = 0.667, 2.0  # of the distance to rest ahead or behind: as far as a panel in c may reach
-STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.circle import series
+from chutecalc.physics.section import Circle, Section
+from chutecalc.solver.collocation import rule, transfer
+from chutecalc.solver.slide import Slide
 
 NEAR_REST = (16, 24)  # the rules of a panel in r: on fewer nodes it is taken half as often
-PASSES = 2000  # a bound, so that no input can hang
-CREEP, PATIENCE = 1e-3, 60  # m/s below which a stream that needs more panels than that counts as stalled
-BLOCK = 32768  # values in an array, nodes times designs: a dozen such arrays stay in the cache
-MANY = 2048  # designs from which on the C library should keep memory
+ROOM = 64  # panels kept before more room is asked for
+
+
+class Effort(NamedTuple):
+    """How hard to work."""
+
+    whole: tuple[tuple[int, int], tuple[int, int]]
+    """Pairs of rules for the whole stretch in one panel, the second for designs that the first does not solve."""
+    later: tuple[int, int]
+    """For panels of those that neither solves."""
+    tolerance: float
+    """Error that one panel over the whole stretch may have, relative in v²."""
+    share: float
+    """The same of each of several panels (in r: of the way): their errors add up, and near a stop they grow."""
+    inner_tolerance: float
+    """The same between the ends of a panel, where errors are shown but not handed on."""
+    complete: bool
+    """Keep the panels, right at every place and not at the ends alone; go on past a choke."""
+
+
+def effort(rtol: float, complete: bool) -> Effort:
+    """What it takes to have velocities right within a relative error."""
+    first = (6, 8) if rtol >= 1e-7 else (6, 12) if rtol >= 1e-11 else (8, 16)
+    whole, later = (((8, 24), (16, 24)), (8, 24)) if complete else ((first, (16, 24)), (8, 16))
+    return Effort(whole, later, rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
+
+
+class Panels:
+    """The panels of n designs along a segment, those of a design one after the other."""
+
+    def __init__(self, slide: Slide, numbers: Array, kept: Array, count: Index) -> None:
+        self.slide, self.numbers, self.kept, self.count = slide, numbers, kept.ravel(), count
+        self.first = np.cumsum(count) - count
+
+    def of(self, design: int) -> Array:
+        """A design's panels, a row each: 1 in r, nodes, facet, piece, start and end in c or r, the knots of y or c."""
+        first = self.first[design]
+        return self.kept.reshape(-1, march.PANEL)[first : first + self.count[design]]
+
+    def velocities(self, places: Array, out: Array) -> None:
+        """v² at places, shape (places, designs); where no panel is, what stands there stays."""
+        dense.velocities(self.kept, self.first, self.count, self._rules, places, out)
+
+    def times(self, places: Array, out: Array) -> None:
+        """Seconds since the contact began, likewise."""
+        stream = _stream(self.slide, 0)
+        dense.times(stream, self.numbers, self.kept, self.first, self.count, self._rules, places, out)
+
+    def knots(self) -> Array:
+        """Places of the panels' knots after their starts, shape (knots, designs); NaN for what a design has too few."""
+        sizes = self.kept.reshape(-1, march.PANEL)[:, 1].astype(np.intp) + 1
+        ends = np.concatenate([np.zeros(1, dtype=np.intp), np.cumsum(sizes)])
+        counts = ends[self.first + self.count] - ends[self.first]
+        places = np.full((max(counts.max(initial=0), 1), len(counts)), np.nan)
+        dense.knot_places(self.kept, self.first, self.count, self._rules, places)
+        return places
+
+    @property
+    def _rules(self) -> dict[int, gauss.Rule]:
+        return {count: _rule(count) for count in set(self.kept.reshape(-1, march.PANEL)[:, 1].astype(int).tolist())}
 
 
 class Stretch(NamedTuple):
@@ -41,13 +91,17 @@ class Stretch(NamedTuple):
     """After a choke: c where the stream would end on the segment between higher walls; NaN else."""
     beyond_status: Index
     """After a choke: how it would end there."""
-    pieces: list[Piece]
+    tried: Index
+    """Panels solved, also such as were refused."""
+    panels: Panels | None
+    """Those taken, where they are kept."""
 
     @classmethod
     def standing(cls, place: Array, velocity_squared: Array, error: Array) -> "Stretch":
         """Designs that go no way on the segment, and are well."""
         status = np.full(place.shape, Status.OK)
-        return cls(status, place, velocity_squared, error, np.full(place.shape, np.nan), status, [])
+        none, tried = np.full(place.shape, np.nan), np.zeros(place.shape, dtype=np.intp)
+        return cls(status, place, velocity_squared, error, none, status, tried, None)
 
 
 def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Array, effort: Effort) -> Stretch:
@@ -64,139 +118,92 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
         How and where each ended. Statuses are those of :class:`~chutecalc.design.Status`.
 
     Raises:
-        RuntimeError: a stretch took more than ``PASSES`` panels: a fault of the solver, not of the chute.
+        RuntimeError: a stretch took more than 2000 panels: a fault of the solver, not of the chute.
     """
     if not place.size:
         return Stretch.standing(place, velocity_squared, error)
-    if len(place) >= MANY:
-        _keep_memory()
-    front = Front(slide, place, velocity_squared, error, effort)
-    running = np.arange(len(place))
-    if front.events:
-        start_events(front, running)
-        running = np.flatnonzero(front.status == RUNNING)
-    for number, pair in enumerate(effort.whole):
-        _advance(front, running, PLACE if number else WHOLE, front.limit[running], pair, effort.tolerance)
-        running = running[front.hopeful[running]]
-    for _ in range(PASSES):
-        running = np.flatnonzero(front.status == RUNNING)
-        if not running.size:
-            return _result(front)
-        change, growth = _change(front, running)
-        if _stop(front, running, change) or cross_boundaries(front, running, change):
-            continue
-        by_root, target = _choose(front, running, change)
-        stiff = growth * (target - front.place[running]) < STIFF
-        for way, chosen in ((ROOT, by_root), (PLACE, ~by_root & ~stiff), (CLINGING, ~by_root & stiff)):
-            pair = NEAR_REST if way == ROOT else effort.later
-            _advance(front, running[chosen], way, target[chosen], pair, effort.share)
-    raise RuntimeError(f"a contact segment was not solved in {PASSES} panels")
+    numbers = _numbers(slide, place, velocity_squared, error)
+    results, kept = _solved(slide, numbers, effort)
+    status, tried, count = results[:, [0, 7, 8]].T.astype(np.intp)
+    if (status == march.GAVE_UP).any():
+        raise RuntimeError(f"a contact segment was not solved in {march.MOST} panels")
+    ends, choke = results[:, 1:4].T, results[:, 4:7].T
+    choked = ~np.isnan(choke[0])
+    panels = Panels(slide, numbers, kept, count) if effort.complete else None
+    there, y, off = (np.where(choked, *pair) for pair in zip(choke, ends, strict=True))
+    outcome = np.where(choked, Status.CHOKE, status)
+    return Stretch(outcome, there, y, off, np.where(choked, ends[0], np.nan), status, tried, panels)
+
+
+def _numbers(slide: Slide, place: Array, velocity_squared: Array, error: Array) -> Array:
+    """A row for each design, as :func:`chutecalc.core.batch.solve_rows` reads it."""
+    columns: list[Array | float] = [slide.side, slide.gravity, slide.entry_slope, slide.turn, slide.length]
+    columns += [slide.flow, slide.density, slide.vertical_ratio, place, velocity_squared, error]
+    for piece in zip(*slide.wall, strict=True):
+        columns += piece
+    for drawn in (slide.section, slide.end_section):
+        if isinstance(drawn, Circle):
+            columns += [drawn.wall_height, drawn.radius]
+        elif drawn is not None:
+            columns += [drawn.wall_height, drawn.base]
+            for wall in zip(drawn.lengths, drawn.inclinations, strict=True):
+                columns += wall
+    numbers = np.empty((len(place), len(columns)))
+    for number, column in enumerate(columns):
+        numbers[:, number] = column
+    return numbers
+
+
+def _solved(slide: Slide, numbers: Array, effort: Effort) -> tuple[Array, Array]:
+    """Results by row, and the panels kept, a row each."""
+    results = np.empty((len(numbers), batch.RESULTS))
+    work, room, done = _work(effort), ROOM if effort.complete else 0, 0
+    kept = [np.empty((0, march.PANEL))]
+    while done < len(numbers):
+        stream = _stream(slide, room)
+        before, done = done, batch.solve_rows(stream, work, numbers, results, done, len(numbers))
+        if effort.complete:
+            kept.append(np.array(stream.kept)[: stream.panels * march.PANEL].reshape(-1, march.PANEL))
+        room = max(16 * ROOM, 2 * room if done == before else room)
+    return results, np.concatenate(kept)
+
+
+def _stream(slide: Slide, room: int) -> march.Stream:
+    """A stream of the segment's kind, with room for so many panels."""
+    first, count = _section(slide.section), len(slide.drawn.area)
+    last = None if slide.end_section is None else _section(slide.end_section)
+    own = section.Facets(count, first.circle, _series() if first.circle else array("d", [0.0]))
+    way = Way(own, first, last, len(slide.wall.starts))
+    way.equilibrium = slide.equilibrium
+    return march.Stream(way, room)
+
+
+def _section(drawn: Section) -> section.Section:
+    """The compiled solver's own record of a section."""
+    return section.Section(0, True) if isinstance(drawn, Circle) else section.Section(len(drawn.lengths), False)
 
 
 @cache
-def _keep_memory() -> None:
-    """Has the C library keep freed memory for the next array instead of giving it back to the system each time.
-
-    glibc learns from the largest block freed so far (up to 32 MiB) what to keep; page faults of temporary arrays took
-    longer than the arithmetic on them. Elsewhere it does nothing. The block is never touched, so it takes no memory.
-    """
-    block = np.empty(2**22 - 2**10)
-    del block
+def _series() -> "array[float]":
+    return array("d", series().ravel().tolist())
 
 
-def _change(front: Front, rows: Index) -> tuple[Array, Array]:
-    """dy/dc where the designs stand, and its derivative to y."""
-    at = field(front.course(rows), front.place[rows], np.ones(1))
-    y = front.y[rows] / at.unit
-    near = linearised(at, y)
-    return (near.forcing + near.growth * y) * at.unit, near.growth
+@cache
+def _rule(count: int) -> gauss.Rule:
+    own = rule(count)
+    columns = np.ascontiguousarray(own.integral.T).ravel().tolist()
+    return gauss.Rule(count, own.knots.tolist(), own.weights.tolist(), columns)
 
 
-def _stop(front: Front, rows: Index, change: Array) -> bool:
-    """Stalls that no panel finds: where rest is nearer than any step, or a stream clings to a balance next to it.
-
-    Of the second no place could be told: its error is what is left of the segment.
-    """
-    place, y = front.place[rows], front.y[rows]
-    near = y < -2.0 * LEAST_STEP * change  # from twice as far the least step is short enough
-    creeping = ~near & (front.tried[rows] > PATIENCE) & (y < CREEP**2)
-    stopped = near | creeping
-    front.status[rows[stopped]] = Status.STALL
-    front.y[rows[near]], front.error[rows[near]] = 0.0, 2.0 * LEAST_STEP
-    front.error[rows[creeping]] = 1.0 - place[creeping]
-    return bool(stopped.any())
+@cache
+def _pair(coarse: int, fine: int) -> gauss.Pair:
+    columns = np.ascontiguousarray(transfer(coarse, fine).T).ravel().tolist()
+    return gauss.Pair(_rule(coarse), _rule(fine), columns)
 
 
-def _choose(front: Front, rows: Index, change: Array) -> tuple[Mask, Array]:
-    """The variable and the end of each design's next panel.
-
-    In r towards a stop that is near, or away from a start near rest; in c else. Panels that turn out too long are
-    refused and shortened.
-    """
-    place, y = front.place[rows], front.y[rows]
-    rest = front.limit[rows] - place
-    scale = np.abs(y / change)
-    slowest, fastest = front.velocity_bounds(rows)
-    fresh = ~front.tired[rows]
-    stopping = fresh & (change < 0.0) & (scale < STOPPING * rest)
-    starting = fresh & (change > 0.0) & (scale < STARTING * rest)
-    far = np.minimum((y + 0.5 * change * rest) ** 0.25, np.sqrt(fastest))
-    clear = np.where(change < 0.0, SHY, AWAY) * scale
-    step = np.minimum(front.reach[rows], clear)
-    by_place = np.where(step < rest, place + step, front.limit[rows])
-    by_root = stopping | starting
-    root = np.sqrt(np.sqrt(y))
-    goal = np.where(stopping, np.sqrt(slowest), far)
-    stride = front.stride[rows]
-    towards = np.where(stride < 1.0, root + stride * (goal - root), goal)
-    target = np.where(by_root, towards, by_place)
-    aimed = np.isfinite(front.aim[rows])
-    return np.where(aimed, front.aim_by_root[rows], by_root), np.where(aimed, front.aim[rows], target)
-
-
-def _advance(front: Front, rows: Index, way: int, target: Array, pair: tuple[int, int], tolerance: float) -> None:
-    """Solves one panel for each of the rows, a block of designs at a time, and judges it."""
-    if not rows.size:
-        return
-    front.tried[rows] += 1
-    by_root = way == ROOT
-    blocks = -(-len(rows) * pair[1] // BLOCK)
-    block = -(-len(rows) // blocks // 8) * 8  # all alike: a small last one costs as many calls
-    neighbours = len(rows) == len(front.place)  # then they are all, in order
-    for first in range(0, len(rows), block):
-        chunk, end = rows[first : first + block], target[first : first + block]
-        window: Index | slice = slice(first, first + len(chunk)) if neighbours else chunk
-        padded, inside = chunk, window
-        if len(chunk) % 8:
-            pad = np.minimum(np.arange(-(-len(chunk) // 8) * 8), len(chunk) - 1)
-            padded, end = chunk[pad], end[pad]
-            inside = padded
-        course = front.course(inside)
-        place, y = np.array(front.place[inside]), front.y[inside]
-        if by_root:
-            start = np.sqrt(np.sqrt(y))
-            panel = panel_by_root(course, start, end - start, place, pair)
-        else:
-            start = place
-            panel = panel_by_place(course, shared(start), shared(end - start), y, pair, way)
-        good = panel.error <= tolerance
-        if front.effort.complete:
-            good &= panel.inner_error <= front.effort.inner_tolerance
-        judge(front, Trial(padded, window, by_root, start, end, panel, good), len(chunk))
-
-
-def _result(front: Front) -> Stretch:
-    """Where each design ended; a choke comes before whatever was found beyond it."""
-    place, y, error = front.choke
-    if CHOKE not in front.events or not (choked := np.isfinite(place)).any():
-        none = np.full(place.shape, np.nan)
-        return Stretch(front.status, front.place, front.y, front.error, none, front.status, front.pieces)
-    return Stretch(
-        np.where(choked, Status.CHOKE, front.status),
-        np.where(choked, place, front.place),
-        np.where(choked, y, front.y),
-        np.where(choked, error, front.error),
-        np.where(choked, front.place, np.nan),
-        front.status,
-        front.pieces,
-    )
+@cache
+def _work(effort: Effort) -> march.Effort:
+    work = march.Effort(*(_pair(*pair) for pair in (*effort.whole, effort.later, NEAR_REST)))
+    work.tolerance, work.share, work.inner_tolerance = effort.tolerance, effort.share, effort.inner_tolerance
+    work.complete = effort.complete
+    return work

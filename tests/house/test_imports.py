@@ -11,7 +11,7 @@ ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
     {"errors", "units", "physics"},
     {"design", "ranges"},
-    {"columns", "spec"},
+    {"columns", "spec", "core"},
     {"solver"},
     {"along"},
     {"extremes", "belts", "stations"},

@@ -85,15 +85,15 @@ def test_a_kink_costs_no_accuracy_at_any_tolerance():
 
 def test_a_panel_never_crosses_a_kink():
     solution = chutecalc.solve(kinked())
-    pieces = solution.legs[0].contact.stretch.pieces
-    facets = [int(piece.facet[0]) for piece in pieces]
+    panels = solution.legs[0].contact.stretch.panels.of(0)
+    facets = [int(facet) for facet in panels[:, 2]]
     assert [facet for facet, _ in groupby(facets)] == [1, 0, 1]  # wall, chamfer, wall
     assert len(facets) <= 6  # and each in a panel or two
     top = chutecalc.solve(kinked()).legs[0].contact.slide.drawn.area[1, 0]
     speed = 1000 / 3.6 / 800 / top  # of the stream that just fills the chamfers
-    for before, after in pairwise(pieces):
-        if before.facet[0] != after.facet[0]:
-            assert before.knots[-1, 0] ** 0.5 == pytest.approx(speed, rel=1e-12)
+    for before, after in pairwise(panels):
+        if before[2] != after[2]:
+            assert after[6] ** 0.5 == pytest.approx(speed, rel=1e-12)
 
 
 @pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8, 1e-10, 1e-12])

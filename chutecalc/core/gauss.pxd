@@ -1,0 +1,24 @@
+cimport cython
+from libc cimport math
+from chutecalc.core cimport section
+
+cdef int MOST
+
+@cython.final
+cdef class Rule:
+    cdef public int count, last, chords
+    cdef public double[::1] knots, weights, integral
+    cdef public int[::1] chord
+
+@cython.final
+cdef class Pair:
+    cdef public Rule coarse, fine
+    cdef public double[::1] transfer
+
+cdef void multiply(double[::1] matrix, int rows, int columns, double[::1] x, double[::1] out) noexcept nogil
+cdef void integrate(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor) noexcept nogil
+cdef void integrate_stiff(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor, double[::1] system, double[::1] rates) noexcept nogil
+cdef void eliminate(double[::1] system, int nodes) noexcept nogil
+cdef double evaluate(Rule rule, double[::1] values, int offset, double at) noexcept nogil
+cdef double solve(Rule rule, double[::1] values, int offset, double target, double low, double high) noexcept nogil
+cdef double slope_at(Rule rule, double[::1] values, int knot) noexcept nogil

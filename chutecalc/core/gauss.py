@@ -1,0 +1,202 @@
+"""Gauss-Legendre rules on a panel (0, 1), as the compiled solver holds them, and polynomials through their knots.
+
+The numbers come from :mod:`chutecalc.solver.collocation`.
+"""
+
+import math
+from array import array
+
+from chutecalc.core import section
+
+MOST = 26
+
+
+class Rule:
+    """A rule of N nodes: knots are the panel's start, its nodes and its end."""
+
+    def __init__(self, count: int, knots: list[float], weights: list[float], integral: list[float]) -> None:
+        self.count = count
+        self.last = count + 1
+        """The number of the last knot."""
+        self.knots = array("d", knots)
+        self.weights = array("d", weights)
+        """Barycentric, of the knots."""
+        self.integral = array("d", integral)
+        """From values at the nodes to integrals up to each node and the end: column after column, N of N + 1."""
+        half = [0, 1, *range(3, count // 2 + 1, 2)]
+        chords = sorted({*half, *(count + 1 - number for number in half)})
+        self.chords = len(chords)
+        self.chord = array("i", chords)
+        """The knots between which chords are laid to see where a solution may end to be smooth: every second will do,
+        and at the ends, where layers hide, each."""
+
+
+class Pair:
+    """Two rules, the coarser for the start and the error of the finer."""
+
+    def __init__(self, coarse: Rule, fine: Rule, transfer: list[float]) -> None:
+        self.coarse, self.fine = coarse, fine
+        self.transfer = array("d", transfer)
+        """From values at the coarse knots to those at the fine nodes, column after column."""
+
+
+def multiply(matrix: "array[float]", rows: int, columns: int, x: "array[float]", out: "array[float]") -> None:
+    """A matrix, held column after column, times x."""
+    for i in range(rows):
+        out[i] = 0.0
+    for j in range(columns):
+        for i in range(rows):
+            out[i] += matrix[j * rows + i] * x[j]
+
+
+def integrate(
+    rule: Rule,
+    forcing: "array[float]",
+    growth: "array[float]",
+    start: float,
+    knots: "array[float]",
+    factor: "array[float]",
+) -> None:
+    """Solves u' = forcing + growth u over a panel of width 1, by its integrating factor.
+
+    Gives u at the knots, and exp ∫ growth at nodes and end: how much a small change of ``start`` has grown.
+    """
+    nodes, rows = rule.count, rule.count + 1
+    for i in range(rows):
+        factor[i] = 0.0
+    for j in range(nodes):
+        for i in range(rows):
+            factor[i] += rule.integral[j * rows + i] * growth[j]
+    for i in range(rows):
+        factor[i] = section.power(factor[i])
+        knots[i + 1] = 0.0
+    for j in range(nodes):
+        scaled = section.quotient(forcing[j], factor[j])
+        for i in range(rows):
+            knots[i + 1] += rule.integral[j * rows + i] * scaled
+    knots[0] = start
+    for i in range(rows):
+        knots[i + 1] = (knots[i + 1] + start) * factor[i]
+
+
+def integrate_stiff(
+    rule: Rule,
+    forcing: "array[float]",
+    growth: "array[float]",
+    start: float,
+    knots: "array[float]",
+    factor: "array[float]",
+    system: "array[float]",
+    rates: "array[float]",
+) -> None:
+    """The same with the equation collocated: any step through a stream that clings to a balance, Gauss is A-stable.
+
+    ``system`` has room for N (N + 2) numbers, ``rates`` for N: the matrix with the rise wanted and with ones beside it.
+    """
+    nodes, rows = rule.count, rule.count + 1
+    width = nodes + 2
+    for i in range(nodes):
+        knots[i + 1] = 0.0
+        rates[i] = forcing[i]
+    for _ in range(2):  # forcing and growth u nearly cancel: the second time regains the digits that this has cost
+        for i in range(nodes):
+            rise = 0.0
+            for j in range(nodes):
+                entry = rule.integral[j * rows + i]
+                rise += entry * rates[j]
+                system[i * width + j] = (1.0 if i == j else 0.0) - entry * growth[j]
+            system[i * width + nodes] = rise + start - knots[i + 1]
+            system[i * width + nodes + 1] = 1.0
+        eliminate(system, nodes)
+        rise = start
+        for j in range(nodes):
+            rise += rule.integral[j * rows + nodes] * rates[j]
+        spread = 1.0
+        for j in range(nodes):
+            update, one = system[j * width + nodes], system[j * width + nodes + 1]
+            knots[j + 1] += update
+            rates[j] = forcing[j] + growth[j] * knots[j + 1]
+            entry = rule.integral[j * rows + nodes] * growth[j]
+            rise += entry * update
+            spread += entry * one
+            factor[j] = one
+    knots[0] = start
+    knots[nodes + 1] = rise
+    factor[nodes] = spread
+
+
+def eliminate(system: "array[float]", nodes: int) -> None:
+    """Gauss-Jordan with partial pivoting, of a matrix of rows with two right-hand sides beside it."""
+    width = nodes + 2
+    for k in range(nodes):
+        best = k
+        for i in range(k + 1, nodes):
+            if math.fabs(system[i * width + k]) > math.fabs(system[best * width + k]):
+                best = i
+        if best != k:
+            for j in range(width):
+                kept = system[k * width + j]
+                system[k * width + j] = system[best * width + j]
+                system[best * width + j] = kept
+        pivot = system[k * width + k]
+        for j in range(k, width):
+            system[k * width + j] = section.quotient(system[k * width + j], pivot)
+        for i in range(nodes):
+            share = system[i * width + k]
+            if i != k and share != 0.0:
+                for j in range(k, width):
+                    system[i * width + j] -= share * system[k * width + j]
+
+
+def evaluate(rule: Rule, values: "array[float]", offset: int, at: float) -> float:
+    """The polynomial through values at the knots, which begin at an offset, at a place in the panel."""
+    top, bottom = 0.0, 0.0
+    for k in range(rule.last + 1):
+        gap = at - rule.knots[k]
+        if gap == 0.0:
+            return float(values[offset + k])
+        term = rule.weights[k] / gap
+        top += term * values[offset + k]
+        bottom += term
+    return float(top / bottom)
+
+
+def solve(rule: Rule, values: "array[float]", offset: int, target: float, low: float, high: float) -> float:
+    """Where that polynomial has a value, between two places on either side of it, by the Illinois rule.
+
+    The lower place where it has that already there, or has passed it.
+    """
+    sign = 1.0 if evaluate(rule, values, offset, high) >= target else -1.0
+    f_low = sign * (evaluate(rule, values, offset, low) - target)
+    f_high = sign * (evaluate(rule, values, offset, high) - target)
+    if f_low >= 0.0:
+        return low
+    at, last = high, 0
+    for _ in range(100):
+        at = low + (high - low) * (f_low / (f_low - f_high))
+        f = sign * (evaluate(rule, values, offset, at) - target)
+        if f < 0.0:
+            gap = at - low
+            low, f_low = at, f
+            if last == 1:
+                f_high *= 0.5
+            last = 1
+        else:
+            gap = high - at
+            high, f_high = at, f
+            if last == 2:
+                f_low *= 0.5
+            last = 2
+        if f == 0.0 or min(gap, high - low) <= 4e-16 * math.fabs(at):
+            break
+    return at
+
+
+def slope_at(rule: Rule, values: "array[float]", knot: int) -> float:
+    """Derivative of that polynomial at one of the knots, per panel width."""
+    total = 0.0
+    for k in range(rule.last + 1):
+        if k != knot:
+            gap = rule.knots[knot] - rule.knots[k]
+            total += rule.weights[k] / rule.weights[knot] / gap * (values[k] - values[knot])
+    return total

@@ -1,0 +1,274 @@
+"""A cross-section at one place, and how one stream lies in it.
+
+A section is a stack of facets from the centre outwards (see :mod:`chutecalc.physics.section`): flat walls or the arc of
+a half circle, and vertical walls above what is drawn.
+"""
+
+import math
+from array import array
+
+NAN, INFINITY = float("nan"), float("inf")
+TERMS = 26
+
+
+class Section:
+    """The numbers that a section is drawn by."""
+
+    def __init__(self, walls: int, circle: bool) -> None:
+        self.circle = circle
+        self.walls = walls
+        """Drawn facets of a polygon, on one side."""
+        self.base = self.radius = self.wall_height = 0.0
+        self.lengths = array("d", [0.0] * max(walls, 1))
+        self.inclinations = array("d", [0.0] * max(walls, 1))
+
+
+class Facets:
+    """What each facet of a section starts from at its foot, and what follows from that for any flow area."""
+
+    def __init__(self, count: int, circle: bool, series: "array[float]") -> None:
+        """``series`` are the circle's, seven times 26 numbers; empty without one."""
+        self.count = count
+        self.circle = circle
+        """The innermost facet is the arc of a half circle."""
+        self.radius = self.lack = 0.0
+        self.series = series
+        self.sine, self.cosine, self.area, self.width, self.height = (array("d", [0.0] * count) for _ in range(5))
+        self.excess, self.excess_rise, self.own_excess = (array("d", [0.0] * count) for _ in range(3))
+        self.shortfall, self.shortfall_rise, self.own_shortfall = (array("d", [0.0] * count) for _ in range(3))
+        self.twice, self.spread, self.apex = (array("d", [0.0] * count) for _ in range(3))
+        """2/sin ψ; 4 cos ψ/sin ψ; of the surface's width², where the facet's flanks would meet."""
+        self.bend_excess, self.bend_shortfall = (array("d", [0.0] * count) for _ in range(2))
+        """sin ψ times ``own_excess`` and ``own_shortfall``."""
+
+
+def quotient(over: float, under: float) -> float:
+    """C's division: infinite or not a number where the divisor is 0."""
+    if under != 0.0:
+        return over / under
+    if over > 0.0:
+        return INFINITY
+    return -INFINITY if over < 0.0 else NAN
+
+
+def root(x: float) -> float:
+    """C's square root: not a number below 0."""
+    return math.sqrt(x) if x >= 0.0 else NAN
+
+
+def power(x: float) -> float:
+    """C's exponential: infinite where it overflows."""
+    return math.exp(x) if x < 709.0 else (INFINITY if x >= 709.0 else NAN)
+
+
+def blend(first: Section, last: Section, share: float, here: Section) -> None:
+    """The section at a share of the length of a taper: each of its numbers goes linearly from first to last."""
+    # What a panel far too long makes of a taper must not be infinitely wide.
+    share = min(max(share, -1.0), 2.0)
+    here.base = first.base + share * (last.base - first.base)
+    here.radius = first.radius + share * (last.radius - first.radius)
+    here.wall_height = between(first.wall_height, last.wall_height, share)
+    for k in range(first.walls):
+        here.lengths[k] = between(first.lengths[k], last.lengths[k], share)
+        here.inclinations[k] = first.inclinations[k] + share * (last.inclinations[k] - first.inclinations[k])
+
+
+def between(first: float, last: float, share: float) -> float:
+    """A share of the way from first to last; what is infinite in both stays so."""
+    return first if first == INFINITY else first + share * (last - first)
+
+
+def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
+    """Works out the constants of each facet by stacking them from the centre outwards."""
+    if section.circle:
+        stack_circle(section, vertical_ratio, facets)
+        return
+    area, width, height = 0.0, section.base, 0.0
+    excess, excess_rise, shortfall, shortfall_rise = 0.0, 0.0, 0.0, 0.0
+    for k in range(facets.count):
+        if k < section.walls:
+            length, psi = section.lengths[k], section.inclinations[k]
+        else:
+            length, psi = INFINITY, 0.5 * math.pi
+        sine = math.sin(psi)
+        cosine = 0.0 if psi == 0.5 * math.pi else math.cos(psi)  # 6e-17 there would open a deep stream
+        half = math.sin(0.5 * psi)
+        lacking = (1.0 - vertical_ratio) * sine * sine
+        own_excess = (1.0 - lacking) * 2.0 * half * half  # 1 - cos ψ, without its cancellation
+        own_shortfall = lacking * cosine
+        facets.sine[k], facets.cosine[k] = sine, cosine
+        facets.area[k], facets.width[k], facets.height[k] = area, width, height
+        facets.excess[k], facets.excess_rise[k], facets.own_excess[k] = excess, excess_rise, own_excess
+        facets.shortfall[k], facets.shortfall_rise[k] = shortfall, shortfall_rise
+        facets.own_shortfall[k] = own_shortfall
+        if k + 1 < facets.count:
+            rise = length * sine
+            excess += rise * (excess_rise + own_excess * length)
+            excess_rise += 2.0 * own_excess * length
+            shortfall += rise * (shortfall_rise + own_shortfall * length)
+            shortfall_rise += 2.0 * own_shortfall * length
+            area += (width + length * cosine) * rise
+            width += 2.0 * length * cosine
+            height += rise
+        prepare(facets, k)
+
+
+def stack_circle(section: Section, vertical_ratio: float, facets: Facets) -> None:
+    """The half circle, and the vertical walls above it."""
+    r, lack = section.radius, 1.0 - vertical_ratio
+    facets.radius, facets.lack = r, lack
+    facets.area[0] = facets.height[0] = facets.excess[0] = facets.excess_rise[0] = facets.own_excess[0] = 0.0
+    facets.shortfall[0] = facets.shortfall_rise[0] = facets.own_shortfall[0] = 0.0
+    facets.sine[0], facets.cosine[0], facets.width[0] = 1.0, 0.0, 2.0 * r
+    full = 0.5 * math.pi
+    _, excess, _, missing, _ = arc(facets, full * r * r)
+    facets.sine[1], facets.cosine[1], facets.width[1] = 1.0, 0.0, 2.0 * r
+    facets.area[1], facets.height[1] = full * r * r, r
+    facets.excess[1] = facets.area[1] * excess
+    facets.excess_rise[1] = 2.0 * r * (full - 1.0 - lack * (0.25 * math.pi - 1.0 / 3.0))  # 2 r ∫ K (1 - cos ψ) dψ
+    facets.own_excess[1] = 1.0 - lack
+    facets.shortfall[1] = facets.area[1] * missing
+    facets.shortfall_rise[1] = 2.0 * r * lack / 3.0  # 2 r ∫ (1 - K) cos ψ dψ
+    facets.own_shortfall[1] = 0.0
+    prepare(facets, 0)
+    prepare(facets, 1)
+
+
+def prepare(facets: Facets, k: int) -> None:
+    """What the area does not change."""
+    facets.twice[k] = quotient(2.0, facets.sine[k])
+    facets.spread[k] = 2.0 * facets.cosine[k] * facets.twice[k]
+    facets.apex[k] = facets.width[k] * facets.width[k] - facets.spread[k] * facets.area[k]
+    facets.bend_excess[k] = facets.sine[k] * facets.own_excess[k]
+    facets.bend_shortfall[k] = facets.sine[k] * facets.own_shortfall[k]
+
+
+def facet_of(facets: Facets, area: float) -> int:
+    """The facet in which the surface of a flow area lies; one exactly at a joint counts to the facet above."""
+    k = facets.count - 1
+    while k > 0 and area < facets.area[k]:
+        k -= 1
+    return k
+
+
+def loads(facets: Facets, k: int, area: float) -> tuple[float, float, float, float]:
+    """The hydrostatic χ and the missing m, each with half its logarithmic growth with the area."""
+    if facets.circle and k == 0:
+        _, excess, growth, missing, missing_growth = arc(facets, area)
+        return excess, 0.5 * growth, missing, 0.5 * missing_growth
+    width = root(facets.spread[k] * area + facets.apex[k])
+    climb = quotient(facets.twice[k], width + facets.width[k])  # C/(A - A_foot)
+    narrow = quotient(0.5 * facets.width[k], width)
+    if k == 0:  # what stands on no other facet
+        climb *= climb * area
+        excess, missing = climb * facets.bend_excess[0], climb * facets.bend_shortfall[0]
+        return excess, excess * narrow, missing, missing * narrow
+    above = area - facets.area[k]
+    wetted = climb * above
+    climb *= wetted
+    hollow = facets.area[k] / area
+    excess, growth = load(
+        climb * facets.bend_excess[k], facets.excess[k], facets.excess_rise[k], facets, k, area, wetted, narrow, hollow
+    )
+    missing, missing_growth = load(
+        climb * facets.bend_shortfall[k],
+        facets.shortfall[k],
+        facets.shortfall_rise[k],
+        facets,
+        k,
+        area,
+        wetted,
+        narrow,
+        hollow,
+    )
+    return excess, growth, missing, missing_growth
+
+
+def load(
+    share: float,
+    foot: float,
+    rise: float,
+    facets: Facets,
+    k: int,
+    area: float,
+    wetted: float,
+    narrow: float,
+    hollow: float,
+) -> tuple[float, float]:
+    """A load of a facet that stands on others, over the area, and half its logarithmic growth with it."""
+    below = (foot + facets.sine[k] * rise * wetted) / area
+    steep = narrow * rise * (2.0 / facets.width[k] if facets.width[k] > 0.0 else 1.0)
+    growth = share * narrow + 0.5 * (share * hollow + (steep - below))
+    return share * (1.0 - hollow) + below, growth
+
+
+def law(equilibrium: bool, excess: float, growth: float, missing: float, missing_growth: float) -> tuple[float, float]:
+    """χ of the friction law, and half its logarithmic growth with the area."""
+    if not equilibrium:
+        return excess, growth
+    carried = 1.0 - missing
+    return excess / carried, (growth + excess * missing_growth / carried) / carried
+
+
+def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
+    """Depth and width of the free surface, m."""
+    if facets.circle and k == 0:
+        angle, _, _, _, _ = arc(facets, area)
+        if not angle < 4.0:
+            return NAN, NAN
+        half = math.sin(0.5 * angle)
+        return 2.0 * facets.radius * half * half, 2.0 * facets.radius * math.sin(angle)
+    width = root(facets.spread[k] * area + facets.apex[k])
+    wetted = quotient(facets.twice[k], width + facets.width[k]) * (area - facets.area[k])
+    return facets.height[k] + wetted * facets.sine[k], width
+
+
+def area_at_depth(facets: Facets, depth: float) -> float:
+    """Flow area below a depth, m²."""
+    if depth == INFINITY:
+        return INFINITY
+    k = facets.count - 1
+    while k > 0 and depth < facets.height[k]:
+        k -= 1
+    if facets.circle and k == 0:
+        angle = 2.0 * math.asin(math.sqrt(min(max(0.5 * depth / facets.radius, 0.0), 0.5)))
+        return facets.radius * facets.radius * angle_area(angle)
+    wetted = (depth - facets.height[k]) / facets.sine[k]
+    return facets.area[k] + (facets.width[k] + wetted * facets.cosine[k]) * wetted * facets.sine[k]
+
+
+def angle_area(angle: float) -> float:
+    """A/r² of a wetted half-angle, ψ0 - sin ψ0 cos ψ0, by its series."""
+    square = 4.0 * angle * angle
+    total = 0.0
+    for step in range(16):
+        k = 16 - step
+        total = (1.0 - total) * square / (2 * k * (2 * k + 1))
+    return total * angle
+
+
+def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]:
+    """A stream on the arc: angle, χ and A dχ/dA, m and A dm/dA, as :func:`chutecalc.physics.circle.arc` has them."""
+    share = area / (facets.radius * facets.radius)
+    if not share >= 0.0:
+        return NAN, NAN, NAN, NAN, NAN
+    side = (12.0 * share) ** (1.0 / 3.0)
+    u = side * side
+    largest = (6.0 * math.pi) ** (2.0 / 3.0)
+    t = 2.0 * u / largest - 1.0
+    angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    before, now = t, 1.0  # T_-1 and T_0
+    for k in range(TERMS):
+        angle += facets.series[k] * now
+        level += facets.series[TERMS + k] * now
+        bent += facets.series[2 * TERMS + k] * now
+        lacking += facets.series[3 * TERMS + k] * now
+        level_slope += facets.series[4 * TERMS + k] * now
+        bent_slope += facets.series[5 * TERMS + k] * now
+        lacking_slope += facets.series[6 * TERMS + k] * now
+        before, now = now, 2.0 * t * now - before
+    lack, third = facets.lack, 2.0 / 3.0  # A d/dA = (2/3) u d/du
+    excess = u * (level - lack * u * bent)
+    growth = third * u * (level + u * level_slope - lack * u * (2.0 * bent + u * bent_slope))
+    missing = lack * u * lacking
+    return side * angle, excess, growth, missing, third * lack * u * (lacking + u * lacking_slope)

@@ -1,0 +1,61 @@
+"""What pyproject.toml cannot say: the solver's core is compiled ahead of time, where a C compiler is or can be had.
+
+Without one, or with CHUTECALC_COMPILE=0, chutecalc is installed as plain Python and works the same, slower.
+"""
+
+import os
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+from compiling import ZIG, has_headers, needs_zig, wanted
+
+CORE = Path("chutecalc", "core")
+# The digits are those of plain Python: a sum of a product stays two roundings.
+FLAGS = [] if sys.platform == "win32" else ["-O3", "-g0", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+DIRECTIVES = {
+    "language_level": 3,
+    "infer_types": True,  # what follows from the C types beside each module
+    "annotation_typing": False,
+    "boundscheck": False,
+    "wraparound": False,
+    "initializedcheck": False,
+    "nonecheck": False,
+    "cdivision": True,
+}
+
+
+class Build(build_ext):
+    """Builds what it can: a compiler that fails leaves plain Python, and says so."""
+
+    def run(self) -> None:
+        self.parallel = self.parallel or os.cpu_count()
+        try:
+            super().run()
+        except Exception as error:  # whatever a compiler may do
+            self.warn(f"chutecalc is installed uncompiled: {error}")
+
+
+def extensions() -> list[Extension]:
+    """The core's modules in C, or none."""
+    if not (wanted() and has_headers() and find_spec("Cython")):  # not there yet when pip asks what a build needs
+        return []
+    from Cython.Build import cythonize
+
+    if needs_zig():
+        os.environ["CC"], os.environ["LDSHARED"] = ZIG, f"{ZIG} -shared"
+    modules = [path for path in sorted(CORE.glob("*.py")) if path.stem != "__init__"]
+    found = [
+        Extension(".".join(path.with_suffix("").parts), [str(path)], extra_compile_args=FLAGS, optional=True)
+        for path in modules
+    ]
+    compiled: list[Extension] = cythonize(
+        found, build_dir="build/c", compiler_directives=DIRECTIVES, force=True, quiet=True
+    )
+    return compiled
+
+
+setup(ext_modules=extensions(), cmdclass={"build_ext": Build})
