@@ -18,6 +18,13 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 def pytest_configure() -> None:
     seeds.settle()
+    for module in (Path(chutecalc.__file__).parent / "core").glob("*.so"):
+        source = module.with_name(module.name.partition(".")[0])
+        newest = max(source.with_suffix(suffix).stat().st_mtime for suffix in (".py", ".pxd"))
+        if newest > module.stat().st_mtime:
+            raise pytest.UsageError(
+                f"{source.name} has changed since it was compiled: python setup.py build_ext --inplace"
+            )
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

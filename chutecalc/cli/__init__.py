@@ -10,6 +10,7 @@ from importlib import import_module
 import typer
 
 from chutecalc import __version__
+from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 ISSUES = "the issue tracker of chutecalc"
@@ -20,7 +21,7 @@ HELP = "How a bulk-material stream runs through a transfer chute, by a lumped-ma
 
 def _show_version(wanted: bool) -> None:
     if wanted:
-        typer.echo(f"chutecalc {__version__}")
+        typer.echo(f"chutecalc {__version__}{'' if compiled() else ' (its core uncompiled: slower)'}")
         raise typer.Exit()
 
 

@@ -16,7 +16,7 @@ cdef class Pair:
     cdef public double[::1] transfer
 
 cdef void multiply(double[::1] matrix, int rows, int columns, double[::1] x, double[::1] out) noexcept nogil
-cdef void integrate(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor) noexcept nogil
+cpdef void integrate(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor) noexcept nogil
 cdef void integrate_stiff(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor, double[::1] system, double[::1] rates) noexcept nogil
 cdef void eliminate(double[::1] system, int nodes) noexcept nogil
 cdef double evaluate(Rule rule, double[::1] values, int offset, double at) noexcept nogil

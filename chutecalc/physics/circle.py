@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, product
+from chutecalc.physics.arrays import Array
 
 TERMS = 26
 LARGEST = (6.0 * np.pi) ** (2.0 / 3.0)
@@ -49,7 +49,8 @@ def arc(area: Array, lack: Array) -> Arc:
     root = np.cbrt(12.0 * area)
     u = root**2
     t = 2.0 * u / LARGEST - 1.0
-    sums = product(series(), _chebyshev(t.ravel())).reshape(-1, *t.shape)
+    terms = _chebyshev(t.ravel())[:, None] * series().T[:, :, None]
+    sums = np.add.reduce(terms).reshape(-1, *t.shape)  # term after term, whatever the width
     angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = sums
     third = 2.0 / 3.0  # A d/dA = (2/3) u d/du
     excess = u * (level - lack * u * bent)

@@ -30,9 +30,6 @@ from chutecalc.solver.slide import Slide
 from chutecalc.solver.stretch import Effort, Stretch, effort, solve_stretch
 
 STRIKES = 50  # on one hood; a bound, so that no input can hang
-BUFFER = 512
-"""Elements of NumPy's buffers. Where a row of numbers meets many, it copies as many rows together as fit into one,
-which takes as long as the arithmetic; this is less than a row."""
 
 
 def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[Leg], Stream]:
@@ -52,13 +49,9 @@ def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[
         turn.
     """
     chain = _Chain(design, effort(rtol, complete))
-    usual = np.setbufsize(BUFFER)
-    try:
-        with np.errstate(all="ignore"):  # a panel too long may overflow or pass v = 0: it is refused and shortened
-            for number in range(len(design.segments)):
-                chain.run(number)
-    finally:
-        np.setbufsize(usual)
+    with np.errstate(all="ignore"):  # designs that have failed are carried along as what is not a number
+        for number in range(len(design.segments)):
+            chain.run(number)
     return chain.legs, chain.stream
 
 

@@ -1,17 +1,18 @@
-"""One panel of Gauss-Legendre collocation for a scalar equation u' = f(p, u), many designs at once.
+"""Gauss-Legendre rules and their matrices, for the compiled solver.
 
-The unknown is held at the Gauss nodes of the panel; an integral from the panel's start to each node and to the end is
-one small matrix product. Newton's method (Newton-Kantorovich) needs no linear solver, because the linearised equation
-is scalar: with J = ∂f/∂u, P = exp ∫J, the next iterate is P (u0 + ∫ (f - J u)/P). As f - J u does not change with u to
-first order, the end value is exact to order 2N in the panel's width, the values between to order N + 1.
+The unknown of u' = f(p, u) is held at the Gauss nodes of a panel; an integral from the panel's start to each node and
+to the end is one small matrix product. Newton's method (Newton-Kantorovich) needs no linear solver, because the
+linearised equation is scalar: with J = ∂f/∂u, P = exp ∫J, the next iterate is P (u0 + ∫ (f - J u)/P). As f - J u does
+not change with u to first order, the end value is exact to order 2N in the panel's width, the values between to order
+N + 1.
 """
 
-from functools import cache, lru_cache
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, product
+from chutecalc.physics.arrays import Array
 
 # The positive Gauss-Legendre nodes on (-1, 1) and their weights, 18 digits. Stored, because numpy's leggauss costs 7
 # ms at its first call, and because weights computed from rounded nodes lose two digits near the ends.
@@ -138,78 +139,14 @@ def _legendre(x: Array, degree: int) -> Array:
 
 @cache
 def transfer(coarse: int, fine: int) -> Array:
-    """Matrix from the knots of one rule (without the end) and its end value to the nodes of a finer one."""
-    return interpolation(coarse, rule(fine).nodes)
+    """Matrix from the values at the knots of one rule to those at the nodes of a finer one, shape (fine, coarse + 2).
 
-
-def interpolation(count: int, at: Array) -> Array:
-    """Matrix from the values at a rule's knots to values at other places of its panel.
-
-    Args:
-        count: of the rule's nodes.
-        at: places in [0, 1], shape (points,).
-
-    Returns:
-        Shape (points, count + 2): the barycentric form of Lagrange interpolation; a knot gives its own value.
+    The barycentric form of Lagrange interpolation.
     """
-    return _interpolation(count, at.tobytes())
-
-
-@lru_cache(maxsize=32)
-def _interpolation(count: int, places: bytes) -> Array:
-    """The same; tables ask for the same places again and again."""
-    own, at = rule(count), np.frombuffer(places)
-    gaps = at[:, None] - own.knots
+    own = rule(coarse)
+    gaps = rule(fine).nodes[:, None] - own.knots
     exact = gaps == 0.0
     terms = own.weights / np.where(exact, 1.0, gaps)
     matrix: Array = terms / terms.sum(axis=1, keepdims=True)
     matrix[exact.any(axis=1)] = exact[exact.any(axis=1)]
     return matrix
-
-
-def integrate(own: Rule, forcing: Array, growth: Array, start: Array) -> tuple[Array, Array]:
-    """Solves the linear equation u' = forcing + growth u over a panel of width 1, by its integrating factor.
-
-    Args:
-        own: the rule with N nodes.
-        forcing: at the nodes, shape (N, designs).
-        growth: likewise, or of shape (designs,) where it is the same at all nodes.
-        start: u at the panel's start, shape (designs,).
-
-    Returns:
-        u at the rule's knots, shape (N + 2, designs), and P = exp ∫ growth at nodes and end, shape (N + 1, designs):
-        how much a small change of ``start`` has grown. Where ∫ growth falls below about -20 the nodes do not resolve
-        P, and :func:`integrate_stiff` is wanted.
-    """
-    factor = product(own.integral, growth) if growth.ndim == 2 else own.knots[1:, None] * growth
-    np.exp(factor, out=factor)
-    knots = np.empty((len(own.knots), factor.shape[1]))
-    knots[0] = start
-    inner = knots[1:]
-    product(own.integral, forcing / factor[:-1], out=inner)
-    inner += start
-    inner *= factor
-    return knots, factor
-
-
-def integrate_stiff(own: Rule, forcing: Array, growth: Array, start: Array) -> tuple[Array, Array]:
-    """The same with the equation collocated: a system of N equations a design.
-
-    It costs ten times :func:`integrate` and takes any step through a stream that clings to a balance: Gauss
-    collocation is A-stable. Arguments and results as there.
-    """
-    couplings = own.integral * growth.T[:, None, :]  # (designs, N + 1, N)
-    system = np.eye(len(own.nodes)) - couplings[:, :-1]
-    inner, rates = np.zeros_like(forcing), forcing
-    try:
-        for _ in range(2):  # forcing and growth u nearly cancel: the second time regains the digits that this has cost
-            rise = own.integral @ rates
-            rise += start
-            wanted = np.stack([(rise[:-1] - inner).T, np.ones(inner.T.shape)], axis=2)
-            solved = np.linalg.solve(system, wanted)
-            inner = inner + solved[:, :, 0].T
-            rates = forcing + growth * inner
-    except np.linalg.LinAlgError:
-        return np.full((len(own.knots), len(start)), np.nan), np.full(rise.shape, np.nan)
-    spread = couplings @ solved
-    return np.concatenate([start[None], rise + spread[:, :, 0].T]), 1.0 + spread[:, :, 1].T

@@ -75,7 +75,9 @@ class Panels:
 
     @property
     def _rules(self) -> dict[int, gauss.Rule]:
-        return {count: _rule(count) for count in set(self.kept.reshape(-1, march.PANEL)[:, 1].astype(int).tolist())}
+        return {
+            count: compiled_rule(count) for count in set(self.kept.reshape(-1, march.PANEL)[:, 1].astype(int).tolist())
+        }
 
 
 class Stretch(NamedTuple):
@@ -189,7 +191,8 @@ def _series() -> "array[float]":
 
 
 @cache
-def _rule(count: int) -> gauss.Rule:
+def compiled_rule(count: int) -> gauss.Rule:
+    """The rule of so many nodes as the compiled solver holds it."""
     own = rule(count)
     columns = np.ascontiguousarray(own.integral.T).ravel().tolist()
     return gauss.Rule(count, own.knots.tolist(), own.weights.tolist(), columns)
@@ -198,7 +201,7 @@ def _rule(count: int) -> gauss.Rule:
 @cache
 def _pair(coarse: int, fine: int) -> gauss.Pair:
     columns = np.ascontiguousarray(transfer(coarse, fine).T).ravel().tolist()
-    return gauss.Pair(_rule(coarse), _rule(fine), columns)
+    return gauss.Pair(compiled_rule(coarse), compiled_rule(fine), columns)
 
 
 @cache

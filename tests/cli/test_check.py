@@ -186,6 +186,9 @@ def test_a_removed_segment(folder, capsys):
     document["segments"] = [*kept, kept[1] | {"name": "apron"}]
     rewrite(document)
     assert outcome(capsys) == (1, "changed", ["segment apron is gone"])
+    assert main(["check", "spoon.toml", "--json", "-"]) == 1
+    (change,) = json.loads(capsys.readouterr().out)["designs"][0]["changes"]
+    assert change["segment"] == "apron"
     document["segments"] = [kept[0], kept[1] | {"kind": "straight"}]
     rewrite(document)
     assert outcome(capsys) == (1, "changed", ["segment spoon is a curve, and was a straight"])

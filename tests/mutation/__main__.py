@@ -19,10 +19,10 @@ from tests.mutation.mutants import Mutant, mutants
 from tests.mutation.process import ROOT, forked, load, run_pytest
 from tests.mutation.reach import Reach, patient, recorded
 
-ROOMS = ("physics", "solver", "findings", "belts", "extremes", "along", "stations", "studies")
+ROOMS = ("physics", "core", "solver", "findings", "belts", "extremes", "along", "stations", "studies")
 KILLED, SURVIVED, NOT_REACHED, TIMEOUT, ACCEPTED = "killed", "survived", "not reached", "timeout", "accepted"
 OUTCOMES = (KILLED, TIMEOUT, SURVIVED, NOT_REACHED, ACCEPTED)
-LEFT_OUT = shutil.ignore_patterns(".*", "build", "dist", "out", "*.egg-info")
+LEFT_OUT = shutil.ignore_patterns(".*", "build", "dist", "out", "*.egg-info", "*.so", "*.pyd")  # mutants run uncompiled
 FIRST = 1.0
 """Seconds of tests that are tried first, from few files: finding tests takes longer than most of them."""
 

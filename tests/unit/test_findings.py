@@ -321,7 +321,11 @@ def test_inadmissible_friction_where_the_bound_on_a_locus_binds(share):
             segments=[{"kind": "straight", "slope_deg": 60.0, "length_m": 1.0}],
         )
     )
-    assert ("inadmissible_friction" in codes(solution)) == (share > 1)
+    findings = all_of(solution, "inadmissible_friction")
+    assert len(findings) == (share > 1)
+    for finding in findings:
+        greatest = np.degrees(np.arctan(np.sin(np.radians(50.0))))
+        assert f"{greatest:.4g}° = atan(sin 50°)" in finding.message()
 
 
 def test_no_missing_load_under_the_equilibrium_law():
@@ -541,6 +545,7 @@ def test_a_loss_of_contact_quotes_what_would_keep_it(kind, words):
     assert numbers["balance_m_s"] == pytest.approx(numbers["velocity_m_s"], rel=1e-9)  # it leaves there
     assert numbers["radius_m"] == pytest.approx(numbers["velocity_m_s"] ** 2 / weight, rel=1e-12)
     assert f"there it keeps contact {words}" in lost.message()
+    assert f"m at {'least' if kind == 'curve' else 'most'}; it flies on" in lost.message()
     assert f"{numbers['velocity_m_s']:.4g} m/s" in lost.message()
 
 

@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import quad
 
 import chutecalc
+from chutecalc.physics.flight import flight, time_to_drop
 from chutecalc.physics.roots import falls_through_zero
 from tests.conftest import chute, vee, vee_friction
 
@@ -201,3 +202,10 @@ def test_all_roots_at_which_a_polynomial_falls_are_found():
             falling = roots[0::2] if sign > 0.0 else roots[1::2]  # from +∞ at -∞ through the first
             expected = [root for root in falling if 0.0 < root < 2.0]
             assert found[~np.isnan(found)] == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_stream_that_has_nothing_to_fall_is_there_at_once():
+    path = flight(
+        *(np.array(values) for values in ([0.0] * 3, [0.0] * 3, [0.0, 2.0, 2.0], [0.0, 0.0, 0.3])), np.full(3, G)
+    )
+    assert time_to_drop(path, np.zeros(3)).tolist() == [0.0, 0.0, 0.0]

@@ -7,7 +7,7 @@ from scipy.optimize import brentq
 
 import chutecalc
 from chutecalc.design import Status
-from chutecalc.physics.wall import wall_friction, yield_locus
+from chutecalc.physics.wall import added_friction, wall_friction, yield_locus
 from tests import seeds
 from tests.conftest import chute
 from tests.verification.test_independent_sections import circle
@@ -38,6 +38,16 @@ def test_the_law_is_its_definition(rows, internal):
     for stress in np.geomspace(1e-3, 50.0, 60):
         exact = friction(stress, rows, internal)
         assert wall_friction(wall, np.array([stress * 1e3]))[0] == pytest.approx(exact, rel=1e-12, abs=1e-15)
+
+
+def test_no_added_stress_adds_friction_at_the_rate_of_its_piece():
+    """(τ(σ + p) - τ(σ))/p tends to dτ/dσ as p goes to 0, on every piece of the locus and of the bound."""
+    wall = yield_locus(*np.array(ROWS).T[:, :, None] * 1e3, np.array([np.sin(np.radians(40.0))]))
+    for stress in (1.0, 700.0, 1500.0, 9000.0):
+        at = np.array([stress])
+        (none,), (little,) = (added_friction(wall, at, np.array([p])) for p in (0.0, 1e-3 * stress))
+        assert none > 0.0
+        assert none == pytest.approx(little, rel=1e-9)
 
 
 def test_a_locus_that_cuts_the_stress_axis_goes_to_the_origin_below_its_first_row():
