@@ -1,7 +1,8 @@
 """One stream on one segment, in plain scalar Python that is compiled ahead of time where that is possible.
 
-Every module is ordinary Python; the ``.pxd`` beside it tells the compiler the C types. Uncompiled it works the same, and
-slower. What is marked ``nogil`` there may not hold a Python object: no tuple but as a result, no local name for a record.
+Every module is ordinary Python; the ``.pxd`` beside it tells the compiler the C types. Uncompiled it works the same, to
+the last digit, and slower. What is marked ``nogil`` there may not hold a Python object: no tuple but as a result, no
+local name for a record.
 """
 
 from importlib.util import find_spec

@@ -1,5 +1,5 @@
 cimport cython
-from chutecalc.core cimport march, section, slide
+from chutecalc.core cimport floats, march, section, slide
 
 cdef int HEAD
 

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport batch, gauss, march, section, slide
+from chutecalc.core cimport batch, floats, gauss, march, section, slide
 
 cdef double SLACK, STEEP
 

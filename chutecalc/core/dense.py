@@ -6,7 +6,7 @@ Panels stand as :class:`chutecalc.core.march.Stream` keeps them, those of a desi
 import math
 from typing import Any
 
-from chutecalc.core import batch, gauss, march, section, slide
+from chutecalc.core import batch, floats, gauss, march, slide
 
 SLACK = 1e-12
 """Places are products of shares: their last digits are not the panels'."""
@@ -39,9 +39,9 @@ def locate(rule: "gauss.Rule", kept: Any, at: int, place: float) -> float:
     low, high = kept[at + 4], kept[at + 5]
     if kept[at] > 0.0:
         low, high = kept[at + 6], kept[at + 6 + rule.last]
-    linear = section.quotient(place - low, high - low)
+    linear = floats.quotient(place - low, high - low)
     if not (linear >= -SLACK and linear <= 1.0 + SLACK):
-        return section.NAN
+        return floats.NAN
     if kept[at] > 0.0:
         return gauss.solve(rule, kept, at + 6, min(max(place, low), high), 0.0, 1.0)
     return min(max(linear, 0.0), 1.0)
@@ -98,7 +98,7 @@ def part_is_steep(stream: "march.Stream", rule: "gauss.Rule", kept: Any, at: int
 
     A panel in r has 1/v as smooth as itself, and writes r and c.
     """
-    least, most = section.INFINITY, 0.0
+    least, most = floats.INFINITY, 0.0
     for k in range(rule.last + 1):
         share = begin + width * rule.knots[k]
         y = gauss.evaluate(rule, kept, at + 6, share)

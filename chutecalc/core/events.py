@@ -2,7 +2,7 @@
 
 from array import array
 
-from chutecalc.core import gauss, section, slide
+from chutecalc.core import floats, gauss, slide
 
 CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
 """What can happen; of two at once the first counts."""
@@ -20,35 +20,35 @@ def margin(way: "slide.Slide", facet: int, piece: int, event: int, place: float,
     if event == CONTACT:
         return slide.normal(way, place, y) / way.gravity
     if event == CHOKE:
-        return closeness(section.root(y) * slide.choke_area(way, place), way.flow)
+        return closeness(floats.root(y) * slide.choke_area(way, place), way.flow)
     if event == DEEPER:
         if facet + 1 >= way.facets.count:
             return 1.0
         slide.draw(way, place)
-        return closeness(section.root(y) * way.facets.area[facet + 1], way.flow)
+        return closeness(floats.root(y) * way.facets.area[facet + 1], way.flow)
     if event == SHALLOWER:
         slide.draw(way, place)
-        return 1.0 - section.root(y) * way.facets.area[facet] / way.flow
+        return 1.0 - floats.root(y) * way.facets.area[facet] / way.flow
     stress = slide.stress(way, facet, place, y)
     press, pull = max(stress, 0.0), min(stress, 0.0)  # pull: beyond a loss of contact
     if event == FIRMER:
         if piece + 1 >= way.pieces:
             return 1.0
-        return balance(way.starts[piece + 1], press) - section.quotient(2.0 * pull, way.starts[piece + 1])
+        return balance(way.starts[piece + 1], press) - floats.quotient(2.0 * pull, way.starts[piece + 1])
     least = way.starts[piece]
     return balance(press, least) + 2.0 * pull / least if least > 0.0 else 1.0
 
 
 def balance(more: float, less: float) -> float:
     """(more - less)/(more + less), with its limits where one of the two is infinite."""
-    if more == section.INFINITY:
+    if more == floats.INFINITY:
         return 1.0
-    return -1.0 if less == section.INFINITY else section.quotient(more - less, more + less)
+    return -1.0 if less == floats.INFINITY else floats.quotient(more - less, more + less)
 
 
 def closeness(value: float, limit: float) -> float:
     """Value over limit less 1; 1 where there is no limit to come near."""
-    return value / limit - 1.0 if value < section.INFINITY else 1.0
+    return value / limit - 1.0 if value < floats.INFINITY else 1.0
 
 
 def first_crossing(rule: "gauss.Rule", margins: "array[float]") -> float:
@@ -74,14 +74,14 @@ def dip(rule: "gauss.Rule", margins: "array[float]") -> float:
     left = (margins[low] - margins[low - 1]) / (rule.knots[low] - rule.knots[low - 1])
     right = (margins[low + 1] - margins[low]) / (rule.knots[low + 1] - rule.knots[low])
     if not (left < 0.0 and right > 0.0):
-        return section.INFINITY
+        return floats.INFINITY
     start, end = rule.knots[low - 1], rule.knots[low + 1]
     bend = (right - left) / (end - start)
     vertex = 0.5 * (start + rule.knots[low]) - 0.5 * left / bend
     bottom = margins[low] - bend * (rule.knots[low] - vertex) * (rule.knots[low] - vertex)
     near = bottom < 0.2 * (max(margins[low - 1], margins[low + 1]) - margins[low])
     if not near or vertex <= rule.knots[1] or vertex >= rule.knots[rule.last - 1]:
-        return section.INFINITY
+        return floats.INFINITY
     for _ in range(3):  # Newton's method with differences
         before = gauss.evaluate(rule, margins, 0, vertex - ASIDE)
         here = gauss.evaluate(rule, margins, 0, vertex)

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport section
+from chutecalc.core cimport floats, section
 
 cdef int MOST
 

@@ -6,7 +6,7 @@ The numbers come from :mod:`chutecalc.solver.collocation`.
 import math
 from array import array
 
-from chutecalc.core import section
+from chutecalc.core import floats
 
 MOST = 26
 
@@ -68,10 +68,10 @@ def integrate(
         for i in range(rows):
             factor[i] += rule.integral[j * rows + i] * growth[j]
     for i in range(rows):
-        factor[i] = section.power(factor[i])
+        factor[i] = floats.power(factor[i])
         knots[i + 1] = 0.0
     for j in range(nodes):
-        scaled = section.quotient(forcing[j], factor[j])
+        scaled = floats.quotient(forcing[j], factor[j])
         for i in range(rows):
             knots[i + 1] += rule.integral[j * rows + i] * scaled
     knots[0] = start
@@ -140,7 +140,7 @@ def eliminate(system: "array[float]", nodes: int) -> None:
                 system[best * width + j] = kept
         pivot = system[k * width + k]
         for j in range(k, width):
-            system[k * width + j] = section.quotient(system[k * width + j], pivot)
+            system[k * width + j] = floats.quotient(system[k * width + j], pivot)
         for i in range(nodes):
             share = system[i * width + k]
             if i != k and share != 0.0:
@@ -173,7 +173,7 @@ def solve(rule: Rule, values: "array[float]", offset: int, target: float, low: f
         return low
     at, last = high, 0
     for _ in range(100):
-        at = low + (high - low) * (f_low / (f_low - f_high))
+        at = low + (high - low) * floats.quotient(f_low, f_low - f_high)
         f = sign * (evaluate(rule, values, offset, at) - target)
         if f < 0.0:
             gap = at - low

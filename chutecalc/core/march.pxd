@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport events, gauss, panel, section, slide
+from chutecalc.core cimport events, floats, gauss, panel, section, slide
 
 cdef int OK, STALL, CHOKED, CONTACT_LOST, RUNNING, UNSOLVED, PASSES, PATIENCE, KEPT
 cdef double LEAST_STEP, TIRED, AGAIN, CLEAR, STOPPING, STARTING, SHY, AWAY, STIFF, CREEP

@@ -8,7 +8,7 @@ law (the top of a facet, a row of a yield locus): it is cut there, as where the 
 import math
 from array import array
 
-from chutecalc.core import events, gauss, panel, section, slide
+from chutecalc.core import events, floats, gauss, panel, section, slide
 
 OK, STALL, CHOKED, CONTACT_LOST = range(4)
 RUNNING, UNSOLVED = -1, -2
@@ -65,7 +65,7 @@ class Stream:
         self.facet = self.piece = 0
         self.limit = self.reach = self.stride = 1.0
         """Where the panels have to end; the next step in c; the share of the way to its goal that one in r takes."""
-        self.aim = section.NAN
+        self.aim = floats.NAN
         """Where an event has fixed the end of the next panel, in c or in r."""
         self.aim_by_root = False
         self.hopeful = True
@@ -74,9 +74,9 @@ class Stream:
         """How many panels, also such as were refused."""
         self.tired = False
         """Panels in r failed since the last one in c."""
-        self.crossed = section.NAN
+        self.crossed = floats.NAN
         """Where the friction law's branch last changed."""
-        self.choke_place = self.choke_y = self.choke_error = section.NAN
+        self.choke_place = self.choke_y = self.choke_error = floats.NAN
 
 
 def run(stream: Stream, effort: Effort) -> None:
@@ -99,7 +99,7 @@ def begin(stream: Stream, effort: Effort) -> None:
     """Where it stands at first, and what can happen to it."""
     stream.status, stream.tried, stream.full = RUNNING, 0, False
     stream.stride, stream.tired, stream.hopeful = 1.0, False, True
-    stream.aim = stream.crossed = stream.choke_place = stream.choke_y = stream.choke_error = section.NAN
+    stream.aim = stream.crossed = stream.choke_place = stream.choke_y = stream.choke_error = floats.NAN
     slide.draw(stream.way, stream.place)
     stream.facet = (
         section.facet_of(stream.way.facets, slide.flow_area(stream.way, stream.y)) if stream.way.facets.count > 1 else 0
@@ -112,7 +112,7 @@ def begin(stream: Stream, effort: Effort) -> None:
     stream.watched[events.CONTACT] = (
         stream.way.side < 0.0 or stream.way.turn > 0.0
     )  # all else presses on its floor by weight alone
-    stream.watched[events.CHOKE] = stream.way.first.wall_height < section.INFINITY
+    stream.watched[events.CHOKE] = stream.way.first.wall_height < floats.INFINITY
     stream.watched[events.DEEPER] = stream.watched[events.SHALLOWER] = stream.way.facets.count > 1
     stream.watched[events.FIRMER] = stream.watched[events.LOOSER] = stream.way.pieces > 1
     stream.eventful = False
@@ -211,7 +211,7 @@ def go_on(stream: Stream, effort: Effort, change: float, growth: float) -> None:
         else:
             advance_by_place(stream, effort, stream.aim, growth)
         return
-    rest, scale = stream.limit - stream.place, math.fabs(section.quotient(stream.y, change))
+    rest, scale = stream.limit - stream.place, math.fabs(floats.quotient(stream.y, change))
     if not stream.tired and change < 0.0 and scale < STOPPING * rest:
         goal = math.sqrt(slowest(stream))
     elif not stream.tired and change > 0.0 and scale < STARTING * rest:
@@ -235,7 +235,7 @@ def advance_by_place(stream: Stream, effort: Effort, target: float, growth: floa
 
 def slowest(stream: Stream) -> float:
     """The velocity from which on the surface stays on its facet, and below the wall; 0 along a taper."""
-    top = section.INFINITY
+    top = floats.INFINITY
     if stream.way.taper:
         return 0.0
     if stream.facet + 1 < stream.way.facets.count:
@@ -248,9 +248,7 @@ def slowest(stream: Stream) -> float:
 def fastest(stream: Stream) -> float:
     """The velocity up to which the surface stays on its facet; infinite along a taper."""
     return (
-        section.INFINITY
-        if stream.way.taper
-        else section.quotient(stream.way.flow, stream.way.facets.area[stream.facet])
+        floats.INFINITY if stream.way.taper else floats.quotient(stream.way.flow, stream.way.facets.area[stream.facet])
     )
 
 
@@ -258,7 +256,7 @@ def advance(stream: Stream, effort: Effort, kind: int, target: float, pair: "gau
     """Solves one panel and takes it whole, up to an event inside it, or not at all."""
     stream.tried += 1
     stream.panel.facet, stream.panel.piece = stream.facet, stream.piece
-    stream.panel.error = section.INFINITY
+    stream.panel.error = floats.INFINITY
     start = stream.place
     if kind == panel.ROOT:
         start = math.sqrt(math.sqrt(stream.y))
@@ -269,7 +267,7 @@ def advance(stream: Stream, effort: Effort, kind: int, target: float, pair: "gau
     good = stream.panel.error <= tolerance
     if effort.complete:
         good = good and stream.panel.inner_error <= effort.inner_tolerance
-    stream.hopeful = not good and stream.panel.error < section.INFINITY
+    stream.hopeful = not good and stream.panel.error < floats.INFINITY
     if not good:
         retreat(stream, kind, target - start)
     elif stream.eventful or kind == panel.ROOT:
@@ -281,7 +279,7 @@ def advance(stream: Stream, effort: Effort, kind: int, target: float, pair: "gau
 def judge(stream: Stream, effort: Effort, rule: "gauss.Rule", start: float, end: float) -> None:
     """Takes a good panel whole, up to an event inside it, or aims the next one at that event."""
     by_root, inner_error = stream.panel.by_root, stream.panel.inner_error
-    cut, event, standing = section.INFINITY, -1, -1
+    cut, event, standing = floats.INFINITY, -1, -1
     for number in range(events.END + (1 if by_root else 0)):
         if number == events.END or stream.watched[number]:
             for k in range(rule.last + 1):
@@ -295,14 +293,14 @@ def judge(stream: Stream, effort: Effort, rule: "gauss.Rule", start: float, end:
                 standing = number
     near = AT_END + ROUNDING * math.fabs(end / (end - start))
     if cut > 1.0 - near:
-        cut = section.INFINITY  # found before, and aimed at
+        cut = floats.INFINITY  # found before, and aimed at
     elif math.fabs(cut * (end - start)) <= ROUNDING * math.fabs(start):
         cut = 0.0
     if cut == 0.0:
         if stream.place == stream.crossed:
             chatter(stream, by_root, end - start)
         happen(stream, effort, event)
-    elif cut == section.INFINITY:
+    elif cut == floats.INFINITY:
         accept(stream, effort, rule, end, stream.panel.error)
         if standing >= 0:
             happen(stream, effort, standing)
@@ -361,7 +359,7 @@ def accept(stream: Stream, effort: Effort, rule: "gauss.Rule", end: float, off: 
         slow = math.fabs(gauss.slope_at(rule, stream.panel.knots, rule.last))
         carried = stream.error * start * fast / (4.0 * width)
         shift = growth * carried + off * math.fabs(last - stream.panel.knots[0]) + panel.PLACE_ROUNDING
-        stream.error = shift if end == 0.0 else section.quotient(shift * 4.0 * width, end * slow)
+        stream.error = shift if end == 0.0 else floats.quotient(shift * 4.0 * width, end * slow)
         stream.place, stream.y = last, end * end * end * end
         if end == 0.0:
             stream.status = STALL
@@ -377,7 +375,7 @@ def accept(stream: Stream, effort: Effort, rule: "gauss.Rule", end: float, off: 
             stream.reach = max(4.0 * (end - start), before)
             if stream.tired:
                 stream.stride, stream.tired = AGAIN, False
-    stream.aim = section.NAN
+    stream.aim = floats.NAN
 
 
 def keep(stream: Stream, rule: "gauss.Rule", end: float) -> None:
@@ -396,7 +394,7 @@ def keep(stream: Stream, rule: "gauss.Rule", end: float) -> None:
 
 def retreat(stream: Stream, kind: int, step: float) -> None:
     """After a panel that was too long: a step in c instead of one in r, or half the step."""
-    stream.aim = section.NAN
+    stream.aim = floats.NAN
     if kind == panel.ROOT:
         stream.stride *= 0.5
         stream.tired = stream.stride < TIRED
@@ -424,7 +422,7 @@ def arrive(stream: Stream) -> None:
 
 def happen(stream: Stream, effort: Effort, event: int) -> None:
     """What an event does to a stream that stands at it."""
-    stream.aim = section.NAN
+    stream.aim = floats.NAN
     if event == events.CONTACT:
         stream.status = CONTACT_LOST
     elif event == events.CHOKE:

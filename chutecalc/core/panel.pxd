@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport gauss, section, slide
+from chutecalc.core cimport floats, gauss, section, slide
 
 cdef double SAFETY, NEWTON_SAFETY, ROOT_SAFETY, ROUNDING, CANCELLED, PLACE_ROUNDING, CHORD
 cdef int WHOLE, PLACE, CLINGING, ROOT

@@ -13,7 +13,7 @@ what rounding adds, against a solver that shares nothing with this one.
 import math
 from array import array
 
-from chutecalc.core import gauss, section, slide
+from chutecalc.core import floats, gauss, slide
 
 # Of 20,488 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:
 # benchmarks/estimates.py.
@@ -85,18 +85,18 @@ def by_place(
         step(panel, pair.fine, first, kind, panel.knots, panel.growth)
         latest = 0.0
         for j in range(pair.fine.count):
-            latest = max(latest, math.fabs(section.quotient(panel.guess[j], panel.knots[j + 1]) - 1.0))
+            latest = max(latest, math.fabs(floats.quotient(panel.guess[j], panel.knots[j + 1]) - 1.0))
             panel.guess[j] = panel.knots[j + 1]
         end = panel.knots[last]
         # What is small at the last node may not be so at a slow end.
-        latest *= max(section.quotient(panel.knots[last - 1], end), 1.0)
+        latest *= max(floats.quotient(panel.knots[last - 1], end), 1.0)
         if number == 0:
             update = latest
     end = panel.knots[last]
     sound = latest < 1.0 and end > 0.0  # then it is positive all along, as what it was worked out from
     noise = 0.0
     if kind == CLINGING:  # slope and friction nearly cancel: their rounding moves the balance the more, the less
-        noise = section.quotient(
+        noise = floats.quotient(
             CANCELLED, math.fabs(panel.rate[pair.fine.count - 1] * panel.knots[last - 1])
         )  # friction varies
     for j in range(last + 1):
@@ -104,11 +104,11 @@ def by_place(
     panel.knots[0] = y0
     newton = NEWTON_SAFETY * latest * latest * panel.left
     smooth = smoothness_by_place(panel, way, pair.fine)
-    judge(panel, sound, update, newton, smooth, section.quotient(ROUNDING, end), pair, kind)
+    judge(panel, sound, update, newton, smooth, floats.quotient(ROUNDING, end), pair, kind)
     if kind == CLINGING:
         # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share.
-        share = section.quotient(panel.growth[pair.fine.count], panel.coarse_growth[pair.coarse.count])
-        kept = math.fabs(section.quotient(panel.coarse[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
+        share = floats.quotient(panel.growth[pair.fine.count], panel.coarse_growth[pair.coarse.count])
+        kept = math.fabs(floats.quotient(panel.coarse[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
         panel.error += max(kept - noise, 0.0)
         panel.rounding += noise
 
@@ -126,7 +126,7 @@ def forces(panel: Panel, way: "slide.Slide", rule: "gauss.Rule") -> None:
 
 def freeze(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:
     """The equation with μ_e as at the panel's start: near enough to start from, right where friction is constant."""
-    area = section.quotient(flow, math.sqrt(first))
+    area = floats.quotient(flow, math.sqrt(first))
     drag, stuck = 1.0, 0.0
     for j in range(rule.count):
         if j == 0 or way.taper:
@@ -147,7 +147,7 @@ def linearise(
     panel.left = 0.0
     for j in range(rule.count):
         y = iterate[j + offset]
-        area = section.quotient(flow, section.root(y))
+        area = floats.quotient(flow, floats.root(y))
         if way.taper:
             slide.draw(way, panel.start + panel.width * rule.knots[j + 1])
         forcing, rate, bending, held = slide.linearised(
@@ -177,7 +177,7 @@ def by_root(panel: Panel, way: "slide.Slide", start: float, width: float, place:
     first, _, pulled = slide.place_rate(way, facet, piece, start, width, place)
     for j in range(pair.coarse.count):
         r = start + width * pair.coarse.knots[j + 1]
-        panel.coarse[j + 1] = place + section.quotient(r * r * r * r - start * start * start * start, pulled)
+        panel.coarse[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
     for _iteration in range(4):
         rates(panel, way, pair.coarse, panel.coarse, 1)
         gauss.integrate(pair.coarse, panel.forcing, panel.rate, place, panel.coarse, panel.coarse_growth)
@@ -197,7 +197,7 @@ def by_root(panel: Panel, way: "slide.Slide", start: float, width: float, place:
 
 def rates(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", iterate: "array[float]", offset: int) -> float:
     """The equation in r, linearised at the nodes, with dc/dr in ``sine``; the least of that."""
-    least = section.INFINITY
+    least = floats.INFINITY
     for j in range(rule.count):
         r, c = panel.start + panel.width * rule.knots[j + 1], iterate[j + offset]
         rate, growth, _ = slide.place_rate(way, panel.facet, panel.piece, r, panel.width, c)
@@ -225,10 +225,10 @@ def smoothness_by_place(panel: Panel, way: "slide.Slide", rule: "gauss.Rule") ->
 def smoothness_by_root(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", first: float, place: float) -> float:
     """ρ that a panel in r leaves: up to a zero of the pull, and by what the section does."""
     r = panel.start
-    panel.values[0] = section.quotient(r * r * r, first)
+    panel.values[0] = floats.quotient(r * r * r, first)
     for j in range(rule.count):
         r = panel.start + panel.width * rule.knots[j + 1]
-        panel.values[j + 1] = section.quotient(r * r * r, panel.sine[j])
+        panel.values[j + 1] = floats.quotient(r * r * r, panel.sine[j])
     smooth = smoothness(rule, panel.values, CHORD, False)
     slide.draw(way, place)
     smooth = min(smooth, flank_smoothness(panel, way))
@@ -245,22 +245,22 @@ def smoothness(rule: "gauss.Rule", values: "array[float]", share: float, to_end:
     the real axis, and one as far off it, s, above the knot k has a² - 1 = (√(p² + 4 s²) - p)/2 with p = 1 - k² - s².
     Only a share of the distance counts where values bend so that a chord points too far.
     """
-    nearest = section.INFINITY
+    nearest = floats.INFINITY
     for i in range(rule.chords - (1 if to_end else 2)):
         this, other = rule.chord[i], rule.chord[i + 1]
         k = 2.0 * rule.knots[this] - 1.0
         gap = (2.0 * rule.knots[other] - 1.0 - k) * share
-        reach = section.quotient(values[this], values[other] - values[this]) * gap
+        reach = floats.quotient(values[this], values[other] - values[this]) * gap
         beyond = (k - reach) * (k - reach) - 1.0
         flat = 1.0 - k * k - reach * reach
-        room = 0.5 * (section.root(4.0 * reach * reach + flat * flat) - flat)
+        room = 0.5 * (floats.root(4.0 * reach * reach + flat * flat) - flat)
         if beyond > room:
             room = beyond
         if not room >= nearest:
             nearest = room
         if nearest != nearest:
-            return section.NAN
-    return section.root(1.0 + nearest) + section.root(nearest)
+            return floats.NAN
+    return floats.root(1.0 + nearest) + floats.root(nearest)
 
 
 def taper_smoothness(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", to_end: bool) -> float:
@@ -276,14 +276,14 @@ def taper_smoothness(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", to_en
             at, y = panel.knots[j], at * at * at * at
         slide.draw(way, at)
         if arc:
-            panel.values[j], panel.press[j] = way.facets.radius, way.facets.radius * section.root(section.root(y))
+            panel.values[j], panel.press[j] = way.facets.radius, way.facets.radius * floats.root(floats.root(y))
             panel.press[j] -= math.sqrt(way.flow / math.pi)
         else:
             area, sine = slide.flow_area(way, y), way.facets.sine[facet]
             # Of the surface's width² over the area: a stream that grows thin is not taken for a section that ends.
-            hollow = 1.0 - section.quotient(way.facets.area[facet], area)
-            slant = section.quotient(4.0 * way.facets.cosine[facet], sine)
-            panel.values[j] = section.quotient(way.facets.width[facet] * way.facets.width[facet], area) + slant * hollow
+            hollow = 1.0 - floats.quotient(way.facets.area[facet], area)
+            slant = floats.quotient(4.0 * way.facets.cosine[facet], sine)
+            panel.values[j] = floats.quotient(way.facets.width[facet] * way.facets.width[facet], area) + slant * hollow
             panel.press[j] = sine
     return min(smoothness(rule, panel.values, 1.0, to_end), smoothness(rule, panel.press, 1.0, to_end))
 
@@ -300,11 +300,11 @@ def flank_smoothness(panel: Panel, way: "slide.Slide") -> float:
         below = (low - math.sqrt(way.flow / math.pi) / way.facets.radius) / width
         return 1.0 + math.sqrt(4.0 * max(below, 0.0))
     foot = way.facets.width[k] * way.facets.width[k]
-    apex = section.quotient(foot * way.facets.sine[k], 4.0 * way.facets.cosine[k]) - way.facets.area[k]
-    branch = section.root(section.quotient(way.flow, apex))
+    apex = floats.quotient(foot * way.facets.sine[k], 4.0 * way.facets.cosine[k]) - way.facets.area[k]
+    branch = floats.root(floats.quotient(way.flow, apex))
     if branch > 1e-4 * width:
         return 1.0 + math.sqrt(2.0 * math.sqrt(low * low + branch * branch) / width)
-    return section.INFINITY
+    return floats.INFINITY
 
 
 def judge(
@@ -323,13 +323,13 @@ def judge(
     """
     coarse, fine = pair.coarse.count, pair.fine.count
     grown = math.fabs(panel.growth[fine])
-    decay = math.fabs(math.log(grown)) if grown > 0.0 and grown < section.INFINITY else section.INFINITY
+    decay = math.fabs(math.log(grown)) if grown > 0.0 and grown < floats.INFINITY else floats.INFINITY
     if kind != CLINGING:  # where a stream clings to a balance, such terms have died out before
-        resolved = section.quotient(4.0 / math.e * math.sqrt(coarse * fine), decay)
+        resolved = floats.quotient(4.0 / math.e * math.sqrt(coarse * fine), decay)
         smooth = min(smooth, max(resolved, 1.0))
-    inside = section.INFINITY
+    inside = floats.INFINITY
     if sound and smooth >= 1.0:
         inside = update * smooth ** (coarse - fine) * (ROOT_SAFETY if kind == ROOT else SAFETY)
-    panel.error = newton + (inside * smooth**-fine if inside < section.INFINITY else section.INFINITY)
+    panel.error = newton + (inside * smooth**-fine if inside < floats.INFINITY else floats.INFINITY)
     panel.inner_error = newton + 0.1 * inside
     panel.rounding = ROUNDING + rounding / max(decay, 1.0)

@@ -1,9 +1,9 @@
 cimport cython
 from libc cimport math
+from chutecalc.core cimport floats
 
-cdef double NAN
-cdef double INFINITY
 cdef int TERMS
+cdef double LARGEST
 
 @cython.final
 cdef class Section:
@@ -22,9 +22,6 @@ cdef class Facets:
     cdef public double[::1] excess, excess_rise, own_excess, shortfall, shortfall_rise, own_shortfall
     cdef public double[::1] twice, spread, apex, bend_excess, bend_shortfall
 
-cdef double quotient(double over, double under) noexcept nogil
-cdef double root(double x) noexcept nogil
-cdef double power(double x) noexcept nogil
 cdef void blend(Section first, Section last, double share, Section here) noexcept nogil
 cdef double between(double first, double last, double share) noexcept nogil
 cdef void stack(Section section, double vertical_ratio, Facets facets) noexcept nogil

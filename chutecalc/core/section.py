@@ -7,8 +7,11 @@ a half circle, and vertical walls above what is drawn.
 import math
 from array import array
 
-NAN, INFINITY = float("nan"), float("inf")
+from chutecalc.core import floats
+
 TERMS = 26
+LARGEST = 7.082731016000907
+"""(6 π)^(2/3), u of the half circle; written out, for compilers round such a power in their own way."""
 
 
 class Section:
@@ -42,25 +45,6 @@ class Facets:
         """sin ψ times ``own_excess`` and ``own_shortfall``."""
 
 
-def quotient(over: float, under: float) -> float:
-    """C's division: infinite or not a number where the divisor is 0."""
-    if under != 0.0:
-        return over / under
-    if over > 0.0:
-        return INFINITY
-    return -INFINITY if over < 0.0 else NAN
-
-
-def root(x: float) -> float:
-    """C's square root: not a number below 0."""
-    return math.sqrt(x) if x >= 0.0 else NAN
-
-
-def power(x: float) -> float:
-    """C's exponential: infinite where it overflows."""
-    return math.exp(x) if x < 709.0 else (INFINITY if x >= 709.0 else NAN)
-
-
 def blend(first: Section, last: Section, share: float, here: Section) -> None:
     """The section at a share of the length of a taper: each of its numbers goes linearly from first to last."""
     # What a panel far too long makes of a taper must not be infinitely wide.
@@ -75,7 +59,7 @@ def blend(first: Section, last: Section, share: float, here: Section) -> None:
 
 def between(first: float, last: float, share: float) -> float:
     """A share of the way from first to last; what is infinite in both stays so."""
-    return first if first == INFINITY else first + share * (last - first)
+    return first if first == floats.INFINITY else first + share * (last - first)
 
 
 def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
@@ -89,7 +73,7 @@ def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
         if k < section.walls:
             length, psi = section.lengths[k], section.inclinations[k]
         else:
-            length, psi = INFINITY, 0.5 * math.pi
+            length, psi = floats.INFINITY, 0.5 * math.pi
         sine = math.sin(psi)
         cosine = 0.0 if psi == 0.5 * math.pi else math.cos(psi)  # 6e-17 there would open a deep stream
         half = math.sin(0.5 * psi)
@@ -136,7 +120,7 @@ def stack_circle(section: Section, vertical_ratio: float, facets: Facets) -> Non
 
 def prepare(facets: Facets, k: int) -> None:
     """What the area does not change."""
-    facets.twice[k] = quotient(2.0, facets.sine[k])
+    facets.twice[k] = floats.quotient(2.0, facets.sine[k])
     facets.spread[k] = 2.0 * facets.cosine[k] * facets.twice[k]
     facets.apex[k] = facets.width[k] * facets.width[k] - facets.spread[k] * facets.area[k]
     facets.bend_excess[k] = facets.sine[k] * facets.own_excess[k]
@@ -153,12 +137,14 @@ def facet_of(facets: Facets, area: float) -> int:
 
 def loads(facets: Facets, k: int, area: float) -> tuple[float, float, float, float]:
     """The hydrostatic χ and the missing m, each with half its logarithmic growth with the area."""
+    if not area > 0.0:
+        return floats.NAN, floats.NAN, floats.NAN, floats.NAN
     if facets.circle and k == 0:
         _, excess, growth, missing, missing_growth = arc(facets, area)
         return excess, 0.5 * growth, missing, 0.5 * missing_growth
-    width = root(facets.spread[k] * area + facets.apex[k])
-    climb = quotient(facets.twice[k], width + facets.width[k])  # C/(A - A_foot)
-    narrow = quotient(0.5 * facets.width[k], width)
+    width = floats.root(facets.spread[k] * area + facets.apex[k])
+    climb = floats.quotient(facets.twice[k], width + facets.width[k])  # C/(A - A_foot)
+    narrow = floats.quotient(0.5 * facets.width[k], width)
     if k == 0:  # what stands on no other facet
         climb *= climb * area
         excess, missing = climb * facets.bend_excess[0], climb * facets.bend_shortfall[0]
@@ -207,7 +193,8 @@ def law(equilibrium: bool, excess: float, growth: float, missing: float, missing
     if not equilibrium:
         return excess, growth
     carried = 1.0 - missing
-    return excess / carried, (growth + excess * missing_growth / carried) / carried
+    share = floats.quotient(excess, carried)
+    return share, floats.quotient(growth + share * missing_growth, carried)
 
 
 def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
@@ -215,18 +202,18 @@ def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
     if facets.circle and k == 0:
         angle, _, _, _, _ = arc(facets, area)
         if not angle < 4.0:
-            return NAN, NAN
+            return floats.NAN, floats.NAN
         half = math.sin(0.5 * angle)
         return 2.0 * facets.radius * half * half, 2.0 * facets.radius * math.sin(angle)
-    width = root(facets.spread[k] * area + facets.apex[k])
-    wetted = quotient(facets.twice[k], width + facets.width[k]) * (area - facets.area[k])
+    width = floats.root(facets.spread[k] * area + facets.apex[k])
+    wetted = floats.quotient(facets.twice[k], width + facets.width[k]) * (area - facets.area[k])
     return facets.height[k] + wetted * facets.sine[k], width
 
 
 def area_at_depth(facets: Facets, depth: float) -> float:
     """Flow area below a depth, m²."""
-    if depth == INFINITY:
-        return INFINITY
+    if depth == floats.INFINITY:
+        return floats.INFINITY
     k = facets.count - 1
     while k > 0 and depth < facets.height[k]:
         k -= 1
@@ -251,11 +238,10 @@ def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]
     """A stream on the arc: angle, χ and A dχ/dA, m and A dm/dA, as :func:`chutecalc.physics.circle.arc` has them."""
     share = area / (facets.radius * facets.radius)
     if not share >= 0.0:
-        return NAN, NAN, NAN, NAN, NAN
+        return floats.NAN, floats.NAN, floats.NAN, floats.NAN, floats.NAN
     side = (12.0 * share) ** (1.0 / 3.0)
     u = side * side
-    largest = (6.0 * math.pi) ** (2.0 / 3.0)
-    t = 2.0 * u / largest - 1.0
+    t = 2.0 * u / LARGEST - 1.0
     angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     before, now = t, 1.0  # T_-1 and T_0
     for k in range(TERMS):

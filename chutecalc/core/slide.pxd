@@ -1,8 +1,8 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport section
+from chutecalc.core cimport floats, section
 
-cdef double TAPER_STEP
+cdef double TAPER_STEP, BEYOND
 
 @cython.final
 cdef class Slide:

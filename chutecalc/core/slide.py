@@ -10,8 +10,10 @@ yield locus: a branch.
 import math
 from array import array
 
-from chutecalc.core import section
+from chutecalc.core import floats, section
 
+BEYOND = 1e6
+"""Segments' lengths: places further off are none."""
 TAPER_STEP = 1e-6
 """Of the segment's length: over which a taper's own change is taken, for Newton's derivative alone."""
 
@@ -74,7 +76,7 @@ def choke_area(slide: Slide, place: float) -> float:
 
 def flow_area(slide: Slide, y: float) -> float:
     """A = Q/v."""
-    return section.quotient(slide.flow, section.root(y))
+    return floats.quotient(slide.flow, floats.root(y))
 
 
 def normal(slide: Slide, place: float, y: float) -> float:
@@ -85,13 +87,13 @@ def normal(slide: Slide, place: float, y: float) -> float:
 def stress(slide: Slide, facet: int, place: float, y: float) -> float:
     """Pressure on the centre section that decides the wall friction, f ρ n H, Pa."""
     if y <= 0.0:
-        return section.INFINITY
+        return floats.INFINITY
     draw(slide, place)
     area = flow_area(slide, y)
     excess, growth, missing, _ = section.loads(slide.facets, facet, area)
     excess, _ = section.law(slide.equilibrium, excess, growth, missing, 0.0)
-    total = 1.0 + excess
-    factor = 1.0 / (1.0 - missing) if slide.equilibrium else total / (total - missing)
+    carried = 1.0 if slide.equilibrium else 1.0 + excess
+    factor = floats.quotient(carried, carried - missing)
     depth, _ = section.depth_and_width(slide.facets, facet, area)
     return slide.density * normal(slide, place, y) * factor * depth
 
@@ -121,9 +123,9 @@ def sticking(
     if not slide.sticky:
         return 0.0, 0.0, 0.0
     depth, width = section.depth_and_width(slide.facets, facet, area)
-    stuck = slide.intercepts[piece] / (slide.density * slide.gravity * depth)
+    stuck = floats.quotient(slide.intercepts[piece], slide.density * slide.gravity * depth)
     total *= stuck
-    return total, 0.5 * total * area / (width * depth), rise * stuck
+    return total, floats.quotient(0.5 * total * area, width * depth), rise * stuck
 
 
 def linearised(
@@ -151,8 +153,8 @@ def linearised(
     drag = 1.0 + excess
     bending = rise * (press + bend * y) + (climb - fall)
     forcing = sine - drag * press - stuck - bending
-    bending = section.quotient(bending, y)
-    held = section.quotient(fall - min(climb, 0.0), y) if slide.sticky else 0.0
+    bending = floats.quotient(bending, y)
+    held = floats.quotient(fall - min(climb, 0.0), y) if slide.sticky else 0.0
     return forcing, bending - drag * bend, bending, held
 
 
@@ -166,6 +168,8 @@ def drag_of(slide: Slide, facet: int, piece: int, area: float) -> tuple[float, f
 
 def pull(slide: Slide, facet: int, piece: int, place: float, y: float) -> tuple[float, float]:
     """dy/dc at a place, and its derivative to c where the section stays the same."""
+    if not (place > -BEYOND and place < BEYOND):  # an iterate that leads nowhere
+        return floats.NAN, floats.NAN
     draw(slide, place)
     slope = slide.entry_slope + slide.turn * place
     area = flow_area(slide, y)
@@ -187,5 +191,5 @@ def place_rate(
         ahead, _ = pull(slide, facet, piece, place + TAPER_STEP, y)
         behind, _ = pull(slide, facet, piece, place - TAPER_STEP, y)
         growth = (ahead - behind) / (2.0 * TAPER_STEP)
-    rate = section.quotient(4.0 * width * r * r * r, change)
-    return rate, section.quotient(-rate * growth, change), change
+    rate = floats.quotient(4.0 * width * r * r * r, change)
+    return rate, floats.quotient(-rate * growth, change), change

@@ -38,7 +38,7 @@ class Effort(NamedTuple):
 
 def effort(rtol: float, complete: bool) -> Effort:
     """What it takes to have velocities right within a relative error."""
-    first = (6, 8) if rtol >= 1e-7 else (6, 12) if rtol >= 1e-11 else (8, 16)
+    first = (6, 8) if rtol >= 1e-7 else (6, 12) if rtol >= 1e-9 else (8, 16)
     whole, later = (((8, 24), (16, 24)), (8, 24)) if complete else ((first, (16, 24)), (8, 16))
     return Effort(whole, later, rtol, max(1e-3 * rtol, 3e-15), rtol, complete)
 

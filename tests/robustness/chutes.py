@@ -32,11 +32,16 @@ def told(data: dict[str, Any]) -> Iterator[None]:
 
 def draws(*seed: int) -> Iterator[Drawn]:
     """Chutes of one seed, without end. Some are not admissible: those have to be told as faults."""
-    maker = _Maker(seeds.generator(*seed))
-    while True:
-        data = maker.chute()
+    for data in random_specs(*seed):
         with told(data):
             yield drawn(data)
+
+
+def random_specs(*seed: int) -> Iterator[dict[str, Any]]:
+    """Specs of one seed, without end, as they are drawn."""
+    maker = _Maker(seeds.generator(*seed))
+    while True:
+        yield maker.chute()
 
 
 def drawn(data: dict[str, Any]) -> Drawn:

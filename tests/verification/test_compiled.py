@@ -1,0 +1,56 @@
+"""The compiled core has the digits of the plain Python that it was compiled from."""
+
+import subprocess
+import sys
+
+from chutecalc.core import compiled
+from tests import seeds
+
+COUNT = seeds.times(60)
+PROGRAM = """
+import sys
+from importlib.util import spec_from_file_location
+from pathlib import Path
+
+class Plain:
+    @staticmethod
+    def find_spec(name, path, target=None):
+        if name.startswith("chutecalc.core."):
+            return spec_from_file_location(name, Path(path[0], name.rpartition(".")[2]).with_suffix(".py"))
+
+if sys.argv[1] == "plain":
+    sys.meta_path.insert(0, Plain)
+import chutecalc
+from chutecalc.core import compiled
+from chutecalc.solver.chain import run_chain
+from tests import seeds
+from tests.robustness.chutes import random_specs
+print(compiled())
+for number, data in zip(range(int(sys.argv[2])), random_specs(77)):
+    for rtol, complete in ((1e-12, True), (1e-6, False)):
+        try:
+            legs, _ = run_chain(chutecalc.parse(data).design, rtol, complete)
+        except chutecalc.SpecError:
+            continue
+        for leg in legs:
+            print(number, leg.status[0], *(float(numbers[0]).hex() for numbers in leg.exit[:8]))
+"""
+
+
+def digits(form):
+    """What the core found of each design, and whether it was compiled."""
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM, form, str(COUNT)], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    first, *rest = done.stdout.splitlines()
+    return first == "True", rest
+
+
+def test_compiled_and_plain_python_have_the_same_digits():
+    usual, expected = digits("usual")
+    plain, found = digits("plain")
+    assert usual == compiled()
+    assert not plain
+    assert len(expected) > COUNT
+    assert found == expected
