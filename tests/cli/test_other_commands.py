@@ -11,6 +11,7 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.columns import COLUMNS
+from chutecalc.core import compiled
 from tests.conftest import STANDARD_DESIGNS
 
 
@@ -61,7 +62,8 @@ def test_columns_lists_them_all(capsys):
 
 def test_version_and_help(capsys):
     assert main(["--version"]) == 0
-    assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}\n"
+    form = "" if compiled() else " (its core uncompiled: slower)"
+    assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}{form}\n"
     assert main(["--help"]) == 0
     listed = capsys.readouterr().out
     for command in ("run", "sweep", "check", "dem", "new", "schema", "columns"):
