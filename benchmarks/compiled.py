@@ -16,11 +16,12 @@ E3, E5 = np.ascontiguousarray(table.E3), np.ascontiguousarray(table.E5)
 
 
 @njit(cache=False)
-def rate(theta: float, v: float, p: np.ndarray) -> float:
-    """dv/dθ; parameters as those of heyoka."""
-    wide = p[1] + np.sqrt(p[1] * p[1] + p[2] * p[4] / v)
-    friction = p[5] * (1.0 + p[3] * p[2] / v / (wide * wide))
-    return (p[0] * np.cos(theta) - friction * (p[0] * np.sin(theta) + v * v)) / v
+def rate(theta: float, y: float, p: np.ndarray) -> float:
+    """dy/dθ of y = v²; parameters as those of heyoka."""
+    thin = p[2] / np.sqrt(y)
+    wide = p[1] + np.sqrt(p[1] * p[1] + p[4] * thin)
+    friction = p[5] * (1.0 + p[3] * thin / (wide * wide))
+    return 2.0 * (p[0] * np.cos(theta) - friction * (p[0] * np.sin(theta) + y))
 
 
 @njit(cache=False)
@@ -29,21 +30,21 @@ def dop853(parameters: np.ndarray, start: np.ndarray, end: float, rtol: float) -
     out = np.empty(len(start))
     k = np.empty(STAGES + 1)
     for design in range(len(start)):
-        p, v, theta, h = parameters[design], start[design], 0.0, 0.05
-        k[0] = rate(theta, v, p)
+        p, y, theta, h = parameters[design], start[design] ** 2, 0.0, 0.05
+        k[0] = rate(theta, y, p)
         while theta < end:
             h = min(h, end - theta)
             for s in range(1, STAGES):
                 rise = 0.0
                 for j in range(s):
                     rise += A[s, j] * k[j]
-                k[s] = rate(theta + C[s] * h, v + h * rise, p)
+                k[s] = rate(theta + C[s] * h, y + h * rise, p)
             rise = 0.0
             for j in range(STAGES):
                 rise += B[j] * k[j]
-            new = v + h * rise
+            new = y + h * rise
             k[STAGES] = rate(theta + h, new, p)
-            scale = 1e-3 * rtol + rtol * max(abs(v), abs(new))
+            scale = 1e-3 * rtol + rtol * max(abs(y), abs(new))
             e5, e3 = 0.0, 0.0
             for j in range(STAGES + 1):
                 e5 += E5[j] * k[j] / scale
@@ -52,12 +53,12 @@ def dop853(parameters: np.ndarray, start: np.ndarray, end: float, rtol: float) -
             if e5 != 0.0 or e3 != 0.0:
                 norm = abs(h) * e5 * e5 / np.sqrt(e5 * e5 + 0.01 * e3 * e3)
             if norm < 1.0:
-                theta, v = theta + h, new
+                theta, y = theta + h, new
                 k[0] = k[STAGES]
                 h *= min(10.0, 0.9 * max(norm, 1e-10) ** -0.125)
             else:
                 h *= max(0.2, 0.9 * norm**-0.125)
-        out[design] = v
+        out[design] = np.sqrt(y)
     return out
 
 
@@ -67,8 +68,8 @@ def _numbalsoda_equation() -> Any:
     from numbalsoda import lsoda_sig
 
     @cfunc(lsoda_sig)
-    def equation(theta: float, v: Any, dv: Any, p: Any) -> None:
-        dv[0] = rate(theta, v[0], carray(p, (6,)))
+    def equation(theta: float, y: Any, dy: Any, p: Any) -> None:
+        dy[0] = rate(theta, y[0], carray(p, (6,)))
 
     return equation
 
@@ -78,6 +79,6 @@ def with_numbalsoda(method: str, rtol: float, grid: np.ndarray, start: float, pa
     import numbalsoda
 
     found, _ = getattr(numbalsoda, method)(
-        _numbalsoda_equation().address, np.array([start]), grid, parameters, rtol=rtol, atol=1e-3 * rtol
+        _numbalsoda_equation().address, np.array([start**2]), grid, parameters, rtol=rtol, atol=1e-3 * rtol
     )
-    return np.array(found[:, 0])
+    return np.sqrt(found[:, 0])

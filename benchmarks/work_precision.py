@@ -2,13 +2,13 @@
 
     python benchmarks/work_precision.py [--quick] [--out FOLDER]
 
-The error is the largest relative one of the velocity at the stations that tests/reference/spoon.csv knows to 20 digits;
-of the spoon that is filled above its chamfers, to two DOP853 runs at rtol 3e-14 that meet at the chamfer's top. All run
-in turn, again and again; times are medians, and ratios are to DOP853 at 1e-10 in the same round. The rivals' right-hand
-side is what one would write in Python for one design: plain floats and `math`; those of heyoka and of numbalsoda (where
-that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled beforehand. What chutecalc does in
-that time: build the numbers from the checked spec, solve, velocity and depth at the stations; 'with check' also reads
-and checks the spec.
+The error is the largest relative one of the velocity at the stations that tests/reference/spoon.csv knows to 20
+digits; of the spoon that is filled above its chamfers, to two DOP853 runs at rtol 3e-14 that meet at the chamfer's
+top. All run in turn, again and again; times are medians, and ratios are to DOP853 at 1e-10 in the same round. The
+rivals' right-hand side is what one would write in Python for one design, in v², plain floats and `math`; those of
+heyoka and of numbalsoda (where that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled
+beforehand. What chutecalc does in that time: build the numbers from the checked spec, solve, velocity and depth at the
+stations; 'with check' also reads and checks the spec.
 """
 
 import csv
@@ -66,17 +66,17 @@ def over_the_top(case: Case) -> np.ndarray:
     area = (case["base_m"] + case["chamfer_m"] * np.cos(beta)) * case["chamfer_m"] * np.sin(beta)
 
     def full(_: float, y: np.ndarray) -> float:
-        return float(y[0] - flow / area)
+        return float(y[0] - (flow / area) ** 2)
 
     full.terminal = True
     grid, tight = np.linspace(0.0, turn(case), 11), {"rtol": 3e-14, "atol": 1e-15, "method": "DOP853"}
-    start, velocity, known = 0.0, entry(case), {0.0: entry(case)}
+    start, y0, known = 0.0, entry(case) ** 2, {0.0: entry(case)}
     for event in (full, None):
         here = grid[grid > start]
-        run = solve_ivp(lambda t, y: [rate(t, y[0])], (start, grid[-1]), [velocity], t_eval=here, events=event, **tight)
-        known |= dict(zip(run.t, run.y[0], strict=True))
+        run = solve_ivp(lambda t, y: [rate(t, y[0])], (start, grid[-1]), [y0], t_eval=here, events=event, **tight)
+        known |= dict(zip(run.t, np.sqrt(run.y[0]), strict=True))
         if event and run.t_events[0].size:
-            start, velocity = run.t_events[0][0], run.y_events[0][0, 0]
+            start, y0 = run.t_events[0][0], run.y_events[0][0, 0]
     return np.array([known[place] for place in grid])
 
 

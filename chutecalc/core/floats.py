@@ -1,6 +1,7 @@
 """C's arithmetic, in which nothing raises: what has no value is not a number. ``floats.pxd`` is the compiled form."""
 
 import math
+from array import array
 
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -22,3 +23,8 @@ def root(x: float) -> float:
 def power(x: float) -> float:
     """e^x; infinite where that overflows."""
     return math.exp(x) if x < 709.0 else (INFINITY if x >= 709.0 else NAN)
+
+
+def zeros(count: int) -> "array[float]":
+    """Room for so many numbers."""
+    return array("d", bytes(8 * count))

@@ -49,8 +49,8 @@ class Stream:
     def __init__(self, way: "slide.Slide", room: int) -> None:
         self.way = way
         self.panel = panel.Panel()
-        self.margins, self.values = array("d", [0.0] * gauss.MOST), array("d", [0.0] * gauss.MOST)
-        self.kept = array("d", [0.0] * (KEPT * max(room, 1)))
+        self.margins, self.values = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
+        self.kept = floats.zeros(KEPT * max(room, 1))
         """Panels, one after the other: by root, nodes, facet, piece, start, end, knots."""
         self.room = room
         self.panels = 0
@@ -268,6 +268,8 @@ def advance(stream: Stream, effort: Effort, kind: int, target: float, pair: "gau
     if effort.complete:
         good = good and stream.panel.inner_error <= effort.inner_tolerance
     stream.hopeful = not good and stream.panel.error < floats.INFINITY
+    if stream.hopeful:  # as far as the ellipse tells what the finest rules would leave
+        stream.hopeful = panel.SAFETY * stream.panel.smooth ** (-2 * effort.second.fine.count) <= tolerance
     if not good:
         retreat(stream, kind, target - start)
     elif stream.eventful or kind == panel.ROOT:

@@ -2,12 +2,12 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats, gauss, section, slide
 
-cdef double SAFETY, NEWTON_SAFETY, ROOT_SAFETY, ROUNDING, CANCELLED, PLACE_ROUNDING, CHORD
+cdef double SAFETY, NEWTON_SAFETY, ROOT_SAFETY, ROUNDING, CANCELLED, PLACE_ROUNDING, SETTLED, CHORD
 cdef int WHOLE, PLACE, CLINGING, ROOT
 
 @cython.final
 cdef class Panel:
-    cdef public double start, width, error, inner_error, rounding, left
+    cdef public double start, width, error, inner_error, rounding, left, smooth
     cdef public bint by_root
     cdef public int facet, piece
     cdef public double[::1] knots, growth, coarse, coarse_growth, guess, sine, press, forcing, rate, values, system

@@ -23,6 +23,7 @@ ROOT_SAFETY = 1000.0  # next to rest a zero of the pull may lie between the star
 ROUNDING = 1e-15  # of a panel, relative
 CANCELLED = 4e-15  # of the forces that nearly cancel where a stream clings to a balance
 PLACE_ROUNDING = 2e-15  # in a place along the segment, of its length: no update in r gets below it
+SETTLED = 1e-7  # of the way: an update that leaves its square is the last
 CHORD = 0.2  # of the distance to a zero of the pull that counts, where chords point too far
 
 WHOLE, PLACE, CLINGING, ROOT = range(4)
@@ -39,18 +40,20 @@ class Panel:
         self.by_root = False
         self.facet = self.piece = 0
         """The branch of the friction law."""
-        self.knots = array("d", [0.0] * gauss.MOST)
+        self.knots = floats.zeros(gauss.MOST)
         """The unknown, y or c, at the rule's start, nodes and end."""
-        self.growth = array("d", [0.0] * gauss.MOST)
+        self.growth = floats.zeros(gauss.MOST)
         """What a small change at the start has become at nodes and end."""
         self.error = self.inner_error = self.rounding = 0.0
         """Estimated, of the end: relative in y, in r relative to the way; infinite where the panel is no solution.
         The same of the polynomial through the knots. What rounding may add to both."""
-        self.coarse, self.coarse_growth = array("d", [0.0] * gauss.MOST), array("d", [0.0] * gauss.MOST)
-        self.guess, self.sine, self.press = (array("d", [0.0] * gauss.MOST) for _ in range(3))
-        self.forcing, self.rate, self.values = (array("d", [0.0] * gauss.MOST) for _ in range(3))
-        self.system = array("d", [0.0] * gauss.MOST * gauss.MOST)
+        self.coarse, self.coarse_growth = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
+        self.guess, self.sine, self.press = (floats.zeros(gauss.MOST) for _ in range(3))
+        self.forcing, self.rate, self.values = (floats.zeros(gauss.MOST) for _ in range(3))
+        self.system = floats.zeros(gauss.MOST * gauss.MOST)
         self.left = 0.0
+        self.smooth = 1.0
+        """ρ of the ellipse around the panel in which the solution is smooth."""
 
 
 def by_place(
@@ -179,8 +182,15 @@ def by_root(panel: Panel, way: "slide.Slide", start: float, width: float, place:
         r = start + width * pair.coarse.knots[j + 1]
         panel.coarse[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
     for _iteration in range(4):
+        for j in range(pair.coarse.count):
+            panel.guess[j] = panel.coarse[j + 1]
         rates(panel, way, pair.coarse, panel.coarse, 1)
         gauss.integrate(pair.coarse, panel.forcing, panel.rate, place, panel.coarse, panel.coarse_growth)
+        moved = 0.0
+        for j in range(pair.coarse.count):
+            moved = max(moved, math.fabs(panel.coarse[j + 1] - panel.guess[j]))
+        if moved <= SETTLED * math.fabs(panel.coarse[pair.coarse.last] - place):
+            break
     gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, panel.coarse, panel.guess)
     least = rates(panel, way, pair.fine, panel.guess, 0)
     gauss.integrate(pair.fine, panel.forcing, panel.rate, place, panel.knots, panel.growth)
@@ -322,6 +332,7 @@ def judge(
     A solution that changes by e^-λ over the panel has terms that N nodes resolve like an ellipse of ρ = 4 N/(e λ).
     """
     coarse, fine = pair.coarse.count, pair.fine.count
+    panel.smooth = smooth
     grown = math.fabs(panel.growth[fine])
     decay = math.fabs(math.log(grown)) if grown > 0.0 and grown < floats.INFINITY else floats.INFINITY
     if kind != CLINGING:  # where a stream clings to a balance, such terms have died out before

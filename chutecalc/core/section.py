@@ -22,8 +22,8 @@ class Section:
         self.walls = walls
         """Drawn facets of a polygon, on one side."""
         self.base = self.radius = self.wall_height = 0.0
-        self.lengths = array("d", [0.0] * max(walls, 1))
-        self.inclinations = array("d", [0.0] * max(walls, 1))
+        self.lengths = floats.zeros(max(walls, 1))
+        self.inclinations = floats.zeros(max(walls, 1))
 
 
 class Facets:
@@ -36,12 +36,12 @@ class Facets:
         """The innermost facet is the arc of a half circle."""
         self.radius = self.lack = 0.0
         self.series = series
-        self.sine, self.cosine, self.area, self.width, self.height = (array("d", [0.0] * count) for _ in range(5))
-        self.excess, self.excess_rise, self.own_excess = (array("d", [0.0] * count) for _ in range(3))
-        self.shortfall, self.shortfall_rise, self.own_shortfall = (array("d", [0.0] * count) for _ in range(3))
-        self.twice, self.spread, self.apex = (array("d", [0.0] * count) for _ in range(3))
+        self.sine, self.cosine, self.area, self.width, self.height = (floats.zeros(count) for _ in range(5))
+        self.excess, self.excess_rise, self.own_excess = (floats.zeros(count) for _ in range(3))
+        self.shortfall, self.shortfall_rise, self.own_shortfall = (floats.zeros(count) for _ in range(3))
+        self.twice, self.spread, self.apex = (floats.zeros(count) for _ in range(3))
         """2/sin ψ; 4 cos ψ/sin ψ; of the surface's width², where the facet's flanks would meet."""
-        self.bend_excess, self.bend_shortfall = (array("d", [0.0] * count) for _ in range(2))
+        self.bend_excess, self.bend_shortfall = (floats.zeros(count) for _ in range(2))
         """sin ψ times ``own_excess`` and ``own_shortfall``."""
 
 

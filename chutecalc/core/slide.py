@@ -8,7 +8,6 @@ yield locus: a branch.
 """
 
 import math
-from array import array
 
 from chutecalc.core import floats, section
 
@@ -35,7 +34,7 @@ class Slide:
         self.equilibrium = False
         self.pieces = pieces
         """Of the wall's friction law, τ = intercept + slope σ from a σ on."""
-        self.starts, self.intercepts, self.slopes = (array("d", [0.0] * pieces) for _ in range(3))
+        self.starts, self.intercepts, self.slopes = (floats.zeros(pieces) for _ in range(3))
         self.sticky = False
         """Whether any piece has an intercept."""
         self.bend = 0.0
