@@ -48,7 +48,7 @@ def extensions() -> list[Extension]:
 
     if needs_zig():
         os.environ["CC"], os.environ["LDSHARED"] = ZIG, f"{ZIG} -shared"
-    modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats"}]
+    modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats", "unlocked"}]
     found = [
         Extension(".".join(path.with_suffix("").parts), [str(path)], extra_compile_args=FLAGS, optional=True)
         for path in modules

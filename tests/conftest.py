@@ -18,13 +18,10 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 def pytest_configure() -> None:
     seeds.settle()
-    for module in (Path(chutecalc.__file__).parent / "core").glob("*.so"):
-        source = module.with_name(module.name.partition(".")[0])
-        newest = max(source.with_suffix(suffix).stat().st_mtime for suffix in (".py", ".pxd"))
-        if newest > module.stat().st_mtime:
-            raise pytest.UsageError(
-                f"{source.name} has changed since it was compiled: python setup.py build_ext --inplace"
-            )
+    core = Path(chutecalc.__file__).parent / "core"
+    sources = [path.stat().st_mtime for path in core.iterdir() if path.suffix in {".py", ".pxd"}]
+    if any(module.stat().st_mtime < max(sources) for module in core.glob("*.so")):
+        raise pytest.UsageError(f"{core} has changed since it was compiled: python setup.py build_ext --inplace")
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:

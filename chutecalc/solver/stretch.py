@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.core import batch, dense, gauss, march, section
+from chutecalc.core import batch, dense, designs, gauss, march, section
 from chutecalc.core.slide import Slide as Way
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index
@@ -163,7 +163,7 @@ def _solved(slide: Slide, numbers: Array, effort: Effort) -> tuple[Array, Array]
     kept = [np.empty((0, march.PANEL))]
     while done < len(numbers):
         stream = _stream(slide, room)
-        before, done = done, batch.solve_rows(stream, work, numbers, results, done, len(numbers))
+        before, done = done, designs.solve(stream, work, numbers, results, done, len(numbers))
         if effort.complete:
             kept.append(np.array(stream.kept)[: stream.panels * march.PANEL].reshape(-1, march.PANEL))
         room = max(16 * ROOM, 2 * room if done == before else room)

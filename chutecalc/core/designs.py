@@ -1,0 +1,10 @@
+"""Many designs at once, for threads too."""
+
+from typing import Any
+
+from chutecalc.core import march, unlocked
+
+
+def solve(stream: "march.Stream", effort: "march.Effort", numbers: Any, results: Any, first: int, last: int) -> int:
+    """:func:`chutecalc.core.batch.solve_rows` with the interpreter's lock released."""
+    return unlocked.solve_rows(stream, effort, numbers, results, first, last)
