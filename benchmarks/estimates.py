@@ -56,8 +56,8 @@ def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
         with np.errstate(all="ignore"):
             found = solve_stretch(leg.contact.slide, place, y, np.zeros(len(y)), anyhow)
         one = known & (found.tried == 1) & (found.place == 1.0)
-        error = np.abs(found.velocity_squared / stretch.velocity_squared - 1.0)
-        yield pair, Told(error[one], found.error[one])
+        error = np.abs(found.velocity_squared[one] / stretch.velocity_squared[one] - 1.0)
+        yield pair, Told(error, found.error[one])
 
 
 def main() -> None:
@@ -77,10 +77,10 @@ def main() -> None:
             ratios = np.sort(estimate[told] / error[told])
             low = [ratios[min(place, len(ratios) - 1)] for place in (0, 1, 2, 5)] if len(ratios) else [np.nan] * 4
             taken = [float(np.mean(estimate <= tolerance)) for tolerance in TOLERANCES]
-            rows.append((f"{len(error)} {kind}", f"{pair[0]}, {pair[1]}", int(told.sum()), *low, *taken))
-    header = ["segments", "rules", "errors told", "least estimate/error", "2nd", "3rd", "6th"]
+            rows.append((kind, f"{pair[0]}, {pair[1]}", len(error), int(told.sum()), *low, *taken))
+    header = ["kind", "rules", "segments", "errors told", "least estimate/error", "2nd", "3rd", "6th"]
     header += [f"taken at {tolerance:.0e}" for tolerance in TOLERANCES]
-    report.write(header, rows, ("", "", "", *[".2g"] * 4, *[".3f"] * len(TOLERANCES)), by=1)
+    report.write(header, rows, ("", "", "", "", *[".2g"] * 4, *[".3f"] * len(TOLERANCES)), by=1)
 
 
 if __name__ == "__main__":
