@@ -10,7 +10,7 @@ from typing import Any
 from setuptools import build_meta
 from setuptools.build_meta import *  # noqa: F403 - a backend is all of its functions
 
-ZIG = f"{sys.executable} -m ziglang cc"
+ZIG = f"'{sys.executable}' -m ziglang cc -mcpu=baseline"  # not for this processor alone
 
 
 def wanted() -> bool:

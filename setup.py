@@ -34,25 +34,34 @@ class Build(build_ext):
 
     def run(self) -> None:
         self.parallel = self.parallel or os.cpu_count()
+        remove(CORE)  # what was compiled from other sources would be used before them
         try:
             super().run()
-        except Exception as error:  # whatever a compiler may do
+        except (Exception, SystemExit) as error:  # whatever a compiler may do
+            for folder in (CORE, Path(self.build_lib, CORE)):
+                remove(folder)  # all of them or none: they know each other's records
             self.warn(f"chutecalc is installed uncompiled: {error}")
+
+
+def remove(folder: Path) -> None:
+    """Compiled modules."""
+    for path in [*folder.glob("*.so"), *folder.glob("*.pyd")]:
+        path.unlink()
 
 
 def extensions() -> list[Extension]:
     """The core's modules in C, or none."""
-    if not (wanted() and has_headers() and find_spec("Cython")):  # not there yet when pip asks what a build needs
+    if not wanted():
+        remove(CORE)
+        return []
+    if not (has_headers() and find_spec("Cython")):  # not there yet when pip asks what a build needs
         return []
     from Cython.Build import cythonize
 
     if needs_zig():
         os.environ["CC"], os.environ["LDSHARED"] = ZIG, f"{ZIG} -shared"
     modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats", "unlocked"}]
-    found = [
-        Extension(".".join(path.with_suffix("").parts), [str(path)], extra_compile_args=FLAGS, optional=True)
-        for path in modules
-    ]
+    found = [Extension(".".join(path.with_suffix("").parts), [str(path)], extra_compile_args=FLAGS) for path in modules]
     compiled: list[Extension] = cythonize(
         found, build_dir="build/c", compiler_directives=DIRECTIVES, force=True, quiet=True
     )

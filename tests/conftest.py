@@ -20,7 +20,7 @@ def pytest_configure() -> None:
     seeds.settle()
     core = Path(chutecalc.__file__).parent / "core"
     sources = [path.stat().st_mtime for path in core.iterdir() if path.suffix in {".py", ".pxd"}]
-    if any(module.stat().st_mtime < max(sources) for module in core.glob("*.so")):
+    if any(module.stat().st_mtime < max(sources) for module in [*core.glob("*.so"), *core.glob("*.pyd")]):
         raise pytest.UsageError(f"{core} has changed since it was compiled: python setup.py build_ext --inplace")
 
 

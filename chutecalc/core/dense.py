@@ -3,7 +3,6 @@
 Panels stand as :class:`chutecalc.core.march.Stream` keeps them, those of a design one after the other.
 """
 
-import math
 from typing import Any
 
 from chutecalc.core import batch, floats, gauss, march, slide
@@ -120,7 +119,7 @@ def clock(stream: "march.Stream", rule: "gauss.Rule", kept: Any, at: int, width:
             )
             stream.panel.forcing[j] = stream.way.length * rate / (r * r)
         else:
-            stream.panel.forcing[j] = stream.way.length * width / math.sqrt(stream.values[j + 1])
+            stream.panel.forcing[j] = stream.way.length * width / floats.root(stream.values[j + 1])
     stream.margins[0] = 0.0
     gauss.multiply(rule.integral, rule.count + 1, rule.count, stream.panel.forcing, stream.panel.press)
     stream.margins[0] = elapsed

@@ -69,7 +69,7 @@ class Stream:
         """Where an event has fixed the end of the next panel, in c or in r."""
         self.aim_by_root = False
         self.hopeful = True
-        """The last panel was a solution, if not a good one: finer rules may make it one."""
+        """The last panel was a solution, if not a good one, and by its ellipse the finest rules may make it one."""
         self.tried = 0
         """How many panels, also such as were refused."""
         self.tired = False
@@ -242,7 +242,7 @@ def slowest(stream: Stream) -> float:
         top = stream.way.facets.area[stream.facet + 1]
     if stream.watched[events.CHOKE] and stream.choke_place != stream.choke_place:
         top = min(top, slide.choke_area(stream.way, stream.place))
-    return stream.way.flow / top
+    return floats.quotient(stream.way.flow, top)
 
 
 def fastest(stream: Stream) -> float:

@@ -201,7 +201,7 @@ def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
     """Depth and width of the free surface, m."""
     if facets.circle and k == 0:
         angle, _, _, _, _ = arc(facets, area)
-        if not angle < 4.0:
+        if not (angle > -4.0 and angle < 4.0):
             return floats.NAN, floats.NAN
         half = math.sin(0.5 * angle)
         return 2.0 * facets.radius * half * half, 2.0 * facets.radius * math.sin(angle)
@@ -218,9 +218,9 @@ def area_at_depth(facets: Facets, depth: float) -> float:
     while k > 0 and depth < facets.height[k]:
         k -= 1
     if facets.circle and k == 0:
-        angle = 2.0 * math.asin(math.sqrt(min(max(0.5 * depth / facets.radius, 0.0), 0.5)))
+        angle = 2.0 * math.asin(math.sqrt(min(max(floats.quotient(0.5 * depth, facets.radius), 0.0), 0.5)))
         return facets.radius * facets.radius * angle_area(angle)
-    wetted = (depth - facets.height[k]) / facets.sine[k]
+    wetted = floats.quotient(depth - facets.height[k], facets.sine[k])
     return facets.area[k] + (facets.width[k] + wetted * facets.cosine[k]) * wetted * facets.sine[k]
 
 
@@ -236,7 +236,7 @@ def angle_area(angle: float) -> float:
 
 def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]:
     """A stream on the arc: angle, χ and A dχ/dA, m and A dm/dA, as :func:`chutecalc.physics.circle.arc` has them."""
-    share = area / (facets.radius * facets.radius)
+    share = floats.quotient(area, facets.radius * facets.radius)
     if not share >= 0.0:
         return floats.NAN, floats.NAN, floats.NAN, floats.NAN, floats.NAN
     side = (12.0 * share) ** (1.0 / 3.0)

@@ -49,8 +49,10 @@ def arc(area: Array, lack: Array) -> Arc:
     root = np.cbrt(12.0 * area)
     u = root**2
     t = 2.0 * u / LARGEST - 1.0
-    terms = _chebyshev(t.ravel())[:, None] * series().T[:, :, None]
-    sums = np.add.reduce(terms).reshape(-1, *t.shape)  # term after term, whatever the width
+    sums = np.zeros((len(series()), t.size))
+    for coefficients, polynomial in zip(series().T, _chebyshev(t.ravel()), strict=True):
+        sums += coefficients[:, None] * polynomial  # term after term, whatever the width
+    sums = sums.reshape(-1, *t.shape)
     angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = sums
     third = 2.0 / 3.0  # A d/dA = (2/3) u d/du
     excess = u * (level - lack * u * bent)

@@ -47,7 +47,7 @@ class Panels:
     """The panels of n designs along a segment, those of a design one after the other."""
 
     def __init__(self, slide: Slide, numbers: Array, kept: Array, count: Index) -> None:
-        self.slide, self.numbers, self.kept, self.count = slide, numbers, kept.ravel(), count
+        self.slide, self.numbers, self.kept, self.count = slide, numbers, kept.ravel(), np.ascontiguousarray(count)
         self.first = np.cumsum(count) - count
 
     def of(self, design: int) -> Array:
@@ -57,10 +57,12 @@ class Panels:
 
     def velocities(self, places: Array, out: Array) -> None:
         """v² at places, shape (places, designs); where no panel is, what stands there stays."""
+        assert places.shape == out.shape == (len(places), len(self.count))  # the compiled loop does not look
         dense.velocities(self.kept, self.first, self.count, self._rules, places, out)
 
     def times(self, places: Array, out: Array) -> None:
         """Seconds since the contact began, likewise."""
+        assert places.shape == out.shape == (len(places), len(self.count))
         stream = _stream(self.slide, 0)
         dense.times(stream, self.numbers, self.kept, self.first, self.count, self._rules, places, out)
 

@@ -126,3 +126,29 @@ def test_a_stream_that_creeps_along_a_taper_counts_as_stalled_alone_as_in_compan
         assert np.array_equal(alone.exit.velocity, together.exit.velocity[k : k + 1]), k
         creeping += 0.0 < alone.exit.velocity[0] < 1e-3
     assert creeping
+
+
+def test_digits_of_a_struck_pipe_do_not_depend_on_the_batch():
+    """Its depth is a series, summed in the same order for one design as for many."""
+    random, count = np.random.default_rng(4), 200
+    base = chutecalc.parse(
+        {
+            "flow": {"rate_t_h": 900.0},
+            "material": {"density_kg_m3": 800.0, "internal_friction_deg": 45.0},
+            "liners": {"wall": {"friction_deg": 20.0}},
+            "sections": {"body": {"shape": "circular", "radius_m": 0.6}, "end": {"shape": "circular", "radius_m": 0.3}},
+            "inlet": {"velocity_m_s": 4.0, "slope_deg": 60.0},
+            "segments": [{"kind": "straight", "slope_deg": 45.0, "length_m": 2.0, "section": ["body", "end"]}],
+        }
+    )
+    changes = {
+        "inlet.velocity_m_s": random.uniform(2.0, 6.0, count),
+        "inlet.slope_deg": random.uniform(50.0, 75.0, count),
+        "flow.rate_t_h": random.uniform(200.0, 1200.0, count),
+    }
+    together = chutecalc.solve(base.vary(changes))
+    depth = together.segments[0].entry["depth_m"]
+    for k in range(count):
+        alone = chutecalc.solve(base.vary({path: values[k : k + 1] for path, values in changes.items()}))
+        assert alone.exit_velocity[0] == together.exit_velocity[k], k
+        assert alone.segments[0].entry["depth_m"][0] == depth[k], k
