@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.core import march, section, slide
+from chutecalc.core import march, section, slide, state
 
 HEAD = 11
 RESULTS = 9
@@ -10,7 +10,7 @@ RESULTS = 9
 
 
 def solve_rows(
-    stream: "march.Stream", effort: "march.Effort", numbers: Any, results: Any, first: int, last: int
+    stream: "state.Stream", effort: "state.Effort", numbers: Any, results: Any, first: int, last: int
 ) -> int:
     """Solves rows from the first up to the last, and tells the row it has come to: less than the last for want of room.
 

@@ -1,11 +1,11 @@
 """The stream between the ends of its panels: what their polynomials say at any place of the segment.
 
-Panels stand as :class:`chutecalc.core.march.Stream` keeps them, those of a design one after the other.
+Panels stand as :class:`chutecalc.core.state.Stream` keeps them, those of a design one after the other.
 """
 
 from typing import Any
 
-from chutecalc.core import batch, floats, gauss, march, slide
+from chutecalc.core import batch, floats, gauss, slide, state
 
 SLACK = 1e-12
 """Places are products of shares: their last digits are not the panels'."""
@@ -25,7 +25,7 @@ def velocities(kept: Any, first: Any, count: Any, rules: dict[int, "gauss.Rule"]
     """
     for design in range(len(first)):
         for number in range(first[design], first[design] + count[design]):
-            at = march.KEPT * number
+            at = state.KEPT * number
             rule = rules[int(kept[at + 1])]
             for row in range(len(places)):
                 share = locate(rule, kept, at, places[row, design])
@@ -55,7 +55,7 @@ def squared(rule: "gauss.Rule", kept: Any, at: int, share: float) -> float:
 
 
 def times(
-    stream: "march.Stream",
+    stream: "state.Stream",
     numbers: Any,
     kept: Any,
     first: Any,
@@ -74,7 +74,7 @@ def times(
         batch.load(stream.way, numbers, design)
         elapsed = 0.0
         for number in range(first[design], first[design] + count[design]):
-            at = march.KEPT * number
+            at = state.KEPT * number
             rule = rules[int(kept[at + 1])]
             begin, width = 0.0, 1.0
             while begin < 1.0:
@@ -92,7 +92,7 @@ def times(
                 width *= 2.0
 
 
-def part_is_steep(stream: "march.Stream", rule: "gauss.Rule", kept: Any, at: int, begin: float, width: float) -> bool:
+def part_is_steep(stream: "state.Stream", rule: "gauss.Rule", kept: Any, at: int, begin: float, width: float) -> bool:
     """Writes v² at the knots of a part of a panel into ``values``; whether it grows too much for one part.
 
     A panel in r has 1/v as smooth as itself, and writes r and c.
@@ -108,7 +108,7 @@ def part_is_steep(stream: "march.Stream", rule: "gauss.Rule", kept: Any, at: int
     return not kept[at] > 0.0 and most > STEEP * least and width * (kept[at + 5] - kept[at + 4]) > 1e-15
 
 
-def clock(stream: "march.Stream", rule: "gauss.Rule", kept: Any, at: int, width: float, elapsed: float) -> None:
+def clock(stream: "state.Stream", rule: "gauss.Rule", kept: Any, at: int, width: float, elapsed: float) -> None:
     """Writes the time at the knots of that part into ``margins``: the integral of ds/v over c, or over r."""
     width *= kept[at + 5] - kept[at + 4]
     for j in range(rule.count):
@@ -132,7 +132,7 @@ def knot_places(kept: Any, first: Any, count: Any, rules: dict[int, "gauss.Rule"
     for design in range(len(first)):
         row = 0
         for number in range(first[design], first[design] + count[design]):
-            at = march.KEPT * number
+            at = state.KEPT * number
             rule = rules[int(kept[at + 1])]
             for k in range(1, rule.last + 1):
                 if kept[at] > 0.0:

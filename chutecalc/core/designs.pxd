@@ -1,3 +1,3 @@
-from chutecalc.core cimport march, unlocked
+from chutecalc.core cimport state, unlocked
 
-cpdef int solve(march.Stream stream, march.Effort effort, double[:, ::1] numbers, double[:, ::1] results, int first, int last)
+cpdef int solve(state.Stream stream, state.Effort effort, double[:, ::1] numbers, double[:, ::1] results, int first, int last)

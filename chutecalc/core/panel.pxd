@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, gauss, section, slide
+from chutecalc.core cimport floats, gauss, slide
 
 cdef double SAFETY, NEWTON_SAFETY, ROOT_SAFETY, ROUNDING, CANCELLED, PLACE_ROUNDING, SETTLED, CHORD
 cdef int WHOLE, PLACE, CLINGING, ROOT
@@ -12,15 +12,7 @@ cdef class Panel:
     cdef public int facet, piece
     cdef public double[::1] knots, growth, coarse, coarse_growth, guess, sine, press, forcing, rate, values, system
 
-@cython.locals(sound=bint)
-cdef void by_place(Panel panel, slide.Slide way, double start, double width, double y0, gauss.Pair pair, int kind) noexcept nogil
-cdef void forces(Panel panel, slide.Slide way, gauss.Rule rule) noexcept nogil
-cdef void freeze(Panel panel, slide.Slide way, gauss.Rule rule, double first, double flow, double bend) noexcept nogil
-cdef void linearise(Panel panel, slide.Slide way, gauss.Rule rule, double[::1] iterate, int offset, double flow, double bend) noexcept nogil
-cdef void step(Panel panel, gauss.Rule rule, double first, int kind, double[::1] knots, double[::1] growth) noexcept nogil
-@cython.locals(sound=bint)
-cdef void by_root(Panel panel, slide.Slide way, double start, double width, double place, gauss.Pair pair) noexcept nogil
-cdef double rates(Panel panel, slide.Slide way, gauss.Rule rule, double[::1] iterate, int offset) noexcept nogil
+cdef void estimate(Panel panel, bint sound, double update, double newton, double smooth, double rounding, gauss.Pair pair, int kind) noexcept nogil
 @cython.locals(arc=bint)
 cdef double smoothness_by_place(Panel panel, slide.Slide way, gauss.Rule rule) noexcept nogil
 cdef double smoothness_by_root(Panel panel, slide.Slide way, gauss.Rule rule, double first, double place) noexcept nogil
@@ -28,4 +20,3 @@ cdef double smoothness(gauss.Rule rule, double[::1] values, double share, bint t
 @cython.locals(arc=bint)
 cdef double taper_smoothness(Panel panel, slide.Slide way, gauss.Rule rule, bint to_end) noexcept nogil
 cdef double flank_smoothness(Panel panel, slide.Slide way) noexcept nogil
-cdef void judge(Panel panel, bint sound, double update, double newton, double smooth, double rounding, gauss.Pair pair, int kind) noexcept nogil

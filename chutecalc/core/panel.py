@@ -1,4 +1,4 @@
-"""One panel solved on two rules, the coarser for the start and for the error.
+"""A panel as two rules have solved it, the coarser for the start and for the error, and that error.
 
 The error left has two parts. Newton leaves at most the square of its last update u times half the equation's second
 derivative where that is largest. Collocation leaves u ρ^-(2M - N) at the end and u ρ^-(M - N) inside, for rules of N
@@ -15,7 +15,7 @@ from array import array
 
 from chutecalc.core import floats, gauss, slide
 
-# Of 20,488 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:
+# Of 19,270 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:
 # benchmarks/estimates.py.
 SAFETY = 150.0
 NEWTON_SAFETY = 1.0
@@ -56,165 +56,33 @@ class Panel:
         """ρ of the ellipse around the panel in which the solution is smooth."""
 
 
-def by_place(
-    panel: Panel, way: "slide.Slide", start: float, width: float, y0: float, pair: "gauss.Pair", kind: int
+def estimate(
+    panel: Panel,
+    sound: bool,
+    update: float,
+    newton: float,
+    smooth: float,
+    rounding: float,
+    pair: "gauss.Pair",
+    kind: int,
 ) -> None:
-    """Solves y = v² over a panel in c, in one of three ways: ``WHOLE``, ``PLACE`` or ``CLINGING``."""
-    panel.start, panel.width, panel.by_root = start, width, False
-    unit = 2.0 * width * way.length * way.gravity
-    flow = way.flow / math.sqrt(unit)
-    bend = -2.0 * way.side * width * way.turn * way.slopes[panel.piece]
-    first = y0 / unit
-    iterations, refinements = 1, 1
-    forces(panel, way, pair.coarse)
-    if kind == CLINGING:  # from a balance that clings, freezing friction leads far astray
-        iterations = 3
-        for j in range(pair.coarse.count):
-            panel.coarse[j + 1] = first
-        linearise(panel, way, pair.coarse, panel.coarse, 1, flow, bend)
-    else:
-        if kind == PLACE:
-            iterations, refinements = 2, 2
-        freeze(panel, way, pair.coarse, first, flow, bend)
-    step(panel, pair.coarse, first, kind, panel.coarse, panel.coarse_growth)
-    for _ in range(iterations):
-        linearise(panel, way, pair.coarse, panel.coarse, 1, flow, bend)
-        step(panel, pair.coarse, first, kind, panel.coarse, panel.coarse_growth)
-    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, panel.coarse, panel.guess)
-    forces(panel, way, pair.fine)
-    update, latest, last = 0.0, 0.0, pair.fine.last
-    for number in range(refinements):
-        linearise(panel, way, pair.fine, panel.guess, 0, flow, bend)
-        step(panel, pair.fine, first, kind, panel.knots, panel.growth)
-        latest = 0.0
-        for j in range(pair.fine.count):
-            latest = max(latest, math.fabs(floats.quotient(panel.guess[j], panel.knots[j + 1]) - 1.0))
-            panel.guess[j] = panel.knots[j + 1]
-        end = panel.knots[last]
-        # What is small at the last node may not be so at a slow end.
-        latest *= max(floats.quotient(panel.knots[last - 1], end), 1.0)
-        if number == 0:
-            update = latest
-    end = panel.knots[last]
-    sound = latest < 1.0 and end > 0.0  # then it is positive all along, as what it was worked out from
-    noise = 0.0
-    if kind == CLINGING:  # slope and friction nearly cancel: their rounding moves the balance the more, the less
-        noise = floats.quotient(
-            CANCELLED, math.fabs(panel.rate[pair.fine.count - 1] * panel.knots[last - 1])
-        )  # friction varies
-    for j in range(last + 1):
-        panel.knots[j] *= unit
-    panel.knots[0] = y0
-    newton = NEWTON_SAFETY * latest * latest * panel.left
-    smooth = smoothness_by_place(panel, way, pair.fine)
-    judge(panel, sound, update, newton, smooth, floats.quotient(ROUNDING, end), pair, kind)
-    if kind == CLINGING:
-        # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share.
-        share = floats.quotient(panel.growth[pair.fine.count], panel.coarse_growth[pair.coarse.count])
-        kept = math.fabs(floats.quotient(panel.coarse[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
-        panel.error += max(kept - noise, 0.0)
-        panel.rounding += noise
+    """The panel's errors.
 
-
-def forces(panel: Panel, way: "slide.Slide", rule: "gauss.Rule") -> None:
-    """Gravity's shares along the surface and on the wall, sin a and μ σ cos a, at the nodes."""
-    friction = way.slopes[panel.piece] * way.side
-    for j in range(rule.count):
-        if j > 0 and way.turn == 0.0:
-            panel.sine[j], panel.press[j] = panel.sine[0], panel.press[0]
-        else:
-            slope = way.entry_slope + way.turn * (panel.start + panel.width * rule.knots[j + 1])
-            panel.sine[j], panel.press[j] = math.sin(slope), friction * math.cos(slope)
-
-
-def freeze(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:
-    """The equation with μ_e as at the panel's start: near enough to start from, right where friction is constant."""
-    area = floats.quotient(flow, math.sqrt(first))
-    drag, stuck = 1.0, 0.0
-    for j in range(rule.count):
-        if j == 0 or way.taper:
-            slide.draw(way, panel.start + panel.width * rule.knots[j + 1])
-            drag, stuck = slide.drag_of(way, panel.facet, panel.piece, area)
-        panel.forcing[j] = panel.sine[j] - drag * panel.press[j] - stuck
-        panel.rate[j] = -drag * bend
-
-
-def linearise(
-    panel: Panel, way: "slide.Slide", rule: "gauss.Rule", iterate: "array[float]", offset: int, flow: float, bend: float
-) -> None:
-    """The equation near an iterate at the nodes, and what Newton leaves of an update of 1: half of Y ∂²f/∂Y² at most.
-
-    That is at most A χ'/Y times 3/8 of the load from gravity and 1/4 of that from the bend; on a crest and under a hood
-    the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
+    A solution that changes by e^-λ over the panel has terms that N nodes resolve like an ellipse of ρ = 4 N/(e λ).
     """
-    panel.left = 0.0
-    for j in range(rule.count):
-        y = iterate[j + offset]
-        area = floats.quotient(flow, floats.root(y))
-        if way.taper:
-            slide.draw(way, panel.start + panel.width * rule.knots[j + 1])
-        forcing, rate, bending, held = slide.linearised(
-            way, panel.facet, panel.piece, area, y, panel.sine[j], panel.press[j], bend
-        )
-        panel.forcing[j], panel.rate[j] = forcing, rate
-        weight = math.fabs(bending) + 2.0 * math.fabs(held)
-        if way.turn > 0.0:
-            weight += 2.0 * (math.fabs(bending - rate) - math.fabs(bend))
-        panel.left = max(panel.left, weight)
-
-
-def step(
-    panel: Panel, rule: "gauss.Rule", first: float, kind: int, knots: "array[float]", growth: "array[float]"
-) -> None:
-    """Solves the linear equation over the panel."""
-    if kind == CLINGING:
-        gauss.integrate_stiff(rule, panel.forcing, panel.rate, first, knots, growth, panel.system, panel.values)
-    else:
-        gauss.integrate(rule, panel.forcing, panel.rate, first, knots, growth)
-
-
-def by_root(panel: Panel, way: "slide.Slide", start: float, width: float, place: float, pair: "gauss.Pair") -> None:
-    """Solves c over a panel in r = √v, from a place. Only where v rises or falls throughout."""
-    panel.start, panel.width, panel.by_root = start, width, True
-    facet, piece = panel.facet, panel.piece
-    first, _, pulled = slide.place_rate(way, facet, piece, start, width, place)
-    for j in range(pair.coarse.count):
-        r = start + width * pair.coarse.knots[j + 1]
-        panel.coarse[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
-    for _iteration in range(4):
-        for j in range(pair.coarse.count):
-            panel.guess[j] = panel.coarse[j + 1]
-        rates(panel, way, pair.coarse, panel.coarse, 1)
-        gauss.integrate(pair.coarse, panel.forcing, panel.rate, place, panel.coarse, panel.coarse_growth)
-        moved = 0.0
-        for j in range(pair.coarse.count):
-            moved = max(moved, math.fabs(panel.coarse[j + 1] - panel.guess[j]))
-        if moved <= SETTLED * math.fabs(panel.coarse[pair.coarse.last] - place):
-            break
-    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, panel.coarse, panel.guess)
-    least = rates(panel, way, pair.fine, panel.guess, 0)
-    gauss.integrate(pair.fine, panel.forcing, panel.rate, place, panel.knots, panel.growth)
-    # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
-    sound, noise, last = least > 0.0, 0.0, pair.fine.last
-    for j in range(last + 1):
-        sound = sound and panel.knots[j] >= place and panel.knots[j] < 2.0
-    for j in range(pair.fine.count):
-        noise = max(noise, math.fabs(panel.knots[j + 1] - panel.guess[j]))
-    update = max(noise - PLACE_ROUNDING, 0.0) / max(math.fabs(panel.knots[last] - place), PLACE_ROUNDING)
-    smooth = smoothness_by_root(panel, way, pair.fine, first, place)
-    judge(panel, sound, update, NEWTON_SAFETY * update * update, smooth, 0.0, pair, ROOT)
-
-
-def rates(panel: Panel, way: "slide.Slide", rule: "gauss.Rule", iterate: "array[float]", offset: int) -> float:
-    """The equation in r, linearised at the nodes, with dc/dr in ``sine``; the least of that."""
-    least = floats.INFINITY
-    for j in range(rule.count):
-        r, c = panel.start + panel.width * rule.knots[j + 1], iterate[j + offset]
-        rate, growth, _ = slide.place_rate(way, panel.facet, panel.piece, r, panel.width, c)
-        panel.sine[j], panel.forcing[j], panel.rate[j] = rate, rate - growth * c, growth
-        if not rate >= least:
-            least = rate
-    return least
+    coarse, fine = pair.coarse.count, pair.fine.count
+    panel.smooth = smooth
+    grown = math.fabs(panel.growth[fine])
+    decay = math.fabs(math.log(grown)) if grown > 0.0 and grown < floats.INFINITY else floats.INFINITY
+    if kind != CLINGING:  # where a stream clings to a balance, such terms have died out before
+        resolved = floats.quotient(4.0 / math.e * math.sqrt(coarse * fine), decay)
+        smooth = min(smooth, max(resolved, 1.0))
+    inside = floats.INFINITY
+    if sound and smooth >= 1.0:
+        inside = update * smooth ** (coarse - fine) * (ROOT_SAFETY if kind == ROOT else SAFETY)
+    panel.error = newton + (inside * smooth**-fine if inside < floats.INFINITY else floats.INFINITY)
+    panel.inner_error = newton + 0.1 * inside
+    panel.rounding = ROUNDING + rounding / max(decay, 1.0)
 
 
 def smoothness_by_place(panel: Panel, way: "slide.Slide", rule: "gauss.Rule") -> float:
@@ -315,32 +183,3 @@ def flank_smoothness(panel: Panel, way: "slide.Slide") -> float:
     if branch > 1e-4 * width:
         return 1.0 + math.sqrt(2.0 * math.sqrt(low * low + branch * branch) / width)
     return floats.INFINITY
-
-
-def judge(
-    panel: Panel,
-    sound: bool,
-    update: float,
-    newton: float,
-    smooth: float,
-    rounding: float,
-    pair: "gauss.Pair",
-    kind: int,
-) -> None:
-    """The panel's errors.
-
-    A solution that changes by e^-λ over the panel has terms that N nodes resolve like an ellipse of ρ = 4 N/(e λ).
-    """
-    coarse, fine = pair.coarse.count, pair.fine.count
-    panel.smooth = smooth
-    grown = math.fabs(panel.growth[fine])
-    decay = math.fabs(math.log(grown)) if grown > 0.0 and grown < floats.INFINITY else floats.INFINITY
-    if kind != CLINGING:  # where a stream clings to a balance, such terms have died out before
-        resolved = floats.quotient(4.0 / math.e * math.sqrt(coarse * fine), decay)
-        smooth = min(smooth, max(resolved, 1.0))
-    inside = floats.INFINITY
-    if sound and smooth >= 1.0:
-        inside = update * smooth ** (coarse - fine) * (ROOT_SAFETY if kind == ROOT else SAFETY)
-    panel.error = newton + (inside * smooth**-fine if inside < floats.INFINITY else floats.INFINITY)
-    panel.inner_error = newton + 0.1 * inside
-    panel.rounding = ROUNDING + rounding / max(decay, 1.0)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.core import batch, dense, designs, gauss, march, section
+from chutecalc.core import batch, dense, designs, gauss, march, section, state
 from chutecalc.core.slide import Slide as Way
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Index
@@ -53,7 +53,7 @@ class Panels:
     def of(self, design: int) -> Array:
         """A design's panels, a row each: 1 in r, nodes, facet, piece, start and end in c or r, the knots of y or c."""
         first = self.first[design]
-        return self.kept.reshape(-1, march.PANEL)[first : first + self.count[design]]
+        return self.kept.reshape(-1, state.PANEL)[first : first + self.count[design]]
 
     def velocities(self, places: Array, out: Array) -> None:
         """v² at places, shape (places, designs); where no panel is, what stands there stays."""
@@ -68,7 +68,7 @@ class Panels:
 
     def knots(self) -> Array:
         """Places of the panels' knots after their starts, shape (knots, designs); NaN for what a design has too few."""
-        sizes = self.kept.reshape(-1, march.PANEL)[:, 1].astype(np.intp) + 1
+        sizes = self.kept.reshape(-1, state.PANEL)[:, 1].astype(np.intp) + 1
         ends = np.concatenate([np.zeros(1, dtype=np.intp), np.cumsum(sizes)])
         counts = ends[self.first + self.count] - ends[self.first]
         places = np.full((max(counts.max(initial=0), 1), len(counts)), np.nan)
@@ -78,7 +78,7 @@ class Panels:
     @property
     def _rules(self) -> dict[int, gauss.Rule]:
         return {
-            count: compiled_rule(count) for count in set(self.kept.reshape(-1, march.PANEL)[:, 1].astype(int).tolist())
+            count: compiled_rule(count) for count in set(self.kept.reshape(-1, state.PANEL)[:, 1].astype(int).tolist())
         }
 
 
@@ -129,7 +129,7 @@ def solve_stretch(slide: Slide, place: Array, velocity_squared: Array, error: Ar
     numbers = _numbers(slide, place, velocity_squared, error)
     results, kept = _solved(slide, numbers, effort)
     status, tried, count = results[:, [0, 7, 8]].T.astype(np.intp)
-    if (status == march.GAVE_UP).any():
+    if (status == state.GAVE_UP).any():
         raise RuntimeError(f"a contact segment was not solved in {march.MOST} panels")
     ends, choke = results[:, 1:4].T, results[:, 4:7].T
     choked = ~np.isnan(choke[0])
@@ -162,24 +162,24 @@ def _solved(slide: Slide, numbers: Array, effort: Effort) -> tuple[Array, Array]
     """Results by row, and the panels kept, a row each."""
     results = np.empty((len(numbers), batch.RESULTS))
     work, room, done = _work(effort), ROOM if effort.complete else 0, 0
-    kept = [np.empty((0, march.PANEL))]
+    kept = [np.empty((0, state.PANEL))]
     while done < len(numbers):
         stream = _stream(slide, room)
         before, done = done, designs.solve(stream, work, numbers, results, done, len(numbers))
         if effort.complete:
-            kept.append(np.array(stream.kept)[: stream.panels * march.PANEL].reshape(-1, march.PANEL))
+            kept.append(np.array(stream.kept)[: stream.panels * state.PANEL].reshape(-1, state.PANEL))
         room = max(16 * ROOM, 2 * room if done == before else room)
     return results, np.concatenate(kept)
 
 
-def _stream(slide: Slide, room: int) -> march.Stream:
+def _stream(slide: Slide, room: int) -> state.Stream:
     """A stream of the segment's kind, with room for so many panels."""
     first, count = _section(slide.section), len(slide.drawn.area)
     last = None if slide.end_section is None else _section(slide.end_section)
     own = section.Facets(count, first.circle, _series() if first.circle else array("d", [0.0]))
     way = Way(own, first, last, len(slide.wall.starts))
     way.equilibrium = slide.equilibrium
-    return march.Stream(way, room)
+    return state.Stream(way, room)
 
 
 def _section(drawn: Section) -> section.Section:
@@ -207,8 +207,8 @@ def _pair(coarse: int, fine: int) -> gauss.Pair:
 
 
 @cache
-def _work(effort: Effort) -> march.Effort:
-    work = march.Effort(*(_pair(*pair) for pair in (*effort.whole, effort.later, NEAR_REST)))
+def _work(effort: Effort) -> state.Effort:
+    work = state.Effort(*(_pair(*pair) for pair in (*effort.whole, effort.later, NEAR_REST)))
     work.tolerance, work.share, work.inner_tolerance = effort.tolerance, effort.share, effort.inner_tolerance
     work.complete = effort.complete
     return work

@@ -1,0 +1,175 @@
+"""Gauss collocation of the equation of motion over one panel, in v² over the place or in the place over √v."""
+
+import math
+from array import array
+
+from chutecalc.core import floats, gauss, panel, slide
+
+
+def by_place(
+    own: "panel.Panel", way: "slide.Slide", start: float, width: float, y0: float, pair: "gauss.Pair", kind: int
+) -> None:
+    """Solves y = v² over a panel in c, in one of three ways: ``panel.WHOLE``, ``panel.PLACE`` or ``panel.CLINGING``."""
+    own.start, own.width, own.by_root = start, width, False
+    unit = 2.0 * width * way.length * way.gravity
+    flow = way.flow / math.sqrt(unit)
+    bend = -2.0 * way.side * width * way.turn * way.slopes[own.piece]
+    first = y0 / unit
+    iterations, refinements = 1, 1
+    forces(own, way, pair.coarse)
+    if kind == panel.CLINGING:  # from a balance that clings, freezing friction leads far astray
+        iterations = 3
+        for j in range(pair.coarse.count):
+            own.coarse[j + 1] = first
+        linearise(own, way, pair.coarse, own.coarse, 1, flow, bend)
+    else:
+        if kind == panel.PLACE:
+            iterations, refinements = 2, 2
+        freeze(own, way, pair.coarse, first, flow, bend)
+    step(own, pair.coarse, first, kind, own.coarse, own.coarse_growth)
+    for _ in range(iterations):
+        linearise(own, way, pair.coarse, own.coarse, 1, flow, bend)
+        step(own, pair.coarse, first, kind, own.coarse, own.coarse_growth)
+    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse, own.guess)
+    forces(own, way, pair.fine)
+    update, latest, last = 0.0, 0.0, pair.fine.last
+    for number in range(refinements):
+        linearise(own, way, pair.fine, own.guess, 0, flow, bend)
+        step(own, pair.fine, first, kind, own.knots, own.growth)
+        latest = 0.0
+        for j in range(pair.fine.count):
+            latest = max(latest, math.fabs(floats.quotient(own.guess[j], own.knots[j + 1]) - 1.0))
+            own.guess[j] = own.knots[j + 1]
+        end = own.knots[last]
+        # What is small at the last node may not be so at a slow end.
+        latest *= max(floats.quotient(own.knots[last - 1], end), 1.0)
+        if number == 0:
+            update = latest
+    end = own.knots[last]
+    sound = latest < 1.0 and end > 0.0  # then it is positive all along, as what it was worked out from
+    noise = 0.0
+    if kind == panel.CLINGING:  # slope and friction nearly cancel: their rounding moves the balance the more, the less
+        noise = floats.quotient(
+            panel.CANCELLED, math.fabs(own.rate[pair.fine.count - 1] * own.knots[last - 1])
+        )  # friction varies
+    for j in range(last + 1):
+        own.knots[j] *= unit
+    own.knots[0] = y0
+    newton = panel.NEWTON_SAFETY * latest * latest * own.left
+    smooth = panel.smoothness_by_place(own, way, pair.fine)
+    panel.estimate(own, sound, update, newton, smooth, floats.quotient(panel.ROUNDING, end), pair, kind)
+    if kind == panel.CLINGING:
+        # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share.
+        share = floats.quotient(own.growth[pair.fine.count], own.coarse_growth[pair.coarse.count])
+        kept = math.fabs(floats.quotient(own.coarse[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
+        own.error += max(kept - noise, 0.0)
+        own.rounding += noise
+
+
+def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule") -> None:
+    """Gravity's shares along the surface and on the wall, sin a and μ σ cos a, at the nodes."""
+    friction = way.slopes[own.piece] * way.side
+    for j in range(rule.count):
+        if j > 0 and way.turn == 0.0:
+            own.sine[j], own.press[j] = own.sine[0], own.press[0]
+        else:
+            slope = way.entry_slope + way.turn * (own.start + own.width * rule.knots[j + 1])
+            own.sine[j], own.press[j] = math.sin(slope), friction * math.cos(slope)
+
+
+def freeze(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:
+    """The equation with μ_e as at the panel's start: near enough to start from, right where friction is constant."""
+    area = floats.quotient(flow, math.sqrt(first))
+    drag, stuck = 1.0, 0.0
+    for j in range(rule.count):
+        if j == 0 or way.taper:
+            slide.draw(way, own.start + own.width * rule.knots[j + 1])
+            drag, stuck = slide.drag_of(way, own.facet, own.piece, area)
+        own.forcing[j] = own.sine[j] - drag * own.press[j] - stuck
+        own.rate[j] = -drag * bend
+
+
+def linearise(
+    own: "panel.Panel",
+    way: "slide.Slide",
+    rule: "gauss.Rule",
+    iterate: "array[float]",
+    offset: int,
+    flow: float,
+    bend: float,
+) -> None:
+    """The equation near an iterate at the nodes, and what Newton leaves of an update of 1: half of Y ∂²f/∂Y² at most.
+
+    That is at most A χ'/Y times 3/8 of the load from gravity and 1/4 of that from the bend; on a crest and under a hood
+    the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
+    """
+    own.left = 0.0
+    for j in range(rule.count):
+        y = iterate[j + offset]
+        area = floats.quotient(flow, floats.root(y))
+        if way.taper:
+            slide.draw(way, own.start + own.width * rule.knots[j + 1])
+        forcing, rate, bending, held = slide.linearised(
+            way, own.facet, own.piece, area, y, own.sine[j], own.press[j], bend
+        )
+        own.forcing[j], own.rate[j] = forcing, rate
+        weight = math.fabs(bending) + 2.0 * math.fabs(held)
+        if way.turn > 0.0:
+            weight += 2.0 * (math.fabs(bending - rate) - math.fabs(bend))
+        own.left = max(own.left, weight)
+
+
+def step(
+    own: "panel.Panel", rule: "gauss.Rule", first: float, kind: int, knots: "array[float]", growth: "array[float]"
+) -> None:
+    """Solves the linear equation over the panel."""
+    if kind == panel.CLINGING:
+        gauss.integrate_stiff(rule, own.forcing, own.rate, first, knots, growth, own.system, own.values)
+    else:
+        gauss.integrate(rule, own.forcing, own.rate, first, knots, growth)
+
+
+def by_root(
+    own: "panel.Panel", way: "slide.Slide", start: float, width: float, place: float, pair: "gauss.Pair"
+) -> None:
+    """Solves c over a panel in r = √v, from a place. Only where v rises or falls throughout."""
+    own.start, own.width, own.by_root = start, width, True
+    facet, piece = own.facet, own.piece
+    first, _, pulled = slide.place_rate(way, facet, piece, start, width, place)
+    for j in range(pair.coarse.count):
+        r = start + width * pair.coarse.knots[j + 1]
+        own.coarse[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
+    for _iteration in range(4):
+        for j in range(pair.coarse.count):
+            own.guess[j] = own.coarse[j + 1]
+        rates(own, way, pair.coarse, own.coarse, 1)
+        gauss.integrate(pair.coarse, own.forcing, own.rate, place, own.coarse, own.coarse_growth)
+        moved = 0.0
+        for j in range(pair.coarse.count):
+            moved = max(moved, math.fabs(own.coarse[j + 1] - own.guess[j]))
+        if moved <= panel.SETTLED * math.fabs(own.coarse[pair.coarse.last] - place):
+            break
+    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse, own.guess)
+    least = rates(own, way, pair.fine, own.guess, 0)
+    gauss.integrate(pair.fine, own.forcing, own.rate, place, own.knots, own.growth)
+    # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
+    sound, noise, last = least > 0.0, 0.0, pair.fine.last
+    for j in range(last + 1):
+        sound = sound and own.knots[j] >= place and own.knots[j] < 2.0
+    for j in range(pair.fine.count):
+        noise = max(noise, math.fabs(own.knots[j + 1] - own.guess[j]))
+    update = max(noise - panel.PLACE_ROUNDING, 0.0) / max(math.fabs(own.knots[last] - place), panel.PLACE_ROUNDING)
+    smooth = panel.smoothness_by_root(own, way, pair.fine, first, place)
+    panel.estimate(own, sound, update, panel.NEWTON_SAFETY * update * update, smooth, 0.0, pair, panel.ROOT)
+
+
+def rates(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", iterate: "array[float]", offset: int) -> float:
+    """The equation in r, linearised at the nodes, with dc/dr in ``sine``; the least of that."""
+    least = floats.INFINITY
+    for j in range(rule.count):
+        r, c = own.start + own.width * rule.knots[j + 1], iterate[j + offset]
+        rate, growth, _ = slide.place_rate(way, own.facet, own.piece, r, own.width, c)
+        own.sine[j], own.forcing[j], own.rate[j] = rate, rate - growth * c, growth
+        if not rate >= least:
+            least = rate
+    return least
