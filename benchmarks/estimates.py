@@ -20,8 +20,8 @@ from batches import batch, chute
 from measure import Report
 
 from chutecalc.design import Design, Status
-from chutecalc.solver.chain import run_chain
-from chutecalc.solver.stretch import Effort, solve_stretch
+from chutecalc.solver.chain import Chain, run_chain
+from chutecalc.solver.effort import effort_with
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from tests.robustness.test_edges import CASES
@@ -49,15 +49,12 @@ def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
     legs, _ = run_chain(design, 1e-13)
     leg = next(leg for leg in legs if leg.contact)
     known = (leg.status == Status.OK) & (leg.exit.error < KNOWN)
-    stretch = leg.contact.stretch
-    place, y = leg.contact.arrival.place, leg.entry.velocity**2
     for pair in PAIRS:
-        anyhow = Effort((pair, (16, 24)), (16, 24), ANYHOW, ANYHOW, ANYHOW, False)
-        with np.errstate(all="ignore"):
-            found = solve_stretch(leg.contact.slide, place, y, np.zeros(len(y)), anyhow)
-        one = known & (found.tried == 1) & (found.place == 1.0)
-        error = np.abs(found.velocity_squared[one] / stretch.velocity_squared[one] - 1.0)
-        yield pair, Told(error, found.error[one])
+        legs, _ = Chain(design, effort_with(pair, (16, 24), ANYHOW, False)).solved()
+        found = legs[leg.number]
+        one = known & (found.contact.stretch.tried == 1) & (found.contact.stretch.place == 1.0)
+        error = np.abs((found.exit.velocity[one] / leg.exit.velocity[one]) ** 2 - 1.0)
+        yield pair, Told(error, 2.0 * found.exit.error[one])
 
 
 def main() -> None:

@@ -61,10 +61,7 @@ class Part:
             flown = path_length(self.leg.path, self.leg.flight_time)
             flown = np.where((self.leg.flight_time > 0.0) | (self.kind != "flight"), flown, np.nan)
             return np.where(np.isnan(flown), np.nan, 0.0), flown
-        begin = self.contact.arrival.place
-        end = np.where(self.contact.arrival.status == Status.STALL, begin, np.nan)
-        end[self.contact.rows] = self.contact.stretch.place
-        return begin, end
+        return self.contact.arrival.place, self.contact.stretch.place
 
     def length(self) -> Array:
         """How far that is, m."""
@@ -113,13 +110,12 @@ class Part:
         if panels is None:
             return np.array([0.0, 1.0])
         places = panels.knots()
-        rows = self.contact.rows
-        way = np.where(end > begin, end - begin, np.inf)[rows]
+        way = np.where(end > begin, end - begin, np.inf)
         shares = np.ones((len(places) + 1, len(begin)))
         shares[0] = 0.0
-        inside = np.clip((places - begin[rows]) / way, 0.0, 1.0)
-        shares[1:, rows] = np.where(np.isnan(places), 1.0, inside)
-        alike = len(rows) == len(begin) and (shares == shares[:, :1]).all()
+        inside = np.clip((places - begin) / way, 0.0, 1.0)
+        shares[1:] = np.where(np.isnan(inside), 1.0, inside)
+        alike = (shares == shares[:, :1]).all()
         return shares[:, 0] if alike else shares
 
     def limits(self, names: Iterable[str]) -> Numbers:

@@ -84,5 +84,5 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
 
 def _ends(design: Design, rtol: float, count: int) -> Solution:
     """A solution that knows the ends of segments alone."""
-    legs, final = run_chain(design, rtol, complete=False)
-    return Solution(design, tuple(legs), final, rtol, count)
+    legs, ends = run_chain(design, rtol, complete=False)
+    return Solution(design, tuple(legs), ends, rtol, count)

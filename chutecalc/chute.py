@@ -177,10 +177,10 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     """
     check_tolerance(rtol)
     try:
-        legs, final = run_chain(chute.design, rtol)
+        legs, ends = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source) from None
-    return Solution(chute.design, tuple(legs), final, rtol, chute.count)
+    return Solution(chute.design, tuple(legs), ends, rtol, chute.count)
 
 
 def check_tolerance(rtol: float) -> None:

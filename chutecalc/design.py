@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Facets, Section
 from chutecalc.physics.wall import Wall
 
@@ -115,27 +115,6 @@ class Design(NamedTuple):
         return self.mass_rate / self.density
 
 
-class Stream(NamedTuple):
-    """The stream at one place, an entry a design: what one segment hands to the next."""
-
-    distance: Array
-    """From the inlet along the stream, m."""
-    x: Array
-    z: Array
-    slope: Array
-    """Below horizontal, rad."""
-    velocity: Array
-    error: Array
-    """Estimated relative error of the velocity; in flight with the sign that goes with those of place and slope."""
-    x_error: Array
-    z_error: Array
-    slope_error: Array
-    status: Index
-    """A :class:`Status` each; once it is not OK the numbers are NaN."""
-    airborne: Mask
-    """In free flight: not on the drawn end of the segment it came from."""
-
-
 Record = TypeVar("Record", bound=tuple[Any, ...])
 """A named tuple whose fields are arrays, such tuples, or values that all designs share."""
 
@@ -159,23 +138,6 @@ def select(record: Record, rows: Index | slice) -> Record:
             field = select(field, rows)
         chosen.append(field)
     return type(record)(*chosen) if hasattr(record, "_fields") else type(record)(chosen)
-
-
-def spread(record: Record, rows: Index, count: int) -> Record:
-    """The reverse of :func:`select`: NaN, or ``NOT_REACHED``, in the designs that were not chosen."""
-    if len(rows) == count:
-        return record
-
-    def filled(field: Any) -> Any:
-        if isinstance(field, tuple):
-            return spread(field, rows, count)
-        if not isinstance(field, np.ndarray) or len(field) != len(rows):
-            return field
-        whole = np.full(count, np.nan if field.dtype == np.float64 else Status.NOT_REACHED)
-        whole[rows] = field
-        return whole
-
-    return type(record)(*(filled(field) for field in record))
 
 
 def length(record: tuple[Any, ...]) -> int:

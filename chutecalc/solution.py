@@ -9,12 +9,12 @@ import numpy as np
 from chutecalc.along import Numbers, Part
 from chutecalc.belts import entering, received
 from chutecalc.columns import COLUMNS
-from chutecalc.design import Design, Status, Stream, stretched
+from chutecalc.design import Design, Status, stretched
 from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
 from chutecalc.findings import WORST, Finding, findings, in_order
 from chutecalc.findings.warnings import not_accelerated
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.solver.leg import Leg
+from chutecalc.solver.leg import Ends, Leg
 from chutecalc.stations import at_stations
 
 EXTREMES = (
@@ -56,13 +56,12 @@ class SegmentResult(NamedTuple):
 class Solution:
     """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure."""
 
-    def __init__(self, design: Design, legs: tuple[Leg, ...], final: Stream, rtol: float, count: int) -> None:
-        self.design, self.legs, self.final, self.rtol, self.count = design, legs, final, rtol, count
-
-    @cached_property
-    def codes(self) -> Index:
+    def __init__(self, design: Design, legs: tuple[Leg, ...], ends: Ends, rtol: float, count: int) -> None:
+        self.design, self.legs, self.rtol, self.count = design, legs, rtol, count
+        self.codes: Index = np.broadcast_to(ends.status, count)
         """The :class:`~chutecalc.design.Status` of each design, shape (designs,)."""
-        return np.broadcast_to(self.final.status, self.count)
+        self.error_estimate: Array = np.broadcast_to(ends.error, count)
+        """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
 
     @cached_property
     def status(self) -> Any:
@@ -136,14 +135,6 @@ class Solution:
     def inlet(self) -> Numbers:
         """The stream where it enters, each of shape (designs,); from a belt also V²/(g r) and its lower edge."""
         return {name: np.broadcast_to(values, self.count) for name, values in entering(self.design).items()}
-
-    @cached_property
-    def error_estimate(self) -> Array:
-        """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
-        error = np.zeros(self.count)
-        for leg in self.legs:
-            error = np.where(leg.status < Status.MISSED, np.abs(leg.exit.error), error)
-        return error
 
     @cached_property
     def parts(self) -> list[Part]:

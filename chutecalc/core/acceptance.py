@@ -117,16 +117,16 @@ def accept(stream: "state.Stream", effort: "state.Effort", rule: "gauss.Rule", e
 
 def keep(stream: "state.Stream", rule: "gauss.Rule", end: float) -> None:
     """Writes down a panel."""
-    if stream.panels >= stream.room:
-        stream.full = True
+    if stream.log.count >= stream.log.room:
+        stream.log.full = True
         return
-    at = state.KEPT * stream.panels
-    stream.kept[at], stream.kept[at + 1] = stream.panel.by_root, rule.count
-    stream.kept[at + 2], stream.kept[at + 3] = stream.panel.facet, stream.panel.piece
-    stream.kept[at + 4], stream.kept[at + 5] = stream.panel.start, end
+    at = state.KEPT * stream.log.count
+    stream.log.kept[at], stream.log.kept[at + 1] = stream.panel.by_root, rule.count
+    stream.log.kept[at + 2], stream.log.kept[at + 3] = stream.panel.facet, stream.panel.piece
+    stream.log.kept[at + 4], stream.log.kept[at + 5] = stream.panel.start, end
     for k in range(rule.last + 1):
-        stream.kept[at + 6 + k] = stream.panel.knots[k]
-    stream.panels += 1
+        stream.log.kept[at + 6 + k] = stream.panel.knots[k]
+    stream.log.count += 1
 
 
 def retreat(stream: "state.Stream", kind: int, step: float) -> None:

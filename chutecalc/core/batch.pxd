@@ -1,9 +1,11 @@
 cimport cython
-from chutecalc.core cimport floats, march, section, slide, state
+from chutecalc.core cimport chain, floats, march, records, section, slide, state
 
 cdef int HEAD
 
-@cython.locals(row=int, before=int)
-cpdef int solve_rows(state.Stream stream, state.Effort effort, double[:, ::1] numbers, double[:, ::1] results, int first, int last) noexcept nogil
-cdef void load(slide.Slide way, double[:, ::1] numbers, int row) noexcept nogil
+@cython.locals(row=int)
+cpdef int solve_rows(records.Course course, state.Effort effort, double[:, ::1] numbers, double[:, ::1] ends, int first, int last) noexcept nogil
+cdef void load(records.Course course, records.Segment segment, double[:, ::1] numbers, int row, int at) noexcept nogil
+cdef int load_way(slide.Slide way, double[:, ::1] numbers, int row, int at) noexcept nogil
+cdef void put_back(slide.Slide way, double[:, ::1] numbers, int row, int at, double slope, double turn, double length) noexcept nogil
 cdef int read(section.Section own, double[:, ::1] numbers, int row, int at) noexcept nogil

@@ -1,65 +1,83 @@
-"""Many streams on one segment, one after the other: rows of numbers in, rows of results out."""
+"""Many chutes, one after the other: rows of numbers in, legs out."""
 
 from typing import Any
 
-from chutecalc.core import march, section, slide, state
+from chutecalc.core import chain, march, records, section, slide, state  # noqa: F401 - march for plain Python's imports
 
-HEAD = 11
-RESULTS = 9
-"""How many numbers of a row come before those of wall and sections; how many results there are."""
+HEAD = 8
+"""How many numbers of a row come before those of the segments."""
 
 
-def solve_rows(
-    stream: "state.Stream", effort: "state.Effort", numbers: Any, results: Any, first: int, last: int
-) -> int:
+def solve_rows(course: "records.Course", effort: "state.Effort", numbers: Any, ends: Any, first: int, last: int) -> int:
     """Solves rows from the first up to the last, and tells the row it has come to: less than the last for want of room.
 
+    Or because there it gave up, or found that a curve is not tangent to the stream. Legs, and panels where they are
+    kept, are those of the rows done.
+
     Args:
-        stream: of this segment's kind; its panels are those of the rows done.
+        course: of this chute's kind; the numbers of what comes before its segment ``again`` are those of all rows.
         effort: how hard to work.
-        numbers: a row each: side, gravity, entry slope, turn, length, flow, density, K_v, place, v², its error; the
-            pieces of the wall's friction law; the section where it starts, and where it ends.
-        results: a row each: status, place, v², error, place, v² and error where it choked, panels tried, panels kept.
+        numbers: a row each: density, gravity, volume rate, K_v; place, velocity and slope of the stream at the inlet;
+            and the segments: of a fall its drop and run; else where it starts, entry and exit slope, radius, length,
+            the pieces of the wall's friction law, the section where it starts, and where it ends.
+        ends: how each ends: its status, velocity and the estimate of its error.
         first, last: rows.
     """
     row = first
     while row < last:
-        before = stream.panels
-        load(stream.way, numbers, row)
-        stream.place, stream.y = float(numbers[row, 8]), float(numbers[row, 9])
-        stream.error = float(numbers[row, 10])
-        march.run(stream, effort)
-        if stream.full:
-            stream.panels = before
+        legs, panels = course.count, course.first.own.log.count
+        course.row = row
+        load(course, course.first, numbers, row, HEAD)
+        if row == first or course.again.number == 0:
+            chain.start(course)
+            chain.run(course, effort, course.first)
+        else:
+            chain.restore(course)
+            chain.run(course, effort, course.again)
+        if course.full or course.first.own.log.full:
+            course.count, course.first.own.log.count = legs, panels
             return row
-        results[row, 0], results[row, 1], results[row, 2] = stream.status, stream.place, stream.y
-        results[row, 3], results[row, 4], results[row, 5] = stream.error, stream.choke_place, stream.choke_y
-        results[row, 6], results[row, 7], results[row, 8] = stream.choke_error, stream.tried, stream.panels - before
+        ends[row, 0], ends[row, 1], ends[row, 2] = course.status, course.here.velocity, course.error
+        if course.status < state.OK:
+            return row
         row += 1
     return row
 
 
-def load(way: "slide.Slide", numbers: Any, row: int) -> None:
-    """Reads a segment and the flow on it from a row."""
-    way.side, way.gravity = float(numbers[row, 0]), float(numbers[row, 1])
-    way.entry_slope, way.turn, way.length = (
-        float(numbers[row, 2]),
-        float(numbers[row, 3]),
-        float(numbers[row, 4]),
-    )
-    way.flow, way.density, way.vertical_ratio = (
-        float(numbers[row, 5]),
-        float(numbers[row, 6]),
-        float(numbers[row, 7]),
-    )
-    at = HEAD
+def load(course: "records.Course", segment: "records.Segment", numbers: Any, row: int, at: int) -> None:
+    """Reads a segment, and all that follow it, from a row; with the first of them the inlet."""
+    if at == HEAD:
+        course.gravity = float(numbers[row, 1])
+        course.inlet.x, course.inlet.z = float(numbers[row, 4]), float(numbers[row, 5])
+        course.inlet.velocity, course.inlet.slope = float(numbers[row, 6]), float(numbers[row, 7])
+    if segment.fall:
+        segment.drop, segment.run = float(numbers[row, at]), float(numbers[row, at + 1])
+        at += 2
+    else:
+        segment.start_x, segment.start_z = float(numbers[row, at]), float(numbers[row, at + 1])
+        segment.entry_slope, segment.exit_slope = float(numbers[row, at + 2]), float(numbers[row, at + 3])
+        segment.radius, segment.length = float(numbers[row, at + 4]), float(numbers[row, at + 5])
+        at = load_way(segment.own.way, numbers, row, at + 6)
+    if not segment.final:
+        load(course, segment.next, numbers, row, at)
+
+
+def load_way(way: "slide.Slide", numbers: Any, row: int, at: int) -> int:
+    """Reads the flow, the wall and the sections, and tells where the next number stands."""
+    way.density, way.gravity = float(numbers[row, 0]), float(numbers[row, 1])
+    way.flow, way.vertical_ratio = float(numbers[row, 2]), float(numbers[row, 3])
     for k in range(way.pieces):
         way.starts[k], way.intercepts[k] = float(numbers[row, at]), float(numbers[row, at + 1])
         way.slopes[k] = float(numbers[row, at + 2])
         at += 3
     at = read(way.first, numbers, row, at)
-    if way.taper:
-        read(way.last, numbers, row, at)
+    return read(way.last, numbers, row, at) if way.taper else at
+
+
+def put_back(way: "slide.Slide", numbers: Any, row: int, at: int, slope: float, turn: float, length: float) -> None:
+    """Makes a segment what it was when it was solved."""
+    load_way(way, numbers, row, at)
+    way.entry_slope, way.turn, way.length = slope, turn, length
     slide.begin(way)
 
 

@@ -57,6 +57,8 @@ def squared(rule: "gauss.Rule", kept: Any, at: int, share: float) -> float:
 def times(
     stream: "state.Stream",
     numbers: Any,
+    start: int,
+    surfaces: Any,
     kept: Any,
     first: Any,
     count: Any,
@@ -68,10 +70,14 @@ def times(
 
     Args:
         stream, numbers: as the panels were solved with, see :func:`chutecalc.core.batch.solve_rows`.
+        start: where in a row the segment's wall begins.
+        surfaces: a row each: the segment's entry slope, turn and length.
         kept, first, count, rules, places, out: as there.
     """
     for design in range(len(first)):
-        batch.load(stream.way, numbers, design)
+        batch.put_back(
+            stream.way, numbers, design, start, surfaces[design, 0], surfaces[design, 1], surfaces[design, 2]
+        )
         elapsed = 0.0
         for number in range(first[design], first[design] + count[design]):
             at = state.KEPT * number
@@ -120,7 +126,6 @@ def clock(stream: "state.Stream", rule: "gauss.Rule", kept: Any, at: int, width:
             stream.panel.forcing[j] = stream.way.length * rate / (r * r)
         else:
             stream.panel.forcing[j] = stream.way.length * width / floats.root(stream.values[j + 1])
-    stream.margins[0] = 0.0
     gauss.multiply(rule.integral, rule.count + 1, rule.count, stream.panel.forcing, stream.panel.press)
     stream.margins[0] = elapsed
     for k in range(rule.last):

@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from chutecalc.core import state, unlocked
+from chutecalc.core import records, state, unlocked
 
 
-def solve(stream: "state.Stream", effort: "state.Effort", numbers: Any, results: Any, first: int, last: int) -> int:
+def solve(course: "records.Course", effort: "state.Effort", numbers: Any, ends: Any, first: int, last: int) -> int:
     """:func:`chutecalc.core.batch.solve_rows` with the interpreter's lock released."""
-    return unlocked.solve_rows(stream, effort, numbers, results, first, last)
+    return unlocked.solve_rows(course, effort, numbers, ends, first, last)

@@ -35,7 +35,7 @@ def run(stream: "state.Stream", effort: "state.Effort") -> None:
 
 def begin(stream: "state.Stream", effort: "state.Effort") -> None:
     """Where it stands at first, and what can happen to it."""
-    stream.status, stream.tried, stream.full = state.RUNNING, 0, False
+    stream.status, stream.tried = state.RUNNING, 0
     stream.stride, stream.tired, stream.hopeful = 1.0, False, True
     stream.aim = stream.crossed = stream.choke_place = stream.choke_y = stream.choke_error = floats.NAN
     slide.draw(stream.way, stream.place)
@@ -199,7 +199,7 @@ def advance(
         collocation.by_place(stream.panel, stream.way, start, target - start, stream.y, pair, kind)
     good = stream.panel.error <= tolerance
     if effort.complete:
-        good = good and stream.panel.inner_error <= effort.inner_tolerance
+        good = good and stream.panel.inner_error <= effort.tolerance
     stream.hopeful = not good and stream.panel.error < floats.INFINITY
     if stream.hopeful:  # as far as the ellipse tells what the finest rules would leave
         stream.hopeful = panel.SAFETY * stream.panel.smooth ** (-2 * effort.second.fine.count) <= tolerance

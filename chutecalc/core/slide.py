@@ -29,6 +29,8 @@ class Slide:
         self.here = section.Section(first.walls, first.circle)
         self.taper = last is not None
         self.drawn_at = 0.0
+        self.x = self.z = 0.0
+        """Where it starts, m."""
         self.side = self.gravity = self.entry_slope = self.turn = self.length = 0.0
         self.flow = self.density = self.vertical_ratio = 0.0
         self.equilibrium = False
@@ -89,12 +91,22 @@ def stress(slide: Slide, facet: int, place: float, y: float) -> float:
         return floats.INFINITY
     draw(slide, place)
     area = flow_area(slide, y)
+    _, factor = law_and_factor(slide, facet, area)
+    depth, _ = section.depth_and_width(slide.facets, facet, area)
+    return slide.density * normal(slide, place, y) * factor * depth
+
+
+def law_and_factor(slide: Slide, facet: int, area: float) -> tuple[float, float]:
+    """χ of the friction law, and by how much that raises the hydrostatic pressures of all walls, f.
+
+    Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
+    (1 + χ) N of them. One factor for all walls closes the books: f = (1 + χ)/(1 + χ - m) with the paper's law, and
+    1/(1 - m) with the equilibrium law, whose χ is already divided by 1 - m.
+    """
     excess, growth, missing, _ = section.loads(slide.facets, facet, area)
     excess, _ = section.law(slide.equilibrium, excess, growth, missing, 0.0)
     carried = 1.0 if slide.equilibrium else 1.0 + excess
-    factor = floats.quotient(carried, carried - missing)
-    depth, _ = section.depth_and_width(slide.facets, facet, area)
-    return slide.density * normal(slide, place, y) * factor * depth
+    return excess, floats.quotient(carried, carried - missing)
 
 
 def piece_of(slide: Slide, pressure: float) -> int:
@@ -178,6 +190,16 @@ def pull(slide: Slide, facet: int, piece: int, place: float, y: float) -> tuple[
     doubled = 2.0 * slide.length * slide.gravity
     press = slide.side * cosine + slide.bend / slide.gravity * y
     return doubled * (sine - drag * press - stuck), doubled * slide.turn * (cosine + drag * slide.side * sine)
+
+
+def pull_at(slide: Slide, place: float, y: float) -> float:
+    """Dy/dc at a place, whatever the facet and the piece there."""
+    draw(slide, place)
+    facet, piece = section.facet_of(slide.facets, flow_area(slide, y)), 0
+    if slide.pieces > 1:
+        piece = piece_of(slide, stress(slide, facet, place, y))
+    change, _ = pull(slide, facet, piece, place, y)
+    return change
 
 
 def place_rate(

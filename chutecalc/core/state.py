@@ -4,11 +4,11 @@ from array import array
 
 from chutecalc.core import events, floats, gauss, panel, slide
 
-OK, STALL, CHOKED, CONTACT_LOST = range(4)
-RUNNING, UNSOLVED = -1, -2
+OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
+RUNNING, UNSOLVED, FAULT = -1, -2, -3
 LEAST_STEP = 1e-14  # of the segment, so that every step is one
 KEPT = 32  # numbers of a panel that is kept
-PANEL, GAVE_UP = KEPT, UNSOLVED  # as Python sees them; the others are C constants where compiled
+PANEL, GAVE_UP, NOT_TANGENT = KEPT, UNSOLVED, FAULT  # as Python sees them; the others are C's where compiled
 
 
 class Effort:
@@ -19,26 +19,35 @@ class Effort:
         """For the whole stretch in one panel; the second where the first does not solve it."""
         self.later, self.near_rest = later, near_rest
         """For panels of a stretch that neither solves; in r."""
-        self.tolerance = self.share = self.inner_tolerance = 0.0
-        """Error that one panel over the whole stretch may have, relative in v²; each of several (in r: of the way);
-        and inside a panel, where errors are shown but not handed on."""
+        self.tolerance = self.share = 0.0
+        """Error that one panel over the whole stretch may have, relative in v², and any panel inside; and that of each
+        of several at its end (in r: of the way), for they add up, and near a stop they grow."""
         self.complete = False
         """Keep the panels, right at every place and not at the ends alone; go on past a choke."""
 
 
-class Stream:
-    """Where a stream stands on its segment."""
+class Log:
+    """Panels that are kept, and what it takes to solve one: the same for all segments of a chute."""
 
-    def __init__(self, way: "slide.Slide", room: int) -> None:
-        self.way = way
+    def __init__(self, room: int) -> None:
         self.panel = panel.Panel()
         self.margins, self.values = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
         self.kept = floats.zeros(KEPT * max(room, 1))
         """Panels, one after the other: by root, nodes, facet, piece, start, end, knots."""
         self.room = room
-        self.panels = 0
+        self.count = 0
         self.full = False
         """There was no room for a panel."""
+
+
+class Stream:
+    """Where a stream stands on its segment."""
+
+    def __init__(self, way: "slide.Slide", log: Log) -> None:
+        self.way = way
+        self.log = log
+        self.panel = log.panel
+        self.margins, self.values = log.margins, log.values
         self.watched = array("i", [0] * 7)
         """Which events can happen on this segment at all."""
         self.eventful = False

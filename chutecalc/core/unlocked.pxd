@@ -1,7 +1,7 @@
-from chutecalc.core cimport batch, state
+from chutecalc.core cimport batch, records, state
 
-cdef inline int solve_rows(state.Stream stream, state.Effort effort, double[:, ::1] numbers, double[:, ::1] results, int first, int last):
+cdef inline int solve_rows(records.Course course, state.Effort effort, double[:, ::1] numbers, double[:, ::1] ends, int first, int last):
     cdef int row
     with nogil:
-        row = batch.solve_rows(stream, effort, numbers, results, first, last)
+        row = batch.solve_rows(course, effort, numbers, ends, first, last)
     return row

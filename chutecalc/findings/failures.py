@@ -48,8 +48,7 @@ def choke(scene: Scene) -> Iterator[Finding]:
     """The depth passes the height of the walls."""
     leg, stretch = scene.part.leg, scene.contact.stretch
     choked = leg.status == Status.CHOKE
-    beyond, place = scene.spread(stretch.beyond), scene.spread(stretch.place)
-    end = scene.spread(stretch.beyond_status.astype(np.float64))
+    beyond, place, end = stretch.beyond, stretch.place, stretch.beyond_status
     wall_height = scene.contact.slide.section_at(scene.contact_place(np.ones(1))).wall_height
     numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
     begin = (

@@ -84,12 +84,6 @@ class Scene(NamedTuple):
         there, limits = self.part.at(np.broadcast_to(share, (1, len(share))), names), self.part.limits(names)
         return [np.where(share == 1.0, limits[name], there[name][0]) for name in names]
 
-    def spread(self, values: Array) -> Array:
-        """Values of the designs that moved on the segment as values of all."""
-        whole = np.full(len(self.part.leg.status), np.nan)
-        whole[self.contact.rows] = values
-        return whole
-
 
 def finding(
     scene: Scene, code: str, severity: str, mask: Mask, s: Array, template: str, **numbers: Array

@@ -12,7 +12,7 @@ from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.pressure import greatest_wall_friction
 from chutecalc.physics.wall import wall_friction
-from chutecalc.solver.joint import TANGENT
+from chutecalc.solver.leg import TANGENT
 
 DECELERATION_MARGIN = 1.25
 CUT_OFF = np.radians(5.0)

@@ -1,38 +1,23 @@
-"""Segment after segment: the stream that leaves one enters the next."""
+"""Designs through their chutes: rows of numbers to the compiled chain, and the legs that it found as arrays."""
 
 import numpy as np
 
-from chutecalc.design import Contact, Design, Fall, Status, Stream, length, select, stretched
+from chutecalc.core import designs, march, records, state
+from chutecalc.design import Contact, Design, Status
 from chutecalc.errors import Fault, SpecError
-from chutecalc.physics.arrays import Array, shared
-from chutecalc.physics.flight import motion, position
-from chutecalc.physics.motion import ROOF
-from chutecalc.physics.surface import Surface, point
-from chutecalc.solver.deviation import Deviation, at_landing, deviation, none, of_arc
-from chutecalc.solver.joint import Arrival, entry_error
-from chutecalc.solver.leg import (
-    ContactLeg,
-    Drawn,
-    Leg,
-    arrivals,
-    entry_of,
-    fall_leg,
-    inlet,
-    merged,
-    moved_on,
-    onward,
-    overwritten,
-    points,
-    some,
-    stream_of,
-)
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.flight import Flight
+from chutecalc.solver.course import course_of, numbers_of
+from chutecalc.solver.effort import effort
+from chutecalc.solver.leg import AT, Arrival, ContactLeg, Ends, Impact, Leg, Point, Stretch, columns, surface_of, whole
+from chutecalc.solver.panels import Panels
 from chutecalc.solver.slide import Slide
-from chutecalc.solver.stretch import Effort, Stretch, effort, solve_stretch
 
-STRIKES = 50  # on one hood; a bound, so that no input can hang
+ROOM = 32
+"""Panels, and legs, kept of a chute before more room is asked for."""
 
 
-def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[Leg], Stream]:
+def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[Leg], Ends]:
     """Solves a chute, or n of them.
 
     Args:
@@ -41,172 +26,118 @@ def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[
         complete: keep what it takes to tell the stream at every place; without it only the ends of segments are known.
 
     Returns:
-        The legs in order, one or more a segment, and the stream at the end. A number that no varied field has met yet
-        stays of length 1.
+        The legs in order, one or more a segment, and how each design ends.
 
     Raises:
         SpecError: a hood that is drawn tangent to a falling stream does not steepen from there, or a curve does not
-        turn.
+            turn.
+        RuntimeError: a segment took more than 2000 panels: a fault of the solver, not of the chute.
     """
-    chain = _Chain(design, effort(rtol, complete))
-    with np.errstate(all="ignore"):  # designs that have failed are carried along as what is not a number
-        for number in range(len(design.segments)):
-            chain.run(number)
-    return chain.legs, chain.stream
+    return Chain(design, effort(rtol, complete)).solved()
 
 
-class _Chain:
-    """The stream on its way, and the drawn end of the segment before it."""
+class Chain:
+    """Designs, and what the compiled chain wrote down of them."""
 
-    def __init__(self, design: Design, work: Effort) -> None:
+    def __init__(self, design: Design, work: state.Effort) -> None:
         self.design, self.work = design, work
-        self.single = length(design) == 1
-        self.legs: list[Leg] = []
-        self.stream = inlet(design)
-        self.drawn = Drawn(self.stream.x, self.stream.z, none((1,)))
-        self.arrival: Arrival | None = None
-        """On the next segment, where the fall before it has found that."""
+        self.numbers, self.starts, self.again = numbers_of(design)
+        self.count = len(self.numbers)
+        self.ends = np.empty((self.count, 3))
 
-    def run(self, number: int) -> None:
-        """One segment."""
-        segment = self.design.segments[number]
-        more = number + 1 < len(self.design.segments)
-        if isinstance(segment, Contact):
-            leg = self.along(number, segment)
-            self.legs.append(leg)
-            self.stream = onward(leg, more)
-            if segment.kind != "plate":
-                self.strike_again(number, segment, leg)
-            assert leg.contact is not None
-            x, z, _ = point(leg.contact.surface, np.ones(1))
-            self.drawn = Drawn(x, z, leg.contact.off)
-        elif segment.onto_next:
-            self.legs.append(self.onto_next(number, segment))
+    def solved(self) -> tuple[list[Leg], Ends]:
+        """All of it."""
+        rows, kept = self._run()
+        panels = rows[:, AT["panels"]].astype(np.intp)
+        self.kept, self.first = kept, np.cumsum(panels) - panels
+        number, strikes = rows[:, AT["segment"]], rows[:, AT["strikes"]]
+        legs: list[Leg] = []
+        for segment in range(len(self.design.segments)):
+            of_segment = number == segment
+            if segment < self.again:  # solved once, or once for each time that room was made
+                of_segment &= rows[:, AT["row"]] == 0
+            times = range(int(strikes[of_segment].max()) + 1)
+            legs += [self._leg(segment, rows, np.flatnonzero(of_segment & (strikes == again))) for again in times]
+        return legs, Ends(self.ends[:, 0].astype(np.intp), self.ends[:, 1], self.ends[:, 2])
+
+    def _run(self) -> tuple[Array, Array]:
+        """Legs, a row each, and the panels kept, in one row; of one design after the other."""
+        legs, panels, done = (
+            len(self.design.segments) * self.count + ROOM,
+            ROOM + len(self.design.segments) * self.count,
+            0,
+        )
+        found, kept = [], []
+        while done < self.count:
+            self.course = course_of(self.design, panels, legs, self.again)
+            log = self.course.first.own.log
+            before, done = done, designs.solve(self.course, self.work, self.numbers, self.ends, done, self.count)
+            found.append(np.asarray(self.course.legs)[: self.course.count * records.NUMBERS])
+            kept.append(np.asarray(log.kept)[: log.count * state.PANEL])
+            if done < self.count and not (self.course.full or log.full):
+                self._give_up(done)
+            panels *= 2 if log.full and done == before else 1
+            legs *= 2 if done == before and self.course.full else 1
+        whole = found + kept if len(found) == 1 else (np.concatenate(found), np.concatenate(kept))
+        return whole[0].reshape(-1, records.NUMBERS), whole[1]
+
+    def _leg(self, number: int, rows: Array, chosen: Index) -> Leg:
+        """What designs did on a segment, from its rows; what others did not do is left open."""
+        own, segment, count = rows[chosen], self.design.segments[number], 1 if number < self.again else self.count
+        first = self.first[chosen]
+        if len(chosen) < count:
+            table, begins = np.full((records.NUMBERS, count), np.nan), np.zeros(count, dtype=np.intp)
+            at = own[:, AT["row"]].astype(np.intp)
+            table[AT["status"]] = table[AT["met"]] = Status.NOT_REACHED
+            table[:, at], begins[at] = own.T, first
         else:
-            leg = fall_leg(number, segment, self.stream, self.drawn, self.design)
-            self.legs.append(leg)
-            self.stream, self.drawn = leg.exit, Drawn(leg.exit.x, leg.exit.z, deviation(leg.exit))
+            table, begins = np.ascontiguousarray(own.T), first
+        path = Flight._make((*columns(table, "path_x", 4), self.design.gravity))
+        start, entry, end = (Point._make(columns(table, f"{at}_distance", 9)) for at in ("start", "entry", "exit"))
+        contact = self._contact(number, segment, table, begins) if isinstance(segment, Contact) else None
+        time, status = table[AT["flight_time"]], whole(table, "status")
+        return Leg(number, segment, start, path, time, entry, end, status, contact)
 
-    def strike_again(self, number: int, contact: Contact, leg: Leg) -> None:
-        """A stream that dropped off a hood, or was thrown off a crest that rises, may meet it again further on."""
-        for _ in range(STRIKES):
-            lost = leg.status == Status.CONTACT_LOST
-            if not lost.any():
-                return
-            status = np.where(lost, Status.OK, Status.NOT_REACHED)
-            start = leg.exit._replace(status=status, airborne=lost)
-            again = self.along(number, contact, start, known=2)
-            caught = again.status < Status.MISSED
-            if not caught.any():
-                return
-            leg = again._replace(status=np.where(caught, again.status, Status.NOT_REACHED))
-            self.legs.append(leg)
-            self.stream = merged(caught, onward(leg, number + 1 < len(self.design.segments)), self.stream)
-
-    def onto_next(self, number: int, fall: Fall) -> Leg:
-        """A flight to where it meets the next segment; what misses that flies on from where this one began."""
-        contact = self.design.segments[number + 1]
-        assert isinstance(contact, Contact)  # a rule of the spec
-        start, surface, slide, drawn = self.meet(
-            number + 1, contact, self.stream._replace(airborne=np.ones(1, dtype=bool))
-        )
-        arrival = arrivals(start, surface, slide, drawn, 0)
-        landed = (arrival.status == Status.OK) | (arrival.status == Status.STALL)
-        time = np.where(landed, arrival.time, np.nan)
-        x, z = position(arrival.path, time)
-        velocity, slope = motion(arrival.path, time)
-        distance = start.distance + arrival.distance
-        slope_met = points(surface, arrival.place)[2]
-        off, _ = at_landing(deviation(start), drawn, arrival.path, time, surface, slope_met)
-        end = stream_of((distance, x, z, slope, velocity, *off), start.status, landed)
-        self.stream = merged(landed, end, start)
-        self.arrival = arrival._replace(  # flown already
-            time=np.where(landed, 0.0, arrival.time), distance=np.where(landed, 0.0, arrival.distance)
-        )
-        status = np.where((start.status == Status.OK) & landed, Status.OK, Status.NOT_REACHED)
-        return Leg(number, fall, start, arrival.path, time, end, end, status, None)
-
-    def meet(self, number: int, contact: Contact, stream: Stream) -> tuple[Stream, Surface, Slide, Deviation]:
-        """A stream, the segment that it comes to, and by how much that may be drawn wrongly, all of one length."""
+    def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactLeg:
+        """The same of a guiding surface."""
+        surface = surface_of(table, contact)
         design = self.design
-        surface = _surface(contact, number, stream, contact.start or (self.drawn.x, self.drawn.z))
-        off = none((1,)) if contact.start else self.drawn.off
-        off = off._replace(slope=stream.slope_error if contact.entry_slope is None else np.zeros(1))
         slide = Slide(
-            contact.side,
-            design.gravity,
-            surface.slope,
-            surface.turn,
-            surface.length,
-            design.volume_rate,
-            design.density,
-            contact.wall,
-            contact.section,
-            contact.end_section,
-            design.vertical_ratio,
-            contact.facets,
-            design.equilibrium,
-            self.single,
+            side=contact.side,
+            gravity=design.gravity,
+            entry_slope=surface.slope,
+            turn=surface.turn,
+            length=surface.length,
+            flow=design.volume_rate,
+            density=design.density,
+            wall=contact.wall,
+            section=contact.section,
+            end_section=contact.end_section,
+            vertical_ratio=design.vertical_ratio,
+            drawn=contact.facets,
+            equilibrium=design.equilibrium,
+            alike=False,
         )
-        if self.single:
-            return stream, surface, slide, off
-        own = length(slide)
-        n = max(length(stream), length(surface), own)
-        slide = slide._replace(alike=own == 1)
-        return (
-            Stream._make(stretched(field, (n,)) for field in stream),
-            surface,
-            slide,
-            Deviation._make(stretched(field, (n,)) for field in off),
-        )
+        impact = Impact._make(columns(table, "footprint", 7))
+        arrival = Arrival._make((*columns(table, "distance", 5), whole(table, "met"), impact))
+        panels = None
+        if self.work.complete:
+            stream = self.course.first
+            while stream.number < number:
+                stream = stream.next
+            surfaces = np.stack([surface.slope, surface.turn, surface.length], axis=1)
+            own = (stream.own, self.numbers[: len(surfaces)], self.starts[number], surfaces)
+            panels = Panels(*own, self.kept, first, whole(table, "panels"))
+        counts = (whole(table, "beyond_status"), whole(table, "tried"), panels)
+        stretch = Stretch._make((*columns(table, "end_place", 3), *counts))
+        return ContactLeg(surface, slide, arrival, stretch)
 
-    def along(self, number: int, contact: Contact, start: Stream | None = None, known: int = 0) -> Leg:
-        """A contact segment: onto it, along it, and where each design leaves it."""
-        start, surface, slide, drawn = self.meet(number, contact, self.stream if start is None else start)
-        arrival, self.arrival = self.arrival, None
-        if arrival is None:
-            arrival = arrivals(start, surface, slide, drawn, known)
-        if number + 1 == len(self.design.segments):  # none that could catch what flies past
-            arrival = arrival._replace(status=np.where(arrival.status == Status.PASSED, Status.MISSED, arrival.status))
-        off = of_arc(drawn, surface)
-        entry = entry_of(start, surface, arrival, off)
-        error = entry_error(slide, arrival.met())
-        off = Deviation._make(np.where(error < 0.0, -field, field) for field in off)  # with an error of the other sign
-        rows = np.flatnonzero(arrival.status == Status.OK)
-        entered = entry._replace(error=np.abs(error))
-        here, met, flow, line, aside = entered, arrival.met(), slide, surface, off
-        if len(rows) < len(met.place):
-            here, met, flow = some(entered, rows), arrival.met(rows), slide.rows(rows)
-            line, aside = select(surface, rows), some(off, rows)
-        if contact.kind == "plate":
-            stretch = Stretch.standing(met.place, here.velocity**2, 2.0 * here.error)
-        else:
-            stretch = solve_stretch(flow, met.place, here.velocity**2, 2.0 * here.error, self.work)
-        end = moved_on(here, stretch, met, flow, line, aside)
-        if len(rows) < len(start.status):
-            end = overwritten(entered, end, rows)
-        status = np.where(start.status == Status.OK, end.status, Status.NOT_REACHED)
-        contact_leg = ContactLeg(surface, slide, arrival, stretch, rows, off)
-        return Leg(number, contact, start, arrival.path, arrival.time, entry, end, status, contact_leg)
-
-
-def _surface(contact: Contact, number: int, start: Stream, drawn: tuple[Array, Array]) -> Surface:
-    """The segment as it stands: a curve tangent to a falling stream takes its slope."""
-    slope = shared(start.slope) if contact.entry_slope is None else contact.entry_slope
-    turn = contact.exit_slope - slope
-    if contact.radius is None:
-        assert contact.length is not None
-        return Surface(contact.side, *drawn, slope, turn, contact.length)
-    if contact.entry_slope is None:
-        _check_turn(contact, number, slope, turn)
-    return Surface(contact.side, *drawn, slope, turn, contact.radius * np.abs(turn))
-
-
-def _check_turn(contact: Contact, number: int, slope: Array, turn: Array) -> None:
-    """What cannot be told of a curve before the stream that it is tangent to is known."""
-    flat = turn <= 0.0 if contact.side == ROOF else turn == 0.0
-    if flat.any():
-        at = f"{np.degrees(slope[flat][0]):.6g}"
-        what = "a hood has to steepen" if contact.side == ROOF else "a curve has to turn"
-        problem = f"{what}, and the stream falls into this one at {at}°"
-        raise SpecError([Fault(f"segments.{number + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")])
+    def _give_up(self, row: int) -> None:
+        """Says why the chain stopped at a row."""
+        if self.ends[row, 0] != state.NOT_TANGENT:
+            raise RuntimeError(f"a contact segment was not solved in {march.MOST} panels")
+        at = self.course.fault_number
+        what = "a hood has to steepen" if self.design.segments[at].kind == "hood" else "a curve has to turn"
+        slope = np.degrees(self.course.fault_slope)
+        problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
+        raise SpecError([Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")])

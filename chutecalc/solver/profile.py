@@ -3,7 +3,6 @@
 Places are arrays of shape (places, designs), as the panels' own values are; what is returned has that shape too.
 """
 
-from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
@@ -238,12 +237,10 @@ def _flight_time(leg: Leg, distances: Array) -> Array:
 def _velocities(contact: ContactLeg, places: Array) -> Array:
     """v² at places, shape (places, designs)."""
     arrival = contact.arrival
-    end, last = np.full((2, places.shape[1]), np.nan)
-    end[contact.rows], last[contact.rows] = contact.stretch.place, contact.stretch.velocity_squared
     y = np.full(places.shape, np.nan)
     if contact.stretch.panels is not None:
-        y[:, contact.rows] = _of_panels(contact.stretch.panels.velocities, places[:, contact.rows])
-    y = np.where(places == end, last, y)
+        contact.stretch.panels.velocities(places, y)
+    y = np.where(places == contact.stretch.place, contact.stretch.velocity_squared, y)
     return np.where(places == arrival.place, arrival.impact.after**2, y)  # also of streams that get no further
 
 
@@ -251,12 +248,5 @@ def _times(contact: ContactLeg, places: Array) -> Array:
     """The time since the contact began, at places, s, shape (places, designs)."""
     time = np.full(places.shape, np.nan)
     if contact.stretch.panels is not None:
-        time[:, contact.rows] = _of_panels(contact.stretch.panels.times, places[:, contact.rows])
+        contact.stretch.panels.times(places, time)
     return np.where(places == contact.arrival.place, 0.0, time)
-
-
-def _of_panels(column: Callable[[Array, Array], None], places: Array) -> Array:
-    """What a segment's panels say at places; NaN where there is none."""
-    out = np.full(places.shape, np.nan)
-    column(places, out)
-    return out

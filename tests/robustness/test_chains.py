@@ -7,7 +7,7 @@ import chutecalc
 from chutecalc.design import Status
 from chutecalc.solver import chain
 from chutecalc.solver.chain import run_chain
-from chutecalc.solver.leg import inlet
+from chutecalc.solver.course import course_of
 from tests import seeds
 from tests.robustness import extrapolation
 from tests.robustness.extrapolation import Flow, Real
@@ -156,8 +156,13 @@ def told(leg):
     """What an error is told of at a leg's end: the velocity, or the place where the stream stalls."""
     if leg.status[0] != Status.STALL:
         return leg.exit.velocity[0]
-    stalled = leg.contact.stretch.place
-    return stalled[0] if stalled.size else leg.contact.arrival.place[0]
+    return leg.contact.stretch.place[0]
+
+
+def off_at_the_inlet(*arguments):
+    course = course_of(*arguments)
+    course.inlet.error = OFF
+    return course
 
 
 def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_does(monkeypatch):
@@ -168,7 +173,7 @@ def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_do
             design = chutecalc.parse(random_chain(random)).design
         except chutecalc.SpecError:  # a hood or curve that does not turn the right way
             continue
-        monkeypatch.setattr(chain, "inlet", lambda design: inlet(design)._replace(error=np.full(1, OFF)))
+        monkeypatch.setattr(chain, "course_of", off_at_the_inlet)
         legs, _ = run_chain(design, 1e-13)
         monkeypatch.undo()
         slower, faster = (

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import chutecalc
+from chutecalc.core.records import FIELDS
 from chutecalc.solver import chain, profile
 from chutecalc.solver.chain import run_chain
 
@@ -26,14 +27,16 @@ CHAIN = {
 def panels(monkeypatch):
     """How many panels have been tried by each design of each stretch."""
     tried = []
-    solve = chain.solve_stretch
+    solve = chain.designs.solve
 
-    def counting(*arguments):
-        found = solve(*arguments)
-        tried.extend(found.tried.tolist())
-        return found
+    def counting(course, *arguments):
+        done = solve(course, *arguments)
+        legs = np.asarray(course.legs).reshape(-1, len(FIELDS))[: course.count]
+        on_surfaces = legs[legs[:, FIELDS.index("segment")] != 1]  # that one is a fall
+        tried.extend(on_surfaces[:, FIELDS.index("tried")].astype(int).tolist())
+        return done
 
-    monkeypatch.setattr(chain, "solve_stretch", counting)
+    monkeypatch.setattr(chain.designs, "solve", counting)
     return tried
 
 

@@ -10,7 +10,7 @@ from chutecalc.core.gauss import integrate
 from chutecalc.design import Status
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.collocation import rule, transfer
-from chutecalc.solver.stretch import compiled_rule
+from chutecalc.solver.effort import compiled_rule
 from tests.conftest import chute
 
 

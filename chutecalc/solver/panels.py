@@ -1,0 +1,58 @@
+"""The panels of many designs along one segment: the stream at any place of it."""
+
+from functools import cached_property
+
+import numpy as np
+
+from chutecalc.core import dense, gauss, state
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.solver.effort import compiled_rule
+
+
+class Panels:
+    """The panels of n designs along a segment, those of a design one after the other."""
+
+    def __init__(
+        self, stream: state.Stream, numbers: Array, start: int, surfaces: Array, kept: Array, first: Index, count: Index
+    ) -> None:
+        """Panels as they were kept.
+
+        Args:
+            stream: of the segment's kind.
+            numbers: of all designs, a row each, as they were solved with.
+            start: where in a row the segment's own begin, its wall first.
+            surfaces: entry slope, turn and length, a row each.
+            kept: the panels, in one row.
+            first, count: the number of each design's first panel, and how many it has.
+        """
+        self.stream, self.numbers, self.start, self.surfaces = stream, numbers, start, surfaces
+        self.kept, self.first, self.count = kept, np.ascontiguousarray(first), np.ascontiguousarray(count)
+
+    def of(self, design: int) -> Array:
+        """A design's panels, a row each: 1 in r, nodes, facet, piece, start and end in c or r, the knots of y or c."""
+        first = self.first[design]
+        return self.kept.reshape(-1, state.PANEL)[first : first + self.count[design]]
+
+    def velocities(self, places: Array, out: Array) -> None:
+        """v² at places, shape (places, designs); where no panel is, what stands there stays."""
+        assert places.shape == out.shape == (len(places), len(self.count))  # the compiled loop does not look
+        dense.velocities(self.kept, self.first, self.count, self._rules, places, out)
+
+    def times(self, places: Array, out: Array) -> None:
+        """Seconds since the contact began, likewise."""
+        assert places.shape == out.shape == (len(places), len(self.count))
+        own = (self.stream, self.numbers, self.start, self.surfaces)
+        dense.times(*own, self.kept, self.first, self.count, self._rules, places, out)
+
+    def knots(self) -> Array:
+        """Places of the panels' knots after their starts, shape (knots, designs); NaN for what a design has too few."""
+        nodes = self.kept.reshape(-1, state.PANEL)[:, 1].astype(np.intp)
+        ends = np.concatenate([np.zeros(1, dtype=np.intp), np.cumsum(nodes + 1)])
+        counts = ends[self.first + self.count] - ends[self.first]
+        places = np.full((max(counts.max(initial=0), 1), len(counts)), np.nan)
+        dense.knot_places(self.kept, self.first, self.count, self._rules, places)
+        return places
+
+    @cached_property
+    def _rules(self) -> dict[int, gauss.Rule]:
+        return {count: compiled_rule(count) for count in set(self.kept[1 :: state.PANEL].astype(int).tolist())}
