@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
+from chutecalc.core.profile import flown
 from chutecalc.design import Contact, Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.flight import path_length
 from chutecalc.physics.section import Polygon
 from chutecalc.solver.leg import ContactLeg, Leg
 from chutecalc.solver.profile import FlightProfile, SlideProfile
@@ -58,9 +58,9 @@ class Part:
     def ends(self) -> tuple[Array, Array]:
         """From where to where each design travels on the part: m in flight, shares of the segment in contact."""
         if self.contact is None:
-            flown = path_length(self.leg.path, self.leg.flight_time)
-            flown = np.where((self.leg.flight_time > 0.0) | (self.kind != "flight"), flown, np.nan)
-            return np.where(np.isnan(flown), np.nan, 0.0), flown
+            flies = (self.leg.flight_time > 0.0) | (self.kind != "flight")
+            end = np.where(flies, self.leg.flown, np.nan)
+            return np.where(np.isnan(end), np.nan, 0.0), end
         return self.contact.arrival.place, self.contact.stretch.place
 
     def length(self) -> Array:
@@ -98,13 +98,14 @@ class Part:
         """
         begin, end = self.ends()
         if self.contact is None:
-            path = self.leg.path
-            rises = (path.downward < 0.0) & (end > 0.0)
+            _, _, _, downward, gravity = self.leg.path
+            rises = (downward < 0.0) & (end > 0.0)
             if not rises.any():
                 return EVEN
-            top = np.minimum(-path.downward / path.gravity, self.leg.flight_time)  # next to it the velocity has its dip
-            with np.errstate(all="ignore"):
-                share = np.where(rises, path_length(path, top) / end, 1.0)
+            top = np.minimum(-downward / gravity, self.leg.flight_time)[None]  # next to it the velocity has its dip
+            way = np.empty(top.shape)
+            flown(self.leg.path, top, way)
+            share = np.where(rises, way[0] / np.where(rises, end, 1.0), 1.0)
             return np.sort(np.concatenate([np.repeat(EVEN[:, None], len(share), axis=1), share[None]]), axis=0)
         panels = self.contact.stretch.panels
         if panels is None:
@@ -158,7 +159,7 @@ class Part:
         places = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
         if self.contact is None:
             return FlightProfile(self.leg, self.design.volume_rate, places)
-        return SlideProfile(self.leg, self.contact, places)
+        return SlideProfile(self.leg, self.contact, self.design.volume_rate, places)
 
     @property
     def slip_ratio(self) -> Array:
@@ -200,7 +201,7 @@ def _wear(wall: int) -> Formula:
     """Friction power per area on one of the walls of :class:`chutecalc.solver.profile.SlideProfile`."""
 
     def formula(part: Part, at: SlideProfile) -> Array:
-        return at.wear[wall] * part.slip_ratio
+        return at.wear(wall) * part.slip_ratio
 
     return formula
 
@@ -208,7 +209,7 @@ def _wear(wall: int) -> Formula:
 def _froude(part: Part, at: SlideProfile) -> Array:
     """v/√(n A/b_s)."""
     pressed = at.normal > LEAST_NORMAL * part.design.gravity
-    return np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.wet.width), np.nan)
+    return np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan)
 
 
 COLUMN: dict[str, Callable[[Part, Profile], Array]] = {
@@ -218,7 +219,7 @@ COLUMN: dict[str, Callable[[Part, Profile], Array]] = {
     "slope_deg": lambda part, at: np.degrees(at.slope),
     "velocity_m_s": lambda part, at: at.velocity,
     "depth_m": _on_surface(lambda part, at: at.depth),
-    "chamfer_wetted_m": _on_surface(lambda part, at: at.wet.chamfer, lambda part: part.chamfered),
+    "chamfer_wetted_m": _on_surface(lambda part, at: at.chamfer, lambda part: part.chamfered),
     "area_m2": lambda part, at: at.area,
     "equivalent_friction": _on_surface(lambda part, at: at.friction),
     "normal_acceleration_m_s2": _on_surface(lambda part, at: at.normal),
@@ -231,8 +232,8 @@ COLUMN: dict[str, Callable[[Part, Profile], Array]] = {
     "wear_number": _on_surface(lambda part, at: at.normal / part.design.gravity, lambda part: part.on_arc),
     "froude": _on_surface(_froude),
     "time_s": lambda part, at: part.start_time + at.time,
-    "thickness": _on_surface(lambda part, at: at.depth / at.wet.width),
-    "missing_load": _on_surface(lambda part, at: at.wet.missing),
+    "thickness": _on_surface(lambda part, at: at.depth / at.width),
+    "missing_load": _on_surface(lambda part, at: at.missing),
     "wall_friction": _on_surface(lambda part, at: at.wall_friction),
     "wall_stress_kpa": _on_surface(lambda part, at: at.stress / 1000.0),
     "top_m": _on_surface(lambda part, at: at.top),

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.section import Facets, Section
+from chutecalc.physics.section import Section
 from chutecalc.physics.wall import Wall
 
 
@@ -45,13 +45,18 @@ class Contact(NamedTuple):
     section: Section
     end_section: Section | None
     """Of a taper."""
-    facets: Facets
-    """Of ``section``."""
     wall: Wall
     measured: tuple[Array, Array] | None
     """Least and greatest normal stress of the yield locus's rows, Pa; None for other liners."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
+
+    def wall_height(self, place: Array) -> Array:
+        """Above which it chokes, m, at shares of its length."""
+        first = self.section.wall_height
+        if self.end_section is None or np.isinf(first).any():
+            return first
+        return first + place * (self.end_section.wall_height - first)
 
 
 class Fall(NamedTuple):

@@ -278,7 +278,8 @@ def drop(course: "records.Course", segment: "records.Segment") -> None:
 
 def fly(course: "records.Course", time: float) -> None:
     """The stream after a time of its flight goes to ``end``, without its errors."""
-    course.end.distance = course.start.distance + flight.path_length(course.flight, time)
+    course.arrival.distance = flight.path_length(course.flight, time)
+    course.end.distance = course.start.distance + course.arrival.distance
     course.end.x, course.end.z = flight.x_at(course.flight, time), flight.z_at(course.flight, time)
     course.end.velocity, course.end.slope = (
         flight.velocity_at(course.flight, time),
@@ -321,20 +322,21 @@ def write(course: "records.Course", segment: "records.Segment", own: "state.Stre
     records.put(course.legs, at + 22, course.end)
     course.legs[at + 31], course.legs[at + 32] = course.flight.x, course.flight.z
     course.legs[at + 33], course.legs[at + 34] = course.flight.forward, course.flight.downward
-    course.legs[at + 35] = course.flight_time
-    course.legs[at + 36], course.legs[at + 37] = own.way.x, own.way.z
-    course.legs[at + 38], course.legs[at + 39] = own.way.entry_slope, own.way.turn
-    course.legs[at + 40] = own.way.length
-    course.legs[at + 41], course.legs[at + 42] = course.arrival.distance, course.arrival.place
-    course.legs[at + 43], course.legs[at + 44] = course.arrival.velocity, course.arrival.incidence
-    course.legs[at + 45], course.legs[at + 46] = course.arrival.gap, course.arrival.status
-    course.legs[at + 47], course.legs[at + 48] = course.impact.footprint, course.impact.pressure
-    course.legs[at + 49], course.legs[at + 50] = course.impact.stress, course.impact.wall_friction
-    course.legs[at + 51], course.legs[at + 52] = course.impact.friction, course.impact.after
-    course.legs[at + 53] = course.impact.wear
+    course.legs[at + 35] = course.flight.gravity
+    course.legs[at + 36] = course.flight_time
+    course.legs[at + 37], course.legs[at + 38] = own.way.x, own.way.z
+    course.legs[at + 39], course.legs[at + 40] = own.way.entry_slope, own.way.turn
+    course.legs[at + 41] = own.way.length
+    course.legs[at + 42], course.legs[at + 43] = course.arrival.distance, course.arrival.place
+    course.legs[at + 44], course.legs[at + 45] = course.arrival.velocity, course.arrival.incidence
+    course.legs[at + 46], course.legs[at + 47] = course.arrival.gap, course.arrival.status
+    course.legs[at + 48], course.legs[at + 49] = course.impact.footprint, course.impact.pressure
+    course.legs[at + 50], course.legs[at + 51] = course.impact.stress, course.impact.wall_friction
+    course.legs[at + 52], course.legs[at + 53] = course.impact.friction, course.impact.after
+    course.legs[at + 54] = course.impact.wear
     choked = own.choke_place == own.choke_place
-    course.legs[at + 54] = own.choke_place if choked else own.place
-    course.legs[at + 55] = own.choke_y if choked else own.y
-    course.legs[at + 56] = own.place if choked else floats.NAN
-    course.legs[at + 57], course.legs[at + 58], course.legs[at + 59] = own.status, own.tried, panels
+    course.legs[at + 55] = own.choke_place if choked else own.place
+    course.legs[at + 56] = own.choke_y if choked else own.y
+    course.legs[at + 57] = own.place if choked else floats.NAN
+    course.legs[at + 58], course.legs[at + 59], course.legs[at + 60] = own.status, own.tried, panels
     course.count += 1

@@ -8,7 +8,7 @@ cdef double velocity_at(records.Flight flight, double time) noexcept nogil
 cdef double slope_at(records.Flight flight, double time) noexcept nogil
 cdef double x_at(records.Flight flight, double time) noexcept nogil
 cdef double z_at(records.Flight flight, double time) noexcept nogil
-cdef double time_to_drop(records.Flight flight, double drop) noexcept nogil
+cpdef double time_to_drop(records.Flight flight, double drop) noexcept nogil
 cdef double time_to_run(records.Flight flight, double run) noexcept nogil
 cdef double path_length(records.Flight flight, double time) noexcept nogil
 cdef void spread_error(records.Flight flight, records.Point point, double time) noexcept nogil

@@ -24,10 +24,9 @@ def velocity_at(flight: "records.Flight", time: float) -> float:
 
 def slope_at(flight: "records.Flight", time: float) -> float:
     """Rad below horizontal. A stream at rest points straight down."""
-    down = flight.downward + flight.gravity * time
-    if flight.forward == 0.0 and down == 0.0:
+    if not velocity_at(flight, time) > 0.0:
         return 0.5 * math.pi
-    return math.atan2(down, flight.forward)
+    return math.atan2(flight.downward + flight.gravity * time, flight.forward)
 
 
 def x_at(flight: "records.Flight", time: float) -> float:

@@ -25,6 +25,11 @@ def power(x: float) -> float:
     return math.exp(x) if x < 709.0 else (INFINITY if x >= 709.0 else NAN)
 
 
+def numbers(values: list[float]) -> "array[float]":
+    """Room that holds these."""
+    return array("d", values)
+
+
 def zeros(count: int) -> "array[float]":
     """Room for so many numbers."""
     return array("d", bytes(8 * count))

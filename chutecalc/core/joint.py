@@ -66,6 +66,7 @@ def nothing(course: "records.Course") -> None:
     course.impact.footprint = course.impact.pressure = course.impact.stress = course.impact.wear = floats.NAN
     course.impact.wall_friction = course.impact.friction = floats.NAN
     course.flight.x = course.flight.z = course.flight.forward = course.flight.downward = floats.NAN
+    course.flight.gravity = course.gravity
 
 
 def landed_error(course: "records.Course", segment: "records.Segment", way: "slide.Slide", slope: float) -> float:

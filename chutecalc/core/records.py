@@ -118,14 +118,14 @@ FIELDS = (
     *("row", "segment", "strikes", "status"),
     *(f"{at}_{name}" for at in ("start", "entry", "exit") for name in (
         "distance", "x", "z", "slope", "velocity", "error", "x_error", "z_error", "slope_error")),
-    *("path_x", "path_z", "path_forward", "path_downward", "flight_time"),
+    *("path_x", "path_z", "path_forward", "path_downward", "path_gravity", "flight_time"),
     *("surface_x", "surface_z", "surface_slope", "surface_turn", "surface_length"),
     *("distance", "place", "velocity", "incidence", "gap", "met"),
     *("footprint", "pressure", "stress", "wall_friction", "friction", "after", "wear"),
     *("end_place", "end_squared", "beyond", "beyond_status", "tried", "panels"),
 )  # fmt: skip
 """The numbers of a leg, in their order. ``met`` is the arrival's status; ``end_squared`` is v² where the leg ends."""
-LEG = 60
+LEG = 61
 NUMBERS = LEG  # as Python sees it
 
 

@@ -32,6 +32,8 @@ cdef (double, double, double, double) loads(Facets facets, int k, double area) n
 cdef (double, double) load(double share, double foot, double rise, Facets facets, int k, double area, double wetted, double narrow, double hollow) noexcept nogil
 cdef (double, double) law(bint equilibrium, double excess, double growth, double missing, double missing_growth) noexcept nogil
 cdef (double, double) depth_and_width(Facets facets, int k, double area) noexcept nogil
+cdef double wetted_below(Section section, Facets facets, int k, double area) noexcept nogil
+cdef double floor_width(Section section) noexcept nogil
 cdef double area_at_depth(Facets facets, double depth) noexcept nogil
 cdef double angle_area(double angle) noexcept nogil
 cdef (double, double, double, double, double) arc(Facets facets, double area) noexcept nogil

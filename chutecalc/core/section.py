@@ -210,6 +210,32 @@ def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
     return facets.height[k] + wetted * facets.sine[k], width
 
 
+def wetted_below(section: Section, facets: Facets, k: int, area: float) -> float:
+    """Wetted length of the drawn facets that rise, on one side, m; the walls above what is drawn do not count."""
+    if facets.circle:
+        angle = 0.5 * math.pi
+        if k == 0:
+            angle, _, _, _, _ = arc(facets, area)
+        return facets.radius * angle
+    total = 0.0
+    for below in range(min(k, section.walls)):
+        if section.inclinations[below] != 0.0:
+            total += section.lengths[below]
+    if k < section.walls:
+        width = floats.root(facets.spread[k] * area + facets.apex[k])
+        total += floats.quotient(facets.twice[k], width + facets.width[k]) * (area - facets.area[k])
+    return total
+
+
+def floor_width(section: Section) -> float:
+    """Width of the centre section of a polygon, with its level facets."""
+    width = section.base
+    for k in range(section.walls):
+        if section.inclinations[k] == 0.0:
+            width += 2.0 * section.lengths[k]
+    return width
+
+
 def area_at_depth(facets: Facets, depth: float) -> float:
     """Flow area below a depth, m²."""
     if depth == floats.INFINITY:

@@ -46,6 +46,7 @@ class Slide:
 def begin(slide: Slide) -> None:
     """Works out what follows from the numbers."""
     section.stack(slide.first, slide.vertical_ratio, slide.facets)
+    section.blend(slide.first, slide.last, 0.0, slide.here)
     slide.drawn_at = 0.0
     slide.bend = -slide.side * slide.turn / slide.length
     slide.sticky = False
@@ -115,6 +116,12 @@ def piece_of(slide: Slide, pressure: float) -> int:
     while k > 0 and pressure < slide.starts[k]:
         k -= 1
     return k
+
+
+def wall_friction(slide: Slide, pressure: float) -> float:
+    """μ = τ/σ at a pressure; its limit where that is 0."""
+    piece = piece_of(slide, pressure)
+    return slide.slopes[piece] + (slide.intercepts[piece] / pressure if pressure > 0.0 else 0.0)
 
 
 def sticking(

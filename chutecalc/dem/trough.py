@@ -8,7 +8,7 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array, Values, real
 from chutecalc.physics.pressure import pressure_ratio
-from chutecalc.physics.section import Facets, Polygon, facets, take_facet, wetted_facet
+from chutecalc.physics.section import Polygon
 from chutecalc.physics.wetting import Wetting, area_at_depth, wetting
 
 UPRIGHT = math.pi / 2
@@ -109,22 +109,21 @@ class Trough:
                 x, z = x + length * math.cos(inclination), z + length * math.sin(inclination)
         return tuple(walls)
 
-    def facets(self, vertical_ratio: float = 1.0) -> Facets:
-        """The section's table of facets, for :mod:`chutecalc.physics.wetting`."""
+    @cached_property
+    def section(self) -> Polygon:
+        """As a cross-section."""
         lengths, inclinations = (
             tuple(np.array([value]) for value in values) for values in (self.lengths, self.inclinations)
         )
-        section = Polygon(np.array([self.base]), lengths, inclinations, np.array([np.inf]))
-        return facets(section, np.array([vertical_ratio]))
+        return Polygon(np.array([self.base]), lengths, inclinations, np.array([np.inf]))
 
     def wetting(self, area: Values, vertical_ratio: float = 1.0, equilibrium: bool = False) -> Wetting:
         """How beds of these areas, m², lie in the trough."""
-        table, areas = self.facets(vertical_ratio), np.atleast_1d(real(area))
-        return wetting(take_facet(table, wetted_facet(table, areas)), areas, equilibrium)
+        return wetting(self.section, np.array([vertical_ratio]), np.atleast_1d(real(area)), equilibrium)
 
     def area_below(self, height: Values) -> Array:
         """Area of the trough below heights, m²."""
-        return area_at_depth(self.facets(), np.atleast_1d(real(height)))
+        return area_at_depth(self.section, np.atleast_1d(real(height)))
 
     def load(self, area: float, vertical_ratio: float, law: str) -> Load:
         """What each wall carries of a bed by the general law.

@@ -49,7 +49,7 @@ def choke(scene: Scene) -> Iterator[Finding]:
     leg, stretch = scene.part.leg, scene.contact.stretch
     choked = leg.status == Status.CHOKE
     beyond, place, end = stretch.beyond, stretch.place, stretch.beyond_status
-    wall_height = scene.contact.slide.section_at(scene.contact_place(np.ones(1))).wall_height
+    wall_height = scene.segment.wall_height(place)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
     begin = (
         "the chute chokes: at {velocity_m_s} the depth passes the wall height of {wall_height_m}; between higher walls"
@@ -72,7 +72,7 @@ def contact_lost(scene: Scene) -> Iterator[Finding]:
         return
     leg, surface = scene.part.leg, scene.contact.surface
     lost = leg.status == Status.CONTACT_LOST
-    weight = scene.contact.slide.gravity * np.cos(leg.exit.slope)
+    weight = scene.part.design.gravity * np.cos(leg.exit.slope)
     numbers = {
         "velocity_m_s": leg.exit.velocity,
         "slope_deg": np.degrees(leg.exit.slope),

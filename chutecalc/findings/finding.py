@@ -74,11 +74,6 @@ class Scene(NamedTuple):
         place: Array = s[0] + share * (s[-1] - s[0])
         return place
 
-    def contact_place(self, share: Array) -> Array:
-        """The share of the drawn segment at a share of the part's way."""
-        begin, end = self.part.ends()
-        return begin + (end - begin) * share
-
     def at(self, share: Array, *names: str) -> list[Array]:
         """Columns at a share of the way, one for each design; at its end, what they tend to there."""
         there, limits = self.part.at(np.broadcast_to(share, (1, len(share))), names), self.part.limits(names)

@@ -14,7 +14,6 @@ from chutecalc.columns import COLUMNS
 from chutecalc.design import Contact, Status
 from chutecalc.output.plot_style import INK, MAP, PALE, SMALL, STEEL
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.flight import position, time_to_drop
 from chutecalc.physics.surface import point
 from chutecalc.solution import Solution
 
@@ -175,9 +174,10 @@ def _lost_flights(solution: Solution, surfaces: Sequence[tuple[Array, Array]]) -
     further = max((float(np.ptp(z)) for _, z in surfaces), default=1.0)
     for leg in solution.legs:
         if leg.status[0] == Status.MISSED:
-            time = time_to_drop(leg.path, leg.path.z - np.minimum(lowest, leg.path.z) + 0.2 * further)
-            x, z = position(leg.path, np.linspace(0.0, 1.0, STATIONS)[:, None] * time)
-            yield x[:, 0], z[:, 0]
+            x, z, forward, downward, gravity = leg.path[:, 0]
+            drop = z - min(lowest, z) + 0.2 * further
+            time = np.linspace(0.0, (np.sqrt(downward**2 + 2.0 * gravity * drop) - downward) / gravity, STATIONS)
+            yield x + forward * time, z - (downward + 0.5 * gravity * time) * time
 
 
 def _draw_pulley(axes: Axes, solution: Solution, units: str) -> None:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.intervals import interval_of, take_row, with_axes
+from chutecalc.physics.intervals import interval_of, take_row
 
 
 class Wall(NamedTuple):
@@ -80,31 +80,6 @@ def wall_friction(wall: Wall, stress: Array) -> Array:
     piece = wall_piece(wall, stress)
     slope, intercept = take_row(wall.slopes, piece), take_row(wall.intercepts, piece)
     return slope + intercept / np.where(stress > 0.0, stress, np.inf)
-
-
-def added_friction(wall: Wall, stress: Array, added: Array) -> Array:
-    """Shear stress that a wall shows more for a normal stress added to another, over that: (τ(σ + p) - τ(σ))/p.
-
-    As the mean of dτ/dσ over what is added, which does not cancel. μ for a constant wall.
-
-    Args:
-        wall: the friction law.
-        stress: σ, Pa, 0 or more, shape (..., designs).
-        added: p, Pa, likewise; dτ/dσ where it is 0.
-
-    >>> wall = yield_locus(np.array([[1e3], [2e3]]), np.array([[0.6e3], [1.0e3]]), np.array([0.5]))
-    >>> added_friction(wall, np.array([1e3]), np.array([3e3])).round(12)  # τ goes from 500 to 1800 Pa
-    array([0.43333333])
-    """
-    if len(wall.starts) == 1:
-        return np.broadcast_to(wall.slopes[0], np.broadcast_shapes(stress.shape, wall.slopes.shape[1:]))
-    starts = with_axes(wall.starts, stress.ndim)
-    ends = np.concatenate([starts[1:], np.full((1, *starts.shape[1:]), np.inf)])
-    overlap = np.maximum(np.minimum(stress + added, ends) - np.maximum(stress, starts), 0.0)
-    width = overlap.sum(axis=0)
-    total = (with_axes(wall.slopes, stress.ndim) * overlap).sum(axis=0)
-    here = take_row(wall.slopes, wall_piece(wall, stress))
-    return np.where(width > 0.0, total / np.where(width > 0.0, width, 1.0), here)
 
 
 def _holding(stress: Array, normal: Array, slopes: Array, intercepts: Array, bound: Array) -> Index:

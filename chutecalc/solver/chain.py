@@ -6,12 +6,10 @@ from chutecalc.core import designs, march, records, state
 from chutecalc.design import Contact, Design, Status
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.flight import Flight
 from chutecalc.solver.course import course_of, numbers_of
 from chutecalc.solver.effort import effort
 from chutecalc.solver.leg import AT, Arrival, ContactLeg, Ends, Impact, Leg, Point, Stretch, columns, surface_of, whole
-from chutecalc.solver.panels import Panels
-from chutecalc.solver.slide import Slide
+from chutecalc.solver.panels import Panels, Way
 
 ROOM = 32
 """Panels, and legs, kept of a chute before more room is asked for."""
@@ -92,45 +90,28 @@ class Chain:
             table[:, at], begins[at] = own.T, first
         else:
             table, begins = np.ascontiguousarray(own.T), first
-        path = Flight._make((*columns(table, "path_x", 4), self.design.gravity))
+        path = columns(table, "path_x", 5)
         start, entry, end = (Point._make(columns(table, f"{at}_distance", 9)) for at in ("start", "entry", "exit"))
         contact = self._contact(number, segment, table, begins) if isinstance(segment, Contact) else None
-        time, status = table[AT["flight_time"]], whole(table, "status")
-        return Leg(number, segment, start, path, time, entry, end, status, contact)
+        time, flown, status = table[AT["flight_time"]], table[AT["distance"]], whole(table, "status")
+        return Leg(number, segment, start, path, time, flown, entry, end, status, contact)
 
     def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactLeg:
         """The same of a guiding surface."""
         surface = surface_of(table, contact)
-        design = self.design
-        slide = Slide(
-            side=contact.side,
-            gravity=design.gravity,
-            entry_slope=surface.slope,
-            turn=surface.turn,
-            length=surface.length,
-            flow=design.volume_rate,
-            density=design.density,
-            wall=contact.wall,
-            section=contact.section,
-            end_section=contact.end_section,
-            vertical_ratio=design.vertical_ratio,
-            drawn=contact.facets,
-            equilibrium=design.equilibrium,
-            alike=False,
-        )
+        stream = self.course.first
+        while stream.number < number:
+            stream = stream.next
+        surfaces = np.ascontiguousarray(columns(table, "surface_slope", 3).T)
+        way = Way(stream.own.way, self.numbers[: len(surfaces)], self.starts[number], surfaces)
         impact = Impact._make(columns(table, "footprint", 7))
         arrival = Arrival._make((*columns(table, "distance", 5), whole(table, "met"), impact))
         panels = None
         if self.work.complete:
-            stream = self.course.first
-            while stream.number < number:
-                stream = stream.next
-            surfaces = np.stack([surface.slope, surface.turn, surface.length], axis=1)
-            own = (stream.own, self.numbers[: len(surfaces)], self.starts[number], surfaces)
-            panels = Panels(*own, self.kept, first, whole(table, "panels"))
+            panels = Panels(stream.own, way, self.kept, first, whole(table, "panels"))
         counts = (whole(table, "beyond_status"), whole(table, "tried"), panels)
         stretch = Stretch._make((*columns(table, "end_place", 3), *counts))
-        return ContactLeg(surface, slide, arrival, stretch)
+        return ContactLeg(surface, way, arrival, stretch)
 
     def _give_up(self, row: int) -> None:
         """Says why the chain stopped at a row."""

@@ -1,6 +1,5 @@
 """Designs as the compiled chain reads them: its records, and a row of numbers each."""
 
-from array import array
 from functools import cache
 from typing import NamedTuple
 
@@ -9,8 +8,8 @@ import numpy as np
 from chutecalc.core import floats, records, section, slide, state
 from chutecalc.design import Contact, Design, Fall
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.circle import series
-from chutecalc.physics.section import Circle, Section
+from chutecalc.physics.wetting import numbers_of as section_numbers
+from chutecalc.physics.wetting import records as records_of
 
 
 def course_of(design: Design, panels: int, legs: int, again: int) -> records.Course:
@@ -41,11 +40,9 @@ def course_of(design: Design, panels: int, legs: int, again: int) -> records.Cou
 
 def stream_of(contact: Contact, design: Design, log: state.Log) -> state.Stream:
     """A stream of a segment's kind."""
-    first = _section(contact.section)
-    last = None if contact.end_section is None else _section(contact.end_section)
-    count = len(contact.facets.area)
-    own = section.Facets(count, first.circle, _series() if first.circle else array("d", [0.0]))
-    way = slide.Slide(own, first, last, len(contact.wall.starts))
+    first, facets = records_of(contact.section)
+    last = None if contact.end_section is None else records_of(contact.end_section)[0]
+    way = slide.Slide(facets, first, last, len(contact.wall.starts))
     way.equilibrium, way.side = design.equilibrium, contact.side
     return state.Stream(way, log)
 
@@ -77,8 +74,8 @@ def numbers_of(design: Design) -> Numbers:
         starts.append(len(columns))
         for piece in zip(*segment.wall, strict=True):
             columns += piece
-        columns += _section_numbers(segment.section)
-        columns += [] if segment.end_section is None else _section_numbers(segment.end_section)
+        columns += section_numbers(segment.section)
+        columns += [] if segment.end_section is None else section_numbers(segment.end_section)
     lengths = [1 if isinstance(column, float) else len(column) for column in columns]
     count = max(lengths)
     if count == 1:
@@ -97,23 +94,6 @@ def numbers_of(design: Design) -> Numbers:
 
 def _or_nan(values: Array | None) -> Array | float:
     return np.nan if values is None else values
-
-
-def _section_numbers(drawn: Section) -> list[Array | float]:
-    if isinstance(drawn, Circle):
-        return [drawn.wall_height, drawn.radius]
-    walls = zip(drawn.lengths, drawn.inclinations, strict=True)
-    return [drawn.wall_height, drawn.base, *(number for wall in walls for number in wall)]
-
-
-def _section(drawn: Section) -> section.Section:
-    """The compiled solver's own record of a section."""
-    return section.Section(0, True) if isinstance(drawn, Circle) else section.Section(len(drawn.lengths), False)
-
-
-@cache
-def _series() -> "array[float]":
-    return array("d", series().ravel().tolist())
 
 
 @cache

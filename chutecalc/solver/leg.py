@@ -7,10 +7,8 @@ import numpy as np
 from chutecalc.core import joint, records
 from chutecalc.design import Contact, Segment
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.flight import Flight
 from chutecalc.physics.surface import Surface
-from chutecalc.solver.panels import Panels
-from chutecalc.solver.slide import Slide
+from chutecalc.solver.panels import Panels, Way
 
 
 class Point(NamedTuple):
@@ -74,7 +72,7 @@ class ContactLeg(NamedTuple):
     """What a leg has along a guiding surface."""
 
     surface: Surface
-    slide: Slide
+    way: Way
     arrival: Arrival
     stretch: Stretch
 
@@ -87,10 +85,13 @@ class Leg(NamedTuple):
     segment: Segment
     start: Point
     """As it comes from the segment before."""
-    path: Flight
-    """The flight that begins at ``start``: a fall's, or what leads from an edge to a contact segment."""
+    path: Array
+    """The flight that begins at ``start``: a fall's, or what leads from an edge to a contact segment. Five rows: x and
+    z, velocities forward and downward, gravity."""
     flight_time: Array
     """s, 0 where the stream does not fly."""
+    flown: Array
+    """How far it flies, m."""
     entry: Point
     """On the surface, after an impact; for a fall the same as ``exit``."""
     exit: Point

@@ -1,31 +1,41 @@
 """The panels of many designs along one segment: the stream at any place of it."""
 
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.core import dense, gauss, state
+from chutecalc.core import dense, gauss, slide, state
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.solver.effort import compiled_rule
+
+
+class Way(NamedTuple):
+    """Designs on a segment, as the compiled solver reads them."""
+
+    slide: slide.Slide
+    """Of the segment's kind."""
+    numbers: Array
+    """Of all designs, a row each, as they were solved with."""
+    start: int
+    """Where in a row the segment's own begin, its wall first."""
+    surfaces: Array
+    """Entry slope, turn and length of the segment, a row each."""
 
 
 class Panels:
     """The panels of n designs along a segment, those of a design one after the other."""
 
-    def __init__(
-        self, stream: state.Stream, numbers: Array, start: int, surfaces: Array, kept: Array, first: Index, count: Index
-    ) -> None:
+    def __init__(self, stream: state.Stream, way: Way, kept: Array, first: Index, count: Index) -> None:
         """Panels as they were kept.
 
         Args:
             stream: of the segment's kind.
-            numbers: of all designs, a row each, as they were solved with.
-            start: where in a row the segment's own begin, its wall first.
-            surfaces: entry slope, turn and length, a row each.
+            way: the designs on it.
             kept: the panels, in one row.
             first, count: the number of each design's first panel, and how many it has.
         """
-        self.stream, self.numbers, self.start, self.surfaces = stream, numbers, start, surfaces
+        self.stream, self.way = stream, way
         self.kept, self.first, self.count = kept, np.ascontiguousarray(first), np.ascontiguousarray(count)
 
     def of(self, design: int) -> Array:
@@ -41,8 +51,7 @@ class Panels:
     def times(self, places: Array, out: Array) -> None:
         """Seconds since the contact began, likewise."""
         assert places.shape == out.shape == (len(places), len(self.count))
-        own = (self.stream, self.numbers, self.start, self.surfaces)
-        dense.times(*own, self.kept, self.first, self.count, self._rules, places, out)
+        dense.times(self.stream, *self.way[1:], self.kept, self.first, self.count, self._rules, places, out)
 
     def knots(self) -> Array:
         """Places of the panels' knots after their starts, shape (knots, designs); NaN for what a design has too few."""

@@ -10,7 +10,7 @@ from chutecalc.physics.arrays import Array, shared
 from chutecalc.physics.belt import discharge
 from chutecalc.physics.motion import FLOOR, ROOF
 from chutecalc.physics.pressure import vertical_pressure_ratio
-from chutecalc.physics.section import Facets, Section, facets
+from chutecalc.physics.section import Section
 from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.spec import model
 from chutecalc.spec.file import Place
@@ -84,7 +84,7 @@ class _Geometry:
             inlet_slope=slope,
             belt=belt,
             receiver=self.receiver(),
-            segments=self.segments(ratio, velocity, slope),
+            segments=self.segments(velocity, slope),
         )
 
     def inlet(self) -> tuple[Array, Array, tuple[Array, Array], Belt | None]:
@@ -108,10 +108,9 @@ class _Geometry:
         friction = np.tan(in_si(belt.friction_deg, "angle"))
         return Receiver(in_si(belt.velocity_m_s, "velocity"), in_si(belt.slope_deg, "angle"), friction)
 
-    def segments(self, ratio: Array, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
+    def segments(self, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
         """The segments, each with the slope at which it is drawn."""
         sections = {name: build_section(name, section, self.faults) for name, section in self.spec.sections.items()}
-        tables = {name: facets(section, ratio) for name, section in sections.items()}
         walls = {name: self.wall(liner) for name, liner in self.spec.liners.items()}
         if self.spec.segments[0].kind != "fall":
             place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
@@ -131,7 +130,7 @@ class _Geometry:
                 continue
             after_fall = number > 0 and isinstance(self.spec.segments[number - 1], model.Fall)
             follows = self.drawn_slopes.get(number, None if after_fall and not falling else slope)
-            contact = self.contact(("segments", number), name, segment, follows, sections, tables, walls)
+            contact = self.contact(("segments", number), name, segment, follows, sections, walls)
             built.append(contact)
             slope, falling = contact.exit_slope, False
         return tuple(built)
@@ -143,7 +142,6 @@ class _Geometry:
         segment: model.Flat | model.Arc,
         slope: Array | None,
         sections: dict[str, Section],
-        tables: dict[str, Facets],
         walls: dict[str, Wall],
     ) -> Contact:
         """A guiding segment that follows a slope; None where that is the stream's."""
@@ -173,7 +171,6 @@ class _Geometry:
             else (in_si(segment.start_m[0], "length"), in_si(segment.start_m[1], "length")),
             section=sections[section],
             end_section=None if end_section is None else sections[end_section],
-            facets=tables[section],
             wall=walls[liner],
             measured=self.measured(self.spec.liners[liner]),
             slip_ratio=in_si(self.spec.liners[liner].slip_ratio, "number"),

@@ -9,7 +9,7 @@ from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.pressure import greatest_wall_friction, pressure_ratio, vertical_pressure_ratio
-from chutecalc.physics.section import Polygon, facets, take_facet
+from chutecalc.physics.section import Polygon
 from chutecalc.physics.wetting import wetting
 
 CHAMFERS = tuple(float(angle) for angle in range(0, 91, 5))
@@ -143,9 +143,7 @@ class FrictionStudy:
             square = np.where(np.abs(square) < ROUNDING * self.base_m**2, 0.0, square)  # a vee
             base = np.sqrt(square)
             section = Polygon(base, (np.full(1, np.inf),), (beta,), np.full(1, np.inf))
-            wet = wetting(
-                take_facet(facets(section, ratio), np.zeros(len(beta), dtype=np.intp)), np.full(1, self.area_m2)
-            )
+            wet = wetting(section, ratio, np.full(1, self.area_m2))
         flat = (beta == 0.0) & (base > 0.0)  # no depth, and nothing stands against a wall
         possible = flat | np.isfinite(wet.depth)
         friction = equivalent_friction(np.tan(np.radians(self.wall_friction_deg)), np.where(flat, 0.0, wet.excess))

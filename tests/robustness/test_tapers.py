@@ -98,15 +98,6 @@ def test_digits_along_a_taper_do_not_depend_on_the_batch(shape, kind):
         assert alone.status[0] == together.status[k]
 
 
-def test_one_design_far_beyond_the_taper_leaves_the_others_their_top():
-    base, changes = tapers("chamfered", "crest")
-    legs, _ = run_chain(base.vary(changes).design, 1e-6)
-    slide = legs[0].contact.slide.rows(np.array([0, 1]))
-    alone, beside = (slide.facets_at(np.array([[0.5, place]])) for place in (0.5, np.inf))
-    assert len(beside.area) == len(alone.area) == 2
-    assert np.array_equal(beside.area[..., 0], alone.area[..., 0])
-
-
 def test_a_stream_that_creeps_along_a_taper_counts_as_stalled_alone_as_in_company():
     """A vee with adhesion: the deeper the stream, the less its walls hold it, and it never quite stops."""
     random = np.random.default_rng(3)

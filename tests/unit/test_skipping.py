@@ -7,6 +7,7 @@ import chutecalc
 from chutecalc.core.records import FIELDS
 from chutecalc.solver import chain, profile
 from chutecalc.solver.chain import run_chain
+from chutecalc.solver.panels import Panels
 
 CHAIN = {
     "flow": {"rate_t_h": 1000.0},
@@ -69,8 +70,9 @@ def test_columns_that_are_not_asked_for_are_not_worked_out(monkeypatch):
     def never(*arguments):
         raise AssertionError("worked out")
 
-    for name in ("wall_pressures", "wetting", "_times", "wall_friction"):
-        monkeypatch.setattr(profile, name, never)
+    monkeypatch.setattr(profile.profile, "pressing", never)
+    monkeypatch.setattr(profile.balance, "balances", never)
+    monkeypatch.setattr(Panels, "times", never)
     solution = chutecalc.solve(chutecalc.parse(CHAIN))
     table = solution.stations(columns=("velocity_m_s", "depth_m"))
     assert list(table) == ["velocity_m_s", "depth_m"]

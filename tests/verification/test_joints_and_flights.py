@@ -5,8 +5,9 @@ import pytest
 from scipy.integrate import quad
 
 import chutecalc
-from chutecalc.physics.flight import flight, time_to_drop
-from chutecalc.physics.roots import falls_through_zero
+from chutecalc.core.flight import time_to_drop
+from chutecalc.core.quartic import Quartic, falls_through_zero
+from chutecalc.core.records import Flight
 from tests.conftest import chute, vee, vee_friction
 
 G = 9.80665
@@ -198,14 +199,16 @@ def test_all_roots_at_which_a_polynomial_falls_are_found():
     for roots in sets:
         for sign in (1.0, -1.0):
             rising = sign * np.poly(roots)[::-1]
-            found = falls_through_zero(rising[:, None], np.array([2.0]))[:, 0]
+            curve = Quartic()
+            curve.value = np.append(rising, 0.0)
+            found = np.asarray(curve.falls)[: falls_through_zero(curve, 2.0)]
             falling = roots[0::2] if sign > 0.0 else roots[1::2]  # from +∞ at -∞ through the first
             expected = [root for root in falling if 0.0 < root < 2.0]
-            assert found[~np.isnan(found)] == pytest.approx(expected, rel=1e-12)
+            assert found == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_stream_that_has_nothing_to_fall_is_there_at_once():
-    path = flight(
-        *(np.array(values) for values in ([0.0] * 3, [0.0] * 3, [0.0, 2.0, 2.0], [0.0, 0.0, 0.3])), np.full(3, G)
-    )
-    assert time_to_drop(path, np.zeros(3)).tolist() == [0.0, 0.0, 0.0]
+    path = Flight()
+    path.gravity = G
+    for path.forward, path.downward in ((0.0, 0.0), (2.0, 0.0), (2.0, 0.3)):
+        assert time_to_drop(path, 0.0) == 0.0

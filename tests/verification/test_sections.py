@@ -6,19 +6,16 @@ from scipy.integrate import quad
 
 import chutecalc
 from chutecalc.physics.pressure import pressure_ratio
-from chutecalc.physics.section import Circle, Polygon, blend, facets, take_facet, wetted_facet
-from chutecalc.physics.wear import wall_pressures
-from chutecalc.physics.wetting import area_at_depth, excess_friction, wetting
+from chutecalc.physics.section import Circle, Polygon
+from chutecalc.physics.wetting import area_at_depth, wetting
 from tests.conftest import chute
 
 OPEN = np.array([np.inf])
 
 
 def wet(section, ratio, depth):
-    table = facets(section, np.array([ratio]))
-    area = area_at_depth(table, np.array([depth]))
-    facet = take_facet(table, wetted_facet(table, area))
-    return table, area, facet, wetting(facet, area)
+    area = area_at_depth(section, np.array([depth]))
+    return area, wetting(section, np.array([ratio]), area)
 
 
 def ring(radius, sides):
@@ -33,8 +30,8 @@ def ring(radius, sides):
 def test_a_circle_is_the_limit_of_polygons(depth):
     errors = []
     for sides in (40, 80):
-        _, area, _, circle = wet(Circle(np.array([0.4]), OPEN), 0.25, depth)
-        _, close, _, polygon = wet(ring(0.4, sides), 0.25, depth)
+        area, circle = wet(Circle(np.array([0.4]), OPEN), 0.25, depth)
+        close, polygon = wet(ring(0.4, sides), 0.25, depth)
         errors.append(
             [
                 abs(close[0] / area[0] - 1),
@@ -49,23 +46,23 @@ def test_a_circle_is_the_limit_of_polygons(depth):
 
 def test_a_liquid_in_a_half_pipe_and_above_it():
     # K = 1: χ = (1/A) ∫ (1 - cos ψ) ζ dl; half full it is 4/π - 1
-    table, area, facet, _ = wet(Circle(np.array([0.5]), OPEN), 1.0, 0.5)
-    below = take_facet(table, np.array([0]))
-    for one in (facet, below):
-        assert excess_friction(one, area)[0][0] == pytest.approx(4 / np.pi - 1, rel=1e-14)
+    area, found = wet(Circle(np.array([0.5]), OPEN), 1.0, 0.5)
+    below = wetting(Circle(np.array([0.5]), OPEN), np.ones(1), area * (1 - 1e-15))
+    for one in (found, below):
+        assert one.excess[0] == pytest.approx(4 / np.pi - 1, rel=1e-14)
     # h above it: walls add h² and every element of the arc h more
     h = 0.3
-    _, area, facet, _ = wet(Circle(np.array([0.5]), OPEN), 1.0, 0.5 + h)
+    area, found = wet(Circle(np.array([0.5]), OPEN), 1.0, 0.5 + h)
     half = 0.5 * np.pi * 0.25
     exact = ((4 / np.pi - 1) * half + 2 * h * 0.5 * (np.pi / 2 - 1) + h * h) / (half + h)
     assert area[0] == pytest.approx(half + h, rel=1e-14)
-    assert excess_friction(facet, area)[0][0] == pytest.approx(exact, rel=1e-13)
+    assert found.excess[0] == pytest.approx(exact, rel=1e-13)
 
 
 @pytest.mark.parametrize("depth", [1e-6, 0.01, 0.15, 0.299, 0.3, 0.31, 0.9])
 def test_a_circle_by_integration(depth):
     radius, ratio = 0.3, 0.22
-    _, area, facet, found = wet(Circle(np.array([radius]), OPEN), ratio, depth)
+    area, found = wet(Circle(np.array([radius]), OPEN), ratio, depth)
     top = min(depth, radius)
     angle = 2 * np.arcsin(np.sqrt(0.5 * top / radius))
     above = depth - top
@@ -84,7 +81,7 @@ def test_a_circle_by_integration(depth):
     assert found.depth[0] == pytest.approx(depth, rel=1e-12)
     assert found.chamfer[0] == pytest.approx(radius * angle, rel=1e-12)
     assert found.width[0] == pytest.approx(2 * radius * np.sin(angle), rel=1e-11)
-    assert excess_friction(facet, area)[0][0] == pytest.approx(excess / drawn, rel=1e-10)
+    assert found.excess[0] == pytest.approx(excess / drawn, rel=1e-10)
     assert found.missing[0] == pytest.approx(1 - carried / drawn, abs=1e-11)
 
 
@@ -152,16 +149,41 @@ def elements(section, depth):
         foot += length * np.sin(psi)
 
 
+def pressures(name, ratio, area, equilibrium):
+    """On floor, chamfers and side walls at ρ n = 1, as a solved chute shows them where a stream of an area enters."""
+    section = SECTIONS[name]
+    drawn = {"shape": "rectangular", "width_m": 0.5}
+    if isinstance(section, Circle):
+        drawn = {"shape": "circular", "radius_m": float(section.radius[0])}
+    elif section.lengths:
+        sides = zip(section.lengths, np.degrees(section.inclinations), strict=True)
+        facets = [{"length_m": float(length[0]), "slope_deg": float(slope[0])} for length, slope in sides]
+        level = [{"length_m": 0.5 * float(section.base[0]), "slope_deg": 0.0}] if section.base[0] else []
+        drawn = {"shape": "facets", "facets": level + facets}
+    solution = chutecalc.solve(
+        chute(
+            flow={"rate_t_h": 3.6 * 1000.0 * area * 2.0},
+            material={"density_kg_m3": 1000.0, "pressure_ratio": ratio},
+            model={"friction_law": "equilibrium" if equilibrium else "paper"},
+            sections={"body": drawn},
+            inlet={"velocity_m_s": 2.0, "slope_deg": 50.0},
+            segments=[STRAIGHT],
+        )
+    )
+    entry = solution.segments[0].entry
+    names = ("pressure_kpa", "chamfer_pressure_kpa", "side_pressure_kpa")
+    return [entry[name][0] / entry["normal_acceleration_m_s2"][0] for name in names]
+
+
 @pytest.mark.parametrize("equilibrium", [False, True])
 @pytest.mark.parametrize("depth", [0.01, 0.1, 0.5])
 @pytest.mark.parametrize("name", SECTIONS)
 def test_the_books_close(name, depth, equilibrium):
     """∫ μ p v dl over the wetted walls is μ_e ρ n A v, with pressures falling from those told at the walls' feet."""
     section, ratio = SECTIONS[name], 0.3
-    table, area, facet, _ = wet(section, ratio, depth)
-    told = wall_pressures(section, table, wetting(facet, area[None], equilibrium), np.ones((1, 1)))
-    floor, chamfer, side = (pressure.item() for pressure in told)
-    excess, _ = excess_friction(facet, area, equilibrium)
+    area, _ = wet(section, ratio, depth)
+    excess = wetting(section, np.array([ratio]), area, equilibrium).excess
+    floor, chamfer, side = pressures(name, ratio, float(area[0]), equilibrium)
     feet = [(chamfer if psi < np.pi / 2 else side, psi, below, above) for psi, below, above in elements(section, depth)]
     for drawn, pressure in ((True, chamfer), (False, side)):
         feet_of_kind = [pressure_ratio(psi, ratio) * below for _, psi, below, _ in feet if (psi < np.pi / 2) == drawn]
@@ -271,9 +293,9 @@ def test_the_depth_along_a_taper_is_that_of_the_section_there():
     solution = chutecalc.solve(tapered(0))
     for share, depth in zip(np.linspace(0, 1, 5), solution.stations(points=5)["depth_m"][0], strict=True):
         area = solution.stations(points=5)["area_m2"][0][round(share * 4)]
-        section = blend(*(solution.design.segments[0][k] for k in (8, 9)), np.array([share]))
-        table = facets(section, solution.design.vertical_ratio)
-        assert area_at_depth(table, np.array([depth]))[0] == pytest.approx(area, rel=1e-12)
+        base, slope, length = 0.8 - 0.5 * share, np.radians(40.0 + 20.0 * share), 0.1 + 0.1 * share
+        section = Polygon(*(np.array([base]), (np.array([length]),), (np.array([slope]),), OPEN))
+        assert area_at_depth(section, np.array([depth]))[0] == pytest.approx(area, rel=1e-12)
 
 
 def test_a_taper_chokes_where_its_falling_wall_is_passed():

@@ -6,8 +6,10 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import chutecalc
+from chutecalc.core import floats, section, slide
+from chutecalc.core.impact import added_friction
 from chutecalc.design import Status
-from chutecalc.physics.wall import added_friction, wall_friction, yield_locus
+from chutecalc.physics.wall import wall_friction, yield_locus
 from tests import seeds
 from tests.conftest import chute
 from tests.verification.test_independent_sections import circle
@@ -43,9 +45,10 @@ def test_the_law_is_its_definition(rows, internal):
 def test_no_added_stress_adds_friction_at_the_rate_of_its_piece():
     """(τ(σ + p) - τ(σ))/p tends to dτ/dσ as p goes to 0, on every piece of the locus and of the bound."""
     wall = yield_locus(*np.array(ROWS).T[:, :, None] * 1e3, np.array([np.sin(np.radians(40.0))]))
+    way = slide.Slide(section.Facets(1, False, floats.zeros(1)), section.Section(0, False), None, len(wall.starts))
+    way.starts, way.intercepts, way.slopes = (np.ascontiguousarray(field[:, 0]) for field in wall)
     for stress in (1.0, 700.0, 1500.0, 9000.0):
-        at = np.array([stress])
-        (none,), (little,) = (added_friction(wall, at, np.array([p])) for p in (0.0, 1e-3 * stress))
+        none, little = (added_friction(way, stress, p) for p in (0.0, 1e-3 * stress))
         assert none > 0.0
         assert none == pytest.approx(little, rel=1e-9)
 

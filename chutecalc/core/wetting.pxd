@@ -1,0 +1,9 @@
+cimport cython
+from chutecalc.core cimport batch, floats, section
+
+cdef int WETTING
+
+@cython.locals(row=int, k=int, area=double)
+cpdef wet(section.Section own, section.Facets facets, double[:, ::1] numbers, double[:] areas, bint equilibrium, double[:, ::1] out)
+@cython.locals(row=int)
+cpdef areas_below(section.Section own, section.Facets facets, double[:, ::1] numbers, double[:] depths, double[:] out)

@@ -1,0 +1,42 @@
+"""How flow areas lie in sections, one after the other: for what looks at a section alone."""
+
+from typing import Any
+
+from chutecalc.core import batch, floats, section
+
+WETTING = 7
+TABLES = WETTING  # as Python sees it
+
+
+def wet(
+    own: "section.Section", facets: "section.Facets", numbers: Any, areas: Any, equilibrium: bool, out: Any
+) -> None:
+    """Depth, wetted length of the drawn facets on one side, width; χ of the friction law, A dχ/dA, m, and f.
+
+    Args:
+        own, facets: records of the sections' kind.
+        numbers: a row each: K_v, and the section as of :func:`chutecalc.core.batch.solve_rows`.
+        areas: m².
+        equilibrium: which friction law.
+        out: seven rows.
+    """
+    for row in range(len(areas)):
+        batch.read(own, numbers, row, 1)
+        section.stack(own, float(numbers[row, 0]), facets)
+        area = float(areas[row])
+        k = section.facet_of(facets, area)
+        depth, width = section.depth_and_width(facets, k, area)
+        excess, growth, missing, missing_growth = section.loads(facets, k, area)
+        excess, growth = section.law(equilibrium, excess, growth, missing, missing_growth)
+        carried = 1.0 if equilibrium else 1.0 + excess
+        out[0, row], out[1, row], out[2, row] = depth, section.wetted_below(own, facets, k, area), width
+        out[3, row], out[4, row], out[5, row] = excess, 2.0 * growth, missing
+        out[6, row] = floats.quotient(carried, carried - missing)
+
+
+def areas_below(own: "section.Section", facets: "section.Facets", numbers: Any, depths: Any, out: Any) -> None:
+    """Flow areas below depths, m², arguments likewise."""
+    for row in range(len(depths)):
+        batch.read(own, numbers, row, 1)
+        section.stack(own, float(numbers[row, 0]), facets)
+        out[row] = section.area_at_depth(facets, float(depths[row]))
