@@ -9,17 +9,19 @@ from functools import cached_property
 import numpy as np
 
 from chutecalc.core.profile import flown
-from chutecalc.design import Contact, Design, Status, stretched
+from chutecalc.design import Contact, Design, Segment, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Polygon
-from chutecalc.solver.leg import ContactLeg, Leg
-from chutecalc.solver.profile import FlightProfile, SlideProfile
+from chutecalc.solver.leg import ContactLeg, Ends, Leg
+from chutecalc.solver.profile import EndFlight, EndProfile, FlightProfile, SlideProfile
 
 Numbers = dict[str, Array]
 EVEN = np.linspace(0.0, 1.0, 65)
 """Shares of a flight, along which all is smooth."""
 AT_REST = (1e-40, 1e-44)
 """v², m²/s², so near rest that what has a limit there has it to the last digits."""
+PLAIN = ("s_m", "x_m", "z_m", "slope_deg", "velocity_m_s")
+"""Columns that a stream has wherever it is."""
 LOOSE = 1e-6
 """Of gravity: what is left of the normal acceleration where contact is lost, and not never there."""
 LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
@@ -27,21 +29,44 @@ LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surfa
 Profile = FlightProfile | SlideProfile
 
 
-class Part:
+class Site:
+    """Where quantities are told: on a segment of a design, or in a flight to it."""
+
+    def __init__(self, segment: Segment, design: Design, guided: bool) -> None:
+        self.segment, self.design, self.guided = segment, design, guided
+
+    @cached_property
+    def start_time(self) -> Array:
+        """From the inlet, s; not known where nothing of the way is."""
+        return np.full(1, np.nan)
+
+    @property
+    def slip_ratio(self) -> Array:
+        """Slip at the wall over mean velocity."""
+        assert isinstance(self.segment, Contact)
+        return self.segment.slip_ratio
+
+    @property
+    def chamfered(self) -> bool:
+        """Whether the stream lies between drawn facets here."""
+        section = self.segment.section if isinstance(self.segment, Contact) else None
+        return self.guided and isinstance(section, Polygon) and bool(section.lengths)
+
+    @property
+    def on_arc(self) -> bool:
+        """Whether it follows an arc."""
+        return self.guided and isinstance(self.segment, Contact) and self.segment.radius is not None
+
+
+class Part(Site):
     """A stretch of the way that is shown as one: a segment, or a flight that leads to one."""
 
     def __init__(
         self, name: str, kind: str, leg: Leg, contact: ContactLeg | None, before: "Part | None", design: Design
     ) -> None:
         """A part; ``contact`` is None for a flight, ``before`` the part before it."""
-        self.name, self.kind, self.leg, self.contact, self.before, self.design = (
-            name,
-            kind,
-            leg,
-            contact,
-            before,
-            design,
-        )
+        super().__init__(leg.segment, design, contact is not None)
+        self.name, self.kind, self.leg, self.contact, self.before = name, kind, leg, contact, before
 
     @cached_property
     def start_time(self) -> Array:
@@ -161,35 +186,16 @@ class Part:
             return FlightProfile(self.leg, self.design.volume_rate, places)
         return SlideProfile(self.leg, self.contact, self.design.volume_rate, places)
 
-    @property
-    def slip_ratio(self) -> Array:
-        """Slip at the wall over mean velocity."""
-        assert isinstance(self.leg.segment, Contact)
-        return self.leg.segment.slip_ratio
 
-    @property
-    def chamfered(self) -> bool:
-        """Whether the stream lies between drawn facets here."""
-        section = self.leg.segment.section if isinstance(self.leg.segment, Contact) else None
-        return self.contact is not None and isinstance(section, Polygon) and bool(section.lengths)
-
-    @property
-    def on_arc(self) -> bool:
-        """Whether it follows an arc."""
-        return (
-            self.contact is not None and isinstance(self.leg.segment, Contact) and self.leg.segment.radius is not None
-        )
-
-
-Formula = Callable[[Part, SlideProfile], Array]
+Formula = Callable[[Site, SlideProfile], Array]
 
 
 def _on_surface(
-    formula: Formula, exists: Callable[[Part], bool] = lambda part: True
-) -> Callable[[Part, Profile], Array]:
+    formula: Formula, exists: Callable[[Site], bool] = lambda part: True
+) -> Callable[[Site, Profile], Array]:
     """A quantity that there is on a guiding surface alone."""
 
-    def column(part: Part, at: Profile) -> Array:
+    def column(part: Site, at: Profile) -> Array:
         if isinstance(at, SlideProfile) and exists(part):
             return formula(part, at)
         return np.full((1, 1), np.nan)
@@ -200,19 +206,19 @@ def _on_surface(
 def _wear(wall: int) -> Formula:
     """Friction power per area on one of the walls of :class:`chutecalc.solver.profile.SlideProfile`."""
 
-    def formula(part: Part, at: SlideProfile) -> Array:
+    def formula(part: Site, at: SlideProfile) -> Array:
         return at.wear(wall) * part.slip_ratio
 
     return formula
 
 
-def _froude(part: Part, at: SlideProfile) -> Array:
+def _froude(part: Site, at: SlideProfile) -> Array:
     """v/√(n A/b_s)."""
     pressed = at.normal > LEAST_NORMAL * part.design.gravity
     return np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan)
 
 
-COLUMN: dict[str, Callable[[Part, Profile], Array]] = {
+COLUMN: dict[str, Callable[[Site, Profile], Array]] = {
     "s_m": lambda part, at: at.distance,
     "x_m": lambda part, at: at.position[0],
     "z_m": lambda part, at: at.position[1],
@@ -247,3 +253,26 @@ ASKED = {
 }
 """What costs more, and is worked out only where it is named."""
 _FORMULA = COLUMN | ASKED
+
+
+def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
+    """Columns at the end of the chute, each of shape (designs,), NaN where a design fails.
+
+    Args:
+        design: the chutes.
+        ends: theirs, with the tables that :func:`asked` tells.
+        names: of columns, without time.
+    """
+    last = design.segments[-1]
+    site, well = Site(last, design, isinstance(last, Contact)), ends.status == Status.OK
+    at: Profile = EndProfile(ends, design.volume_rate) if site.guided else EndFlight(ends, design.volume_rate)
+    with np.errstate(all="ignore"):
+        columns = {name: _FORMULA[name](site, at)[0] for name in names}
+    return {name: np.where(well, values, np.nan) for name, values in columns.items()}
+
+
+def asked(names: Iterable[str]) -> tuple[bool, bool]:
+    """Whether columns at an exit take how the stream lies there, and what the walls bear."""
+    wanted = set(names)
+    lying = wanted & {"depth_m", "chamfer_wetted_m", "froude"}
+    return bool(lying), bool(wanted - {"depth_m", "chamfer_wetted_m", "area_m2", *PLAIN})

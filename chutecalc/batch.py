@@ -1,19 +1,22 @@
 """What leaves each of many variants of a chute, without what lies between: the fast way through a large batch."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.along import Numbers, asked, at_exit
+from chutecalc.belts import received
 from chutecalc.chute import Chute, check_tolerance
 from chutecalc.columns import COLUMNS
-from chutecalc.design import Design, select
+from chutecalc.design import Design, select, stretched
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.solution import Solution
-from chutecalc.solver.chain import run_chain
+from chutecalc.solver.chain import run_chain, run_ends
+from chutecalc.solver.course import kinds_of, numbers_of
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
@@ -21,23 +24,17 @@ USUAL = ("velocity_m_s", "depth_m", "slope_deg")
 NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
 
 
-class Exits:
+class Exits(NamedTuple):
     """The ends of n designs; arrays of shape (designs,), NaN in the numbers of those that fail."""
 
-    def __init__(self, chunks: list[Solution], names: Iterable[str]) -> None:
-        def joined(parts: list[Any]) -> Any:
-            return np.concatenate(parts)
-
-        self.codes: Index = joined([chunk.codes for chunk in chunks])
-        """The :class:`~chutecalc.design.Status` of each design."""
-        self.error_estimate: Array = joined([chunk.error_estimate for chunk in chunks])
-        """Of the last velocity, relative; after a stall of its place, as a share of the segment."""
-        exits = [chunk.exit_columns(names) for chunk in chunks]
-        self.exit: dict[str, Array] = {name: joined([numbers[name] for numbers in exits]) for name in exits[0]}
-        """The stream at the end of the chute, by column name."""
-        belts = [chunk.receiver for chunk in chunks]
-        self.receiver: dict[str, Array] = {name: joined([numbers[name] for numbers in belts]) for name in belts[0]}
-        """What it does to the belt there, as :attr:`chutecalc.solution.Solution.receiver`."""
+    codes: Index
+    """The :class:`~chutecalc.design.Status` of each design."""
+    error_estimate: Array
+    """Of the last velocity, relative; after a stall of its place, as a share of the segment."""
+    exit: Numbers
+    """The stream at the end of the chute, by column name."""
+    receiver: Numbers
+    """What it does to the belt there, as :attr:`chutecalc.solution.Solution.receiver`."""
 
 
 def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, jobs: int | None = None) -> Exits:
@@ -70,19 +67,43 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
     if jobs is not None and jobs < 1:
         raise UsageError(f"jobs has to be 1 or more, not {jobs}")
     edges = range(0, chute.count, CHUNK)
+    wanted = names if chute.design.receiver is None else list(dict.fromkeys([*names, "velocity_m_s", "slope_deg"]))
 
-    def solved(first: int) -> Solution:
+    def solved(first: int) -> Exits:
         count = min(CHUNK, chute.count - first)
-        return _ends(select(chute.design, slice(first, first + count)), rtol, count)
+        design = select(chute.design, slice(first, first + count)) if len(edges) > 1 else chute.design
+        return _ends(design, rtol, wanted, count)
 
     try:
-        with ThreadPoolExecutor(min(jobs or os.cpu_count() or 1, len(edges))) as pool:
-            return Exits(list(pool.map(solved, edges)), names)
+        if len(edges) == 1:
+            chunks = [solved(0)]
+        else:
+            with ThreadPoolExecutor(min(jobs or os.cpu_count() or 1, len(edges))) as pool:
+                chunks = list(pool.map(solved, edges))
     except SpecError as error:
-        raise SpecError(error.faults, chute.source) from None
+        raise SpecError(error.faults, chute.source, error.designs if len(edges) == 1 else None) from None
+    whole = chunks[0] if len(chunks) == 1 else _joined(chunks)
+    return whole._replace(exit={name: whole.exit[name] for name in names})
 
 
-def _ends(design: Design, rtol: float, count: int) -> Solution:
-    """A solution that knows the ends of segments alone."""
-    legs, ends = run_chain(design, rtol, complete=False)
-    return Solution(design, tuple(legs), ends, rtol, count)
+def _ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
+    """Those of one chunk."""
+    if design.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
+        legs, ends = run_chain(design, rtol, complete=False)
+        found = Solution(design, tuple(legs), ends, rtol, count).exit_columns(names)
+    else:
+        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *asked(names))
+        found = at_exit(design, ends, names)
+    belt: Numbers = {}
+    if design.receiver is not None:
+        belt = received(design.receiver, design, found["velocity_m_s"], np.radians(found["slope_deg"]))
+    whole = [stretched(values, (count,)) for values in (ends.status, ends.error)]
+    both = ({name: stretched(values, (count,)) for name, values in numbers.items()} for numbers in (found, belt))
+    return Exits(*whole, *both)
+
+
+def _joined(chunks: list[Exits]) -> Exits:
+    """One after the other."""
+    codes, errors, found, belts = zip(*chunks, strict=True)
+    numbers = ({name: np.concatenate([part[name] for part in parts]) for name in parts[0]} for parts in (found, belts))
+    return Exits(np.concatenate(codes), np.concatenate(errors), *numbers)

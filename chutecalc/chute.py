@@ -1,6 +1,6 @@
 """A chute from its spec, and its solution."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from chutecalc.design import Contact, Design, Fall
 from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.function import Function
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
 from chutecalc.solver.chain import run_chain
@@ -85,6 +86,42 @@ class Chute:
             SpecError: as :meth:`vary`.
         """
         return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
+
+    def function(
+        self,
+        parameters: Mapping[str, tuple[float, float] | None] | Sequence[str],
+        outputs: Sequence[str] = ("exit_velocity_m_s",),
+        rtol: float = 1e-10,
+    ) -> Function:
+        """This chute as a function of some of its numbers: for optimisers, root finders and many designs.
+
+        What follows from the parameters is found out once; a call takes no more than the solution itself.
+
+        Args:
+            parameters: paths of numbers that the spec has, in the order of the arguments; with limits for each, where
+                they are to be narrower than the spec's own bounds.
+            outputs: as columns of a sweep are called: ``exit_`` before a station's columns, ``receiver_`` before those
+                of the belt, ``error_estimate``.
+            rtol: as of :func:`solve`.
+
+        Returns:
+            What takes a number or an array for each parameter, in the units of their paths, and gives a number or an
+            array for each output: NaN where a design fails or cannot be built. A curve tangent to a falling stream
+            keeps the slope that it has in this chute, as of :meth:`vary`.
+
+        Raises:
+            SpecError: a path that leads to no number of the spec.
+            UsageError: an output that there is not.
+
+        >>> import chutecalc
+        >>> spoon = chutecalc.parse(chutecalc.STARTER)
+        >>> velocity = spoon.function(["segments.spoon.radius_m"])
+        >>> round(velocity(3.0), 3), velocity([2.0, 3.0]).round(3)
+        (3.878, array([3.578, 3.878]))
+        """
+        check_tolerance(rtol)
+        spec = ChuteSpec.model_validate(self.data)  # its own: what is varied is put there
+        return Function(spec, self.vary, self._drawn_slopes, parameters, outputs, rtol)
 
     @cached_property
     def _drawn_slopes(self) -> dict[int, Array]:
@@ -179,7 +216,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     try:
         legs, ends = run_chain(chute.design, rtol)
     except SpecError as error:
-        raise SpecError(error.faults, chute.source) from None
+        raise SpecError(error.faults, chute.source, error.designs) from None
     return Solution(chute.design, tuple(legs), ends, rtol, chute.count)
 
 

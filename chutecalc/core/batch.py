@@ -2,16 +2,16 @@
 
 from typing import Any
 
-from chutecalc.core import chain, march, records, section, slide, state  # noqa: F401 - march for plain Python's imports
+from chutecalc.core import chain, floats, records, section, slide, state, walls
 
 HEAD = 8
 """How many numbers of a row come before those of the segments."""
 
 
-def solve_rows(course: "records.Course", effort: "state.Effort", numbers: Any, ends: Any, first: int, last: int) -> int:
+def solve_rows(course: "records.Course", effort: "state.Effort", numbers: Any, first: int, last: int) -> int:
     """Solves rows from the first up to the last, and tells the row it has come to: less than the last for want of room.
 
-    Or because there it gave up, or found that a curve is not tangent to the stream. Legs, and panels where they are
+    Or because there it gave up. Legs, and panels where they are
     kept, are those of the rows done.
 
     Args:
@@ -20,7 +20,6 @@ def solve_rows(course: "records.Course", effort: "state.Effort", numbers: Any, e
         numbers: a row each: density, gravity, volume rate, K_v; place, velocity and slope of the stream at the inlet;
             and the segments: of a fall its drop and run; else where it starts, entry and exit slope, radius, length,
             the pieces of the wall's friction law, the section where it starts, and where it ends.
-        ends: how each ends: its status, velocity and the estimate of its error.
         first, last: rows.
     """
     row = first
@@ -37,11 +36,26 @@ def solve_rows(course: "records.Course", effort: "state.Effort", numbers: Any, e
         if course.full or course.first.own.log.full:
             course.count, course.first.own.log.count = legs, panels
             return row
-        ends[row, 0], ends[row, 1], ends[row, 2] = course.status, course.here.velocity, course.error
-        if course.status < state.OK:
+        tell(course, course.last, course.last.own)
+        if course.status == state.UNSOLVED:
             return row
         row += 1
     return row
+
+
+def tell(course: "records.Course", last: "records.Segment", own: "state.Stream") -> None:
+    """Writes down how a design ends."""
+    row = course.row
+    course.ends[0, row], course.ends[1, row], course.ends[2, row] = course.status, course.here.velocity, course.error
+    course.ends[3, row], course.ends[4, row] = course.here.distance, course.here.x
+    course.ends[5, row], course.ends[6, row] = course.here.z, course.here.slope
+    if course.status == state.FAULT:
+        course.ends[4, row], course.ends[6, row] = course.fault_number, course.fault_slope
+    y = floats.NAN if course.status != state.OK or last.fall else own.y
+    if course.tells_lying:
+        walls.lie(own.way, own.place, y, 0, row, course.lying)
+    if course.tells_pressing:
+        walls.press(own.way, own.place, y, 0, row, course.pressing)
 
 
 def load(course: "records.Course", segment: "records.Segment", numbers: Any, row: int, at: int) -> None:

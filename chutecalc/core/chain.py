@@ -21,6 +21,7 @@ def start(course: "records.Course") -> None:
         course.here.slope = 0.5 * math.pi
     course.drawn_x, course.drawn_z = course.here.x, course.here.z
     course.drawn_off_x = course.drawn_off_z = course.error = 0.0
+    course.saved_status = state.FAULT  # until it has come to where designs differ
 
 
 def run(course: "records.Course", effort: "state.Effort", segment: "records.Segment") -> None:
@@ -311,6 +312,8 @@ def write(course: "records.Course", segment: "records.Segment", own: "state.Stre
     """Writes down a leg."""
     if course.leg_status < state.MISSED:
         course.error = math.fabs(course.end.error)
+    if course.ends_only:
+        return
     if course.count >= course.room:
         course.full = True
         return

@@ -5,6 +5,6 @@ from typing import Any
 from chutecalc.core import records, state, unlocked
 
 
-def solve(course: "records.Course", effort: "state.Effort", numbers: Any, ends: Any, first: int, last: int) -> int:
+def solve(course: "records.Course", effort: "state.Effort", numbers: Any, first: int, last: int) -> int:
     """:func:`chutecalc.core.batch.solve_rows` with the interpreter's lock released."""
-    return unlocked.solve_rows(course, effort, numbers, ends, first, last)
+    return unlocked.solve_rows(course, effort, numbers, first, last)

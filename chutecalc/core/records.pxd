@@ -31,7 +31,7 @@ cdef class Segment:
 
 @cython.final
 cdef class Course:
-    cdef public Segment first, again
+    cdef public Segment first, last, again
     cdef public Point saved, inlet, here, start, entry, end
     cdef public Flight flight
     cdef public Arrival arrival
@@ -41,6 +41,9 @@ cdef class Course:
     cdef public bint saved_airborne, airborne, arrived, full
     cdef public double error, saved_error, saved_x, saved_z, saved_off_x, saved_off_z, gravity, drawn_x, drawn_z, drawn_off_x, drawn_off_z, fault_slope, flight_time
     cdef public double[::1] legs
+    cdef public double[:, ::1] ends
+    cdef public double[:, :, ::1] lying, pressing
+    cdef public bint ends_only, tells_lying, tells_pressing
 
 cdef void put(double[::1] legs, int at, Point point) noexcept nogil
 cdef void nowhere(Point point) noexcept nogil

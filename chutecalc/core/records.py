@@ -1,6 +1,7 @@
 """What a stream is at one place, and what it takes to solve one chute: the records of the chain."""
 
 from array import array
+from typing import Any
 
 from chutecalc.core import floats, quartic, state
 
@@ -79,8 +80,8 @@ class Segment:
 class Course:
     """A stream on its way through a chute."""
 
-    def __init__(self, first: Segment, again: Segment, legs: int) -> None:
-        self.first, self.again = first, again
+    def __init__(self, first: Segment, last: Segment) -> None:
+        self.first, self.last, self.again = first, last, first
         """Its segments; and that from which on the designs of a batch differ: what comes before is solved once."""
         self.inlet, self.here, self.start, self.entry, self.end = Point(), Point(), Point(), Point(), Point()
         """At the inlet; now; and of the leg: as it came, on the surface after an impact, and where the leg ends."""
@@ -107,13 +108,21 @@ class Course:
         self.leg_status = self.strikes = 0
         """How the leg ended, and how often the segment was struck before."""
         self.row = 0
-        self.legs = floats.zeros(LEG * max(legs, 1))
+        self.legs = floats.zeros(LEG)
         """What became of the stream on each segment, one leg after the other; see :data:`FIELDS`."""
-        self.room = legs
+        self.room = 0
         self.count = 0
         self.full = False
+        self.ends: Any = None
+        """How each design ends, see :data:`ENDS`: a table of a row for each quantity."""
+        self.lying: Any = None
+        self.pressing: Any = None
+        """How its stream lies there, and what the walls bear, as of :mod:`chutecalc.core.walls`."""
+        self.ends_only, self.tells_lying, self.tells_pressing = False, False, False
+        """What is not asked for is not worked out: legs, and those."""
 
 
+ENDS = ("status", "velocity", "error", "distance", "x", "z", "slope")
 FIELDS = (
     *("row", "segment", "strikes", "status"),
     *(f"{at}_{name}" for at in ("start", "entry", "exit") for name in (

@@ -14,8 +14,9 @@ Index = NDArray[np.intp]
 
 
 def real(values: Values) -> Array:
-    """Numbers as an array of floats."""
-    return np.asarray(values, dtype=np.float64)
+    """Numbers as floats, in arrays where they are many."""
+    floats: Array = np.multiply(values, 1.0)  # by a function of NumPy, for what only acts like an array too
+    return floats
 
 
 def shared(values: Array) -> Array:

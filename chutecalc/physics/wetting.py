@@ -60,7 +60,7 @@ def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: boo
     """
     numbers, area = _rows(drawn, vertical_ratio, area)
     out = np.empty((TABLES, len(area)))
-    own, facets = records(drawn)
+    own, facets = records_of(kind_of(drawn))
     wet(own, facets, numbers, area, equilibrium, out)
     return Wetting._make(out)
 
@@ -69,18 +69,33 @@ def area_at_depth(drawn: Section, depth: Array) -> Array:
     """Flow area below a depth, m, 0 or more: the inverse of the depth in :func:`wetting`; infinite of what is."""
     numbers, depth = _rows(drawn, np.ones(1), depth)
     out = np.empty(len(depth))
-    own, facets = records(drawn)
+    own, facets = records_of(kind_of(drawn))
     areas_below(own, facets, numbers, depth, out)
     return out
 
 
-def records(drawn: Section) -> tuple[section.Section, section.Facets]:
-    """The compiled solver's own records of a section's kind."""
+class Kind(NamedTuple):
+    """What records a section takes, whatever its numbers are."""
+
+    circle: bool
+    walls: int
+    """Drawn facets of a polygon, on one side."""
+    facets: int
+    """With the vertical walls above a drawn top."""
+
+
+def kind_of(drawn: Section) -> Kind:
+    """Of a section."""
     if isinstance(drawn, Circle):
-        return section.Section(0, True), section.Facets(2, True, _series())
-    open_ = bool(drawn.lengths) and bool(np.isinf(drawn.lengths[-1]).any())
+        return Kind(True, 0, 2)
     walls = len(drawn.lengths)
-    return section.Section(walls, False), section.Facets(walls if open_ else walls + 1, False, floats.zeros(1))
+    return Kind(False, walls, walls if walls and np.isinf(drawn.lengths[-1]).any() else walls + 1)
+
+
+def records_of(kind: Kind) -> tuple[section.Section, section.Facets]:
+    """The compiled solver's own records."""
+    series = _series() if kind.circle else floats.zeros(1)
+    return section.Section(kind.walls, kind.circle), section.Facets(kind.facets, kind.circle, series)
 
 
 def numbers_of(drawn: Section) -> list[Array]:

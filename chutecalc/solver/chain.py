@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from chutecalc.core import designs, march, records, state
+from chutecalc.core import designs, floats, march, records, state, walls
 from chutecalc.design import Contact, Design, Status
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.solver.course import course_of, numbers_of
+from chutecalc.physics.motion import ROOF
+from chutecalc.solver.course import Kinds, Numbers, give_back, kinds_of, numbers_of, shrink, take
 from chutecalc.solver.effort import effort
 from chutecalc.solver.leg import AT, Arrival, ContactLeg, Ends, Impact, Leg, Point, Stretch, columns, surface_of, whole
 from chutecalc.solver.panels import Panels, Way
@@ -31,53 +32,113 @@ def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[
             turn.
         RuntimeError: a segment took more than 2000 panels: a fault of the solver, not of the chute.
     """
-    return Chain(design, effort(rtol, complete)).solved()
+    chain = Chain(design, effort(rtol, complete))
+    return chain.legs(), chain.ends
+
+
+def run_ends(kinds: Kinds, numbers: Numbers, rtol: float, lying: bool = False, pressing: bool = False) -> Ends:
+    """The same for the ends alone.
+
+    Args:
+        kinds, numbers: of the designs.
+        rtol: as of :func:`run_chain`.
+        lying, pressing: whether the tables of that name are asked for.
+    """
+    course = take(kinds)
+    begin(course, numbers, lying, pressing)
+    course.ends_only = True
+    if designs.solve(course, effort(rtol, False), numbers.rows, 0, len(numbers.rows)) < len(numbers.rows):
+        raise RuntimeError(NOT_SOLVED)
+    ends = told(kinds, course)
+    give_back(kinds, course)
+    return ends
+
+
+NOT_SOLVED = f"a contact segment was not solved in {march.MOST} panels"
+
+
+def begin(course: records.Course, numbers: Numbers, lying: bool, pressing: bool) -> None:
+    """Has records ready for so many designs."""
+    count = len(numbers.rows)
+    course.ends = np.empty((len(records.ENDS), count))
+    course.tells_lying, course.tells_pressing = lying, pressing
+    if lying:
+        course.lying = np.empty((walls.LIE, 1, count))
+    if pressing:
+        course.pressing = np.empty((walls.PRESS, 1, count))
+    course.again = course.first
+    while course.again.number < numbers.again:
+        course.again = course.again.next
+
+
+def told(kinds: Kinds, course: records.Course) -> Ends:
+    """How designs end.
+
+    Raises:
+        SpecError: some have curves that are not tangent to the stream that falls into them.
+    """
+    ends = np.asarray(course.ends)
+    refused = ends[0] == state.NOT_TANGENT
+    if refused.any():
+        row = int(refused.argmax())
+        at, slope = int(ends[4, row]), np.degrees(ends[6, row])
+        what = "a hood has to steepen" if kinds[at].side == ROOF else "a curve has to turn"
+        problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
+        fault = Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")
+        raise SpecError([fault], designs=refused)
+    lying = tuple(np.asarray(course.lying)) if course.tells_lying else ()
+    pressing = tuple(np.asarray(course.pressing)) if course.tells_pressing else ()
+    return Ends(ends[0].astype(np.intp), ends[1], ends[2], ends[3], ends[4], ends[5], ends[6], lying, pressing)
 
 
 class Chain:
     """Designs, and what the compiled chain wrote down of them."""
 
     def __init__(self, design: Design, work: state.Effort) -> None:
-        self.design, self.work = design, work
-        self.numbers, self.starts, self.again = numbers_of(design)
+        """Solves."""
+        self.design, self.work, self.kinds, numbers = design, work, kinds_of(design), numbers_of(design)
+        self.numbers, self.starts, self.again = numbers
         self.count = len(self.numbers)
-        self.ends = np.empty((self.count, 3))
+        course = take(self.kinds)
+        begin(course, numbers, False, False)
+        course.ends_only = False
+        self.rows, self.kept = self._run(course, len(self.kinds) * self.count + ROOM)
+        self.ends = told(self.kinds, course)
+        shrink(course)
+        give_back(self.kinds, course)
 
-    def solved(self) -> tuple[list[Leg], Ends]:
-        """All of it."""
-        rows, kept = self._run()
-        panels = rows[:, AT["panels"]].astype(np.intp)
-        self.kept, self.first = kept, np.cumsum(panels) - panels
-        number, strikes = rows[:, AT["segment"]], rows[:, AT["strikes"]]
-        legs: list[Leg] = []
-        for segment in range(len(self.design.segments)):
-            of_segment = number == segment
-            if segment < self.again:  # solved once, or once for each time that room was made
-                of_segment &= rows[:, AT["row"]] == 0
-            times = range(int(strikes[of_segment].max()) + 1)
-            legs += [self._leg(segment, rows, np.flatnonzero(of_segment & (strikes == again))) for again in times]
-        return legs, Ends(self.ends[:, 0].astype(np.intp), self.ends[:, 1], self.ends[:, 2])
-
-    def _run(self) -> tuple[Array, Array]:
+    def _run(self, course: records.Course, legs: int) -> tuple[Array, Array]:
         """Legs, a row each, and the panels kept, in one row; of one design after the other."""
-        legs, panels, done = (
-            len(self.design.segments) * self.count + ROOM,
-            ROOM + len(self.design.segments) * self.count,
-            0,
-        )
-        found, kept = [], []
+        found, kept, log, done, panels = [], [], course.first.own.log, 0, legs if self.work.complete else 0
         while done < self.count:
-            self.course = course_of(self.design, panels, legs, self.again)
-            log = self.course.first.own.log
-            before, done = done, designs.solve(self.course, self.work, self.numbers, self.ends, done, self.count)
-            found.append(np.asarray(self.course.legs)[: self.course.count * records.NUMBERS])
+            course.legs, course.room, course.count = floats.zeros(records.NUMBERS * max(legs, 1)), legs, 0
+            log.kept, log.room, log.count = floats.zeros(state.PANEL * max(panels, 1)), panels, 0
+            course.full = log.full = False
+            before, done = done, designs.solve(course, self.work, self.numbers, done, self.count)
+            found.append(np.asarray(course.legs)[: course.count * records.NUMBERS])
             kept.append(np.asarray(log.kept)[: log.count * state.PANEL])
-            if done < self.count and not (self.course.full or log.full):
-                self._give_up(done)
+            if done < self.count and not (course.full or log.full):
+                raise RuntimeError(NOT_SOLVED)
             panels *= 2 if log.full and done == before else 1
-            legs *= 2 if done == before and self.course.full else 1
+            legs *= 2 if course.full and done == before else 1
         whole = found + kept if len(found) == 1 else (np.concatenate(found), np.concatenate(kept))
         return whole[0].reshape(-1, records.NUMBERS), whole[1]
+
+    def legs(self) -> list[Leg]:
+        """What became of the designs on each segment."""
+        panels = self.rows[:, AT["panels"]].astype(np.intp)
+        self.first = np.cumsum(panels) - panels
+        number, strikes = self.rows[:, AT["segment"]], self.rows[:, AT["strikes"]]
+        if len(self.rows) == len(self.kinds) and self.count == 1:  # each segment once
+            return [self._leg(segment, self.rows, np.array([segment])) for segment in range(len(self.kinds))]
+        legs: list[Leg] = []
+        for segment in range(len(self.kinds)):
+            of_segment = number == segment
+            if segment < self.again:  # solved once, or once for each time that room was made
+                of_segment &= self.rows[:, AT["row"]] == 0
+            times = range(int(strikes[of_segment].max()) + 1)
+            legs += [self._leg(segment, self.rows, np.flatnonzero(of_segment & (strikes == again))) for again in times]
+        return legs
 
     def _leg(self, number: int, rows: Array, chosen: Index) -> Leg:
         """What designs did on a segment, from its rows; what others did not do is left open."""
@@ -87,6 +148,7 @@ class Chain:
             table, begins = np.full((records.NUMBERS, count), np.nan), np.zeros(count, dtype=np.intp)
             at = own[:, AT["row"]].astype(np.intp)
             table[AT["status"]] = table[AT["met"]] = Status.NOT_REACHED
+            table[AT["beyond_status"] :] = 0.0
             table[:, at], begins[at] = own.T, first
         else:
             table, begins = np.ascontiguousarray(own.T), first
@@ -99,26 +161,13 @@ class Chain:
     def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactLeg:
         """The same of a guiding surface."""
         surface = surface_of(table, contact)
-        stream = self.course.first
-        while stream.number < number:
-            stream = stream.next
         surfaces = np.ascontiguousarray(columns(table, "surface_slope", 3).T)
-        way = Way(stream.own.way, self.numbers[: len(surfaces)], self.starts[number], surfaces)
+        way = Way(self.kinds[number], self.numbers[: len(surfaces)], self.starts[number], surfaces)
         impact = Impact._make(columns(table, "footprint", 7))
         arrival = Arrival._make((*columns(table, "distance", 5), whole(table, "met"), impact))
         panels = None
         if self.work.complete:
-            panels = Panels(stream.own, way, self.kept, first, whole(table, "panels"))
+            panels = Panels(way, self.kept, first, whole(table, "panels"))
         counts = (whole(table, "beyond_status"), whole(table, "tried"), panels)
         stretch = Stretch._make((*columns(table, "end_place", 3), *counts))
         return ContactLeg(surface, way, arrival, stretch)
-
-    def _give_up(self, row: int) -> None:
-        """Says why the chain stopped at a row."""
-        if self.ends[row, 0] != state.NOT_TANGENT:
-            raise RuntimeError(f"a contact segment was not solved in {march.MOST} panels")
-        at = self.course.fault_number
-        what = "a hood has to steepen" if self.design.segments[at].kind == "hood" else "a curve has to turn"
-        slope = np.degrees(self.course.fault_slope)
-        problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
-        raise SpecError([Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")])

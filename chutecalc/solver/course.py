@@ -1,6 +1,8 @@
 """Designs as the compiled chain reads them: its records, and a row of numbers each."""
 
-from functools import cache
+from collections import defaultdict
+from functools import cache, lru_cache
+from threading import get_ident
 from typing import NamedTuple
 
 import numpy as np
@@ -8,43 +10,89 @@ import numpy as np
 from chutecalc.core import floats, records, section, slide, state
 from chutecalc.design import Contact, Design, Fall
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.wetting import Kind as SectionKind
+from chutecalc.physics.wetting import kind_of, records_of
 from chutecalc.physics.wetting import numbers_of as section_numbers
-from chutecalc.physics.wetting import records as records_of
 
 
-def course_of(design: Design, panels: int, legs: int, again: int) -> records.Course:
-    """Records of a chute's kind.
+class Kind(NamedTuple):
+    """What records a segment takes, whatever its numbers are."""
 
-    Args:
-        design: the chute.
-        panels, legs: room for so many.
-        again: number of the segment from which on its designs differ.
-    """
-    log = state.Log(panels)
-    following: records.Segment | None = None
-    differing: records.Segment | None = None
-    last = len(design.segments) - 1
+    fall: bool
+    plate: bool = False
+    side: float = 1.0
+    equilibrium: bool = False
+    pieces: int = 1
+    first: SectionKind = SectionKind(circle=True, walls=0, facets=1)
+    last: SectionKind | None = None
+
+
+Kinds = tuple[Kind, ...]
+_FREE: defaultdict[Kinds, list[records.Course]] = defaultdict(list)
+"""Records that nobody uses now: making them takes longer than a solution."""
+
+
+def kinds_of(design: Design) -> Kinds:
+    """Of its segments."""
+    return tuple(_kind(segment, design) if isinstance(segment, Contact) else Kind(True) for segment in design.segments)
+
+
+def _kind(contact: Contact, design: Design) -> Kind:
+    first, last = kind_of(contact.section), contact.end_section and kind_of(contact.end_section)
+    pieces = len(contact.wall.starts)
+    return Kind(False, contact.kind == "plate", contact.side, design.equilibrium, pieces, first, last)
+
+
+def take(kinds: Kinds) -> records.Course:
+    """Records of a chute, to be given back."""
+    free = _FREE[kinds]
+    try:
+        return free.pop()
+    except IndexError:
+        return _course(kinds)
+
+
+def give_back(kinds: Kinds, course: records.Course) -> None:
+    """Has another solution use them."""
+    _FREE[kinds].append(course)
+
+
+def shrink(course: records.Course) -> None:
+    """Lets go of the room for what a solution keeps."""
+    course.legs, course.room = floats.zeros(records.NUMBERS), 0
+    course.first.own.log.kept, course.first.own.log.room = floats.zeros(state.PANEL), 0
+
+
+def _course(kinds: Kinds) -> records.Course:
+    log, following, last = state.Log(0), None, None
     own = state.Stream(slide.Slide(_no_facets(), section.Section(0, True), None, 1), log)  # what a fall has
-    for number in range(last, -1, -1):
-        drawn = design.segments[number]
-        if isinstance(drawn, Contact):
-            own = stream_of(drawn, design, log)
-        segment = records.Segment(number, number == last, own, following)
-        segment.fall, segment.plate = isinstance(drawn, Fall), drawn.kind == "plate"
-        following = segment
-        differing = segment if number == again else differing
+    for number in range(len(kinds) - 1, -1, -1):
+        kind = kinds[number]
+        own = own if kind.fall else state.Stream(_slide(kind), log)
+        segment = records.Segment(number, following is None, own, following)
+        segment.fall, segment.plate = kind.fall, kind.plate
+        following, last = segment, last or segment
     assert following is not None
-    assert differing is not None
-    return records.Course(following, differing, legs)
+    assert last is not None
+    return records.Course(following, last)
 
 
-def stream_of(contact: Contact, design: Design, log: state.Log) -> state.Stream:
-    """A stream of a segment's kind."""
-    first, facets = records_of(contact.section)
-    last = None if contact.end_section is None else records_of(contact.end_section)[0]
-    way = slide.Slide(facets, first, last, len(contact.wall.starts))
-    way.equilibrium, way.side = design.equilibrium, contact.side
-    return state.Stream(way, log)
+def _slide(kind: Kind) -> slide.Slide:
+    first, facets = records_of(kind.first)
+    last = None if kind.last is None else records_of(kind.last)[0]
+    way = slide.Slide(facets, first, last, kind.pieces)
+    way.equilibrium, way.side = kind.equilibrium, kind.side
+    return way
+
+
+def stream_of(kind: Kind) -> state.Stream:
+    """A stream of a segment's kind to look at solved ones with; each thread has its own."""
+    return _stream(kind, get_ident())
+
+
+@lru_cache(maxsize=128)
+def _stream(kind: Kind, thread: int) -> state.Stream:
+    return state.Stream(_slide(kind), state.Log(0))
 
 
 class Numbers(NamedTuple):
@@ -60,6 +108,20 @@ class Numbers(NamedTuple):
 
 def numbers_of(design: Design) -> Numbers:
     """The numbers of designs."""
+    columns, starts, begins = columns_of(design)
+    lengths = [1 if isinstance(column, float) else len(column) for column in columns]
+    count = max(lengths)
+    rows = np.empty((count, len(columns)))
+    if count == 1:
+        rows[0] = [column if isinstance(column, float) else column.item() for column in columns]
+        return Numbers(rows, starts, 0)
+    for number, column in enumerate(columns):
+        rows[:, number] = column
+    return Numbers(rows, starts, again_at(design, begins, next(k for k, size in enumerate(lengths) if size > 1)))
+
+
+def columns_of(design: Design) -> tuple[list[Array | float], list[int], list[int]]:
+    """The numbers of a row; where each segment's wall begins among them, and where each segment does."""
     columns: list[Array | float] = [design.density, design.gravity, design.volume_rate, design.vertical_ratio]
     columns += [*design.inlet_place, design.inlet_velocity, design.inlet_slope]
     starts, begins = [], []
@@ -76,20 +138,17 @@ def numbers_of(design: Design) -> Numbers:
             columns += piece
         columns += section_numbers(segment.section)
         columns += [] if segment.end_section is None else section_numbers(segment.end_section)
-    lengths = [1 if isinstance(column, float) else len(column) for column in columns]
-    count = max(lengths)
-    if count == 1:
-        rows = np.array([[float(column if isinstance(column, float) else column[0]) for column in columns]])
-        return Numbers(rows, starts, 0)
-    rows = np.empty((count, len(columns)))
-    for number, column in enumerate(columns):
-        rows[:, number] = column
-    varied = next(number for number, size in enumerate(lengths) if size > 1)
-    again = max(sum(begin <= varied for begin in begins) - 1, 0)
-    before = design.segments[again - 1]
-    if again and isinstance(before, Fall) and before.onto_next:  # which ends where that begins
-        again -= 1
-    return Numbers(rows, starts, again)
+    return columns, starts, begins
+
+
+def again_at(design: Design, begins: list[int], first: int) -> int:
+    """The segment from which on designs differ, whose numbers do from that one on.
+
+    A fall that ends on the next segment is another one where that differs.
+    """
+    segment = max(sum(begin <= first for begin in begins) - 1, 0)
+    before = design.segments[segment - 1]
+    return segment - 1 if segment and isinstance(before, Fall) and before.onto_next else segment
 
 
 def _or_nan(values: Array | None) -> Array | float:

@@ -102,14 +102,22 @@ class Leg(NamedTuple):
 
 
 class Ends(NamedTuple):
-    """How n designs end."""
+    """How n designs end; what a design has, or what is left of it, that fails before the end of the chute."""
 
     status: Index
     """A :class:`~chutecalc.design.Status` each."""
     velocity: Array
-    """At the end of the chute, m/s; NaN, or what is left of it, where a design fails before."""
+    """m/s."""
     error: Array
     """Estimated, relative, of the last velocity there is; after a stall of its place, as a share of the segment."""
+    distance: Array
+    x: Array
+    z: Array
+    slope: Array
+    lying: tuple[Array, ...]
+    """How the stream lies in the last section, see :func:`chutecalc.core.walls.lie`; shape (1, n), if asked for."""
+    pressing: tuple[Array, ...]
+    """What the walls bear there, see :func:`chutecalc.core.walls.press`, likewise."""
 
 
 TANGENT = joint.SAME
@@ -124,8 +132,8 @@ def columns(table: Array, first: str, count: int) -> Array:
 
 
 def whole(table: Array, name: str) -> Index:
-    """A whole number; 0 where there is none."""
-    numbers: Index = np.nan_to_num(table[AT[name]]).astype(np.intp)
+    """A whole number."""
+    numbers: Index = table[AT[name]].astype(np.intp)
     return numbers
 
 

@@ -5,16 +5,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.core import dense, gauss, slide, state
+from chutecalc.core import dense, gauss, state
+from chutecalc.core.slide import Slide
 from chutecalc.physics.arrays import Array, Index
+from chutecalc.solver.course import Kind, stream_of
 from chutecalc.solver.effort import compiled_rule
 
 
 class Way(NamedTuple):
     """Designs on a segment, as the compiled solver reads them."""
 
-    slide: slide.Slide
-    """Of the segment's kind."""
+    kind: Kind
     numbers: Array
     """Of all designs, a row each, as they were solved with."""
     start: int
@@ -22,20 +23,29 @@ class Way(NamedTuple):
     surfaces: Array
     """Entry slope, turn and length of the segment, a row each."""
 
+    @property
+    def slide(self) -> Slide:
+        """A record of its kind."""
+        return stream_of(self.kind).way
+
+    @property
+    def read(self) -> tuple[Slide, Array, int, Array]:
+        """As the compiled functions of :mod:`chutecalc.core.profile` take it."""
+        return self.slide, self.numbers, self.start, self.surfaces
+
 
 class Panels:
     """The panels of n designs along a segment, those of a design one after the other."""
 
-    def __init__(self, stream: state.Stream, way: Way, kept: Array, first: Index, count: Index) -> None:
+    def __init__(self, way: Way, kept: Array, first: Index, count: Index) -> None:
         """Panels as they were kept.
 
         Args:
-            stream: of the segment's kind.
             way: the designs on it.
             kept: the panels, in one row.
             first, count: the number of each design's first panel, and how many it has.
         """
-        self.stream, self.way = stream, way
+        self.way = way
         self.kept, self.first, self.count = kept, np.ascontiguousarray(first), np.ascontiguousarray(count)
 
     def of(self, design: int) -> Array:
@@ -51,7 +61,9 @@ class Panels:
     def times(self, places: Array, out: Array) -> None:
         """Seconds since the contact began, likewise."""
         assert places.shape == out.shape == (len(places), len(self.count))
-        dense.times(self.stream, *self.way[1:], self.kept, self.first, self.count, self._rules, places, out)
+        dense.times(
+            stream_of(self.way.kind), *self.way[1:], self.kept, self.first, self.count, self._rules, places, out
+        )
 
     def knots(self) -> Array:
         """Places of the panels' knots after their starts, shape (knots, designs); NaN for what a design has too few."""

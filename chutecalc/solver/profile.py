@@ -7,11 +7,11 @@ from functools import cached_property
 
 import numpy as np
 
-from chutecalc.core import balance, profile
+from chutecalc.core import balance, profile, walls
 from chutecalc.design import stretched
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.surface import point
-from chutecalc.solver.leg import ContactLeg, Leg
+from chutecalc.solver.leg import ContactLeg, Ends, Leg
 
 
 class FlightProfile:
@@ -119,8 +119,8 @@ class SlideProfile:
     @cached_property
     def lying(self) -> tuple[Array, ...]:
         """How the stream lies in the section, see :func:`chutecalc.core.profile.lying`."""
-        out = np.empty((profile.TABLES, *self.place.shape))
-        profile.lying(*self.contact.way, self.place, self.velocity_squared, out)
+        out = np.empty((walls.LIE, *self.place.shape))
+        profile.lying(*self.contact.way.read, self.place, self.velocity_squared, out)
         return tuple(out)
 
     @property
@@ -151,8 +151,8 @@ class SlideProfile:
     @cached_property
     def pressing(self) -> tuple[Array, ...]:
         """What the walls bear, see :func:`chutecalc.core.profile.pressing`; on a plate what the impact does."""
-        out = np.empty((profile.TABLES, *self.place.shape))
-        profile.pressing(*self.contact.way, self.place, self.velocity_squared, out)
+        out = np.empty((walls.PRESS, *self.place.shape))
+        profile.pressing(*self.contact.way.read, self.place, self.velocity_squared, out)
         arrival = self.contact.arrival
         thrown: Mask = (arrival.incidence > 0.0) & (self.leg.segment.kind == "plate")
         if thrown.any():
@@ -203,7 +203,7 @@ class SlideProfile:
     def balance(self) -> Array:
         """The velocity below which friction wins here, m/s, see :func:`chutecalc.core.balance.balances`."""
         out = np.empty(self.place.shape)
-        balance.balances(*self.contact.way, self.place, self.velocity, out)
+        balance.balances(*self.contact.way.read, self.place, self.velocity, out)
         return out
 
     def moving(self, velocity_squared: float) -> "SlideProfile":
@@ -216,3 +216,41 @@ class SlideProfile:
         """NaN where there is no stream."""
         known: Array = stretched(np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape)
         return known
+
+
+class EndProfile(SlideProfile):
+    """The end of a chute in contact, shape (1, designs)."""
+
+    def __init__(self, ends: Ends, flow: Array) -> None:
+        self.ends, self.flow = ends, flow
+        self.__dict__.update(velocity=ends.velocity[None], lying=ends.lying, pressing=ends.pressing)
+
+    @property
+    def distance(self) -> Array:
+        """From the inlet along the stream, m."""
+        return self.ends.distance[None]
+
+    @property
+    def position(self) -> tuple[Array, Array]:
+        """X and z, m."""
+        return self.ends.x[None], self.ends.z[None]
+
+    @property
+    def slope(self) -> Array:
+        """Below horizontal, rad."""
+        return self.ends.slope[None]
+
+    def wear(self, wall: int) -> Array:
+        """Friction power per area there, W/m²."""
+        wear: Array = self.pressures[wall] * self.wall_friction * self.velocity
+        return wear
+
+
+class EndFlight(FlightProfile):
+    """The end of a chute in flight, shape (1, designs)."""
+
+    def __init__(self, ends: Ends, flow: Array) -> None:
+        self.flow = flow
+        self.__dict__["distance"] = ends.distance[None]
+        there = (np.nan, ends.x, ends.z, ends.velocity, ends.slope)
+        self.__dict__["_told"] = tuple(np.atleast_2d(values) for values in there)

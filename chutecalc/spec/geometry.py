@@ -47,4 +47,7 @@ class GeometryFaults:
 
 def in_si(value: Any, dimension: str) -> Array:
     """A number of the spec in SI, of length 1 or n."""
-    return np.array(to_si(value, dimension), dtype=np.float64, ndmin=1)
+    values: Array = np.atleast_1d(
+        np.multiply(to_si(value, dimension), 1.0)
+    )  # an array, also of what only acts like one
+    return values

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from functools import cache
+from math import isfinite
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -69,9 +70,10 @@ class Quantity:
             if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
                 raise PydanticCustomError("quantity", f"has to be {_LISTS[self.shape]}, each")
             return [self._checked(item, shape[1:]) for item in value]
-        return self._number(value)
+        return self.number(value)
 
-    def _number(self, value: Any) -> Any:
+    def number(self, value: Any) -> Any:
+        """One number, or an array of them, as :meth:`check`."""
         if isinstance(value, np.ndarray):
             if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
                 raise PydanticCustomError("quantity", "has to be a number, or one for each design in one dimension,")
@@ -83,7 +85,7 @@ class Quantity:
                 value = smallest = largest = float(value)
             except OverflowError:
                 value = smallest = largest = np.inf
-        if not (np.isfinite(smallest) and np.isfinite(largest)):
+        if not (isfinite(smallest) and isfinite(largest)):
             raise PydanticCustomError("quantity", "has to be finite and")
         bounds = self.bounds
         low = smallest > bounds.get("gt", -np.inf) and smallest >= bounds.get("ge", -np.inf)

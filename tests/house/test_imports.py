@@ -9,14 +9,14 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "units", "core"},
+    {"errors", "units", "core", "tape"},
     {"physics"},
     {"design", "ranges"},
     {"columns", "spec"},
     {"solver"},
     {"along"},
     {"extremes", "belts", "stations"},
-    {"findings"},
+    {"findings", "function"},
     {"solution"},
     {"chute"},
     {"batch"},

@@ -1,0 +1,150 @@
+"""A chute as a function of its numbers says what the chute itself says, wherever it is asked."""
+
+from itertools import islice
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import chutecalc
+from tests import seeds
+from tests.conftest import chute
+from tests.robustness.chutes import random_specs
+
+OUTPUTS = ("exit_velocity_m_s", "exit_depth_m", "exit_wear_w_m2", "exit_x_m", "error_estimate")
+SPOON = "segments.spoon.radius_m"
+
+
+def starter():
+    return chutecalc.parse(chutecalc.STARTER)
+
+
+def numbers(table, path=""):
+    """All numbers of a spec, by their paths."""
+    items = table.items() if isinstance(table, dict) else enumerate(table, 1)
+    for key, value in items:
+        here = f"{path}.{key}".lstrip(".")
+        if isinstance(value, dict | list):
+            yield from numbers(value, here)
+        elif isinstance(value, float | int) and not isinstance(value, bool) and key != "format":
+            yield here, float(value)
+
+
+def expected(base, path, values):
+    """What single designs give, one after the other; NaN where there is none."""
+    told = []
+    for value in values:
+        try:
+            found = chutecalc.exits(base.vary({path: [value]}), columns=[name[5:] for name in OUTPUTS[:-1]])
+        except chutecalc.SpecError as error:
+            if error.designs is None:
+                raise
+            told.append([np.nan] * len(OUTPUTS))
+        else:
+            ok = found.codes[0] == 0
+            told.append(
+                [*(found.exit[name[5:]][0] for name in OUTPUTS[:-1]), found.error_estimate[0] if ok else np.nan]
+            )
+    return np.array(told).T
+
+
+def test_every_number_of_random_chutes():
+    """By the way written down and by the chute built anew: the same digits, and the same refusals."""
+    random, traced = np.random.default_rng(5), 0
+    for data in islice(random_specs(31), seeds.times(60)):
+        try:
+            base = chutecalc.parse(data)
+            chutecalc.exits(base)
+        except chutecalc.SpecError:
+            continue
+        for path, value in numbers(data):
+            values = value * random.uniform(0.9, 1.1, 3)
+            f = base.function([path], OUTPUTS)
+            traced += f.traced
+            try:
+                right = expected(base, path, values)
+            except chutecalc.SpecError:
+                with pytest.raises(chutecalc.SpecError):
+                    f(values)
+                continue
+            assert np.array_equal(np.array(f(values)), right, equal_nan=True), (path, values)
+            assert np.array_equal([f(float(item)) for item in values], right.T, equal_nan=True), (path, values)
+    assert traced > 500
+
+
+def test_several_at_once_are_those_of_vary():
+    random = np.random.default_rng(1)
+    changes = {
+        SPOON: random.uniform(2.0, 4.0, 20),
+        "liners.wall.friction_deg": random.uniform(15.0, 30.0, 20),
+        "material.internal_friction_deg": random.uniform(35.0, 55.0, 20),
+        "sections.body.chamfer_deg": random.uniform(20.0, 60.0, 20),
+        "flow.rate_t_h": random.uniform(500.0, 1500.0, 20),
+        "inlet.velocity_fpm": random.uniform(300.0, 800.0, 20),
+    }
+    base = chute(
+        sections={"body": {"shape": "chamfered", "base_m": 0.4, "chamfer_deg": 45.0}},
+        inlet={"velocity_m_s": 3.0, "slope_deg": 80.0},
+        segments=[{"name": "spoon", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 20.0}],
+    )
+    f = base.function(list(changes), ["exit_velocity_m_s", "exit_pressure_kpa"])
+    found, right = f(*changes.values()), chutecalc.exits(base.vary(changes), columns=["velocity_m_s", "pressure_kpa"])
+    assert f.traced
+    for values, name in zip(found, ("velocity_m_s", "pressure_kpa"), strict=True):
+        assert np.array_equal(values, right.exit[name])
+
+
+def test_a_root_finder_takes_it():
+    f = starter().function({SPOON: (1.0, 6.0)})
+    radius = brentq(lambda r: f(r) - 3.7, 1.0, 6.0, xtol=1e-12)
+    assert chutecalc.solve(starter().vary({SPOON: radius})).exit_velocity[0] == pytest.approx(3.7, rel=1e-12)
+
+
+def test_a_design_that_cannot_be_built_is_not_a_number_beside_those_that_can():
+    base = chute(
+        inlet={"velocity_m_s": 4.0, "slope_deg": 60.0},
+        segments=[{"kind": "curve", "radius_m": 3.0, "to_slope_deg": 20.0}, {"kind": "fall", "drop_m": 1.0}],
+    )
+    f = base.function(["segments.1.to_slope_deg"])
+    flat, none, steep = f([20.0, 60.0, 80.0])
+    assert np.isfinite([flat, steep]).all()
+    assert np.isnan(none)
+    assert np.isnan(f(60.0))
+    assert f(20.0) == flat
+
+
+def test_what_the_receiver_gets():
+    base = chute(
+        receiver={"velocity_m_s": 4.0, "friction_deg": 30.0},
+        segments=[{"name": "spoon", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 20.0}],
+        inlet={"velocity_m_s": 4.0, "slope_deg": 80.0},
+    )
+    f = base.function(["receiver.velocity_m_s", SPOON], ["receiver_velocity_ratio"])
+    right = chutecalc.exits(base.vary({"receiver.velocity_m_s": [3.0, 5.0], SPOON: 2.5})).receiver["velocity_ratio"]
+    assert np.array_equal(f([3.0, 5.0], 2.5), right)
+
+
+def test_a_value_out_of_bounds_is_told():
+    f = starter().function([SPOON])
+    with pytest.raises(chutecalc.SpecError, match="greater than 0"):
+        f(-1.0)
+    with pytest.raises(chutecalc.SpecError, match="finite"):
+        f(np.array([1.0, np.nan]))
+    with pytest.raises(chutecalc.UsageError, match="from 2 to 3"):
+        starter().function({SPOON: (2.0, 3.0)})(4.0)
+    with pytest.raises(chutecalc.UsageError, match="takes 1 value"):
+        f(1.0, 2.0)
+
+
+@pytest.mark.parametrize(
+    "path", ["segments.spoon.radius", "segments.9.radius_m", "flow", "segments.spoon.kind", "x.y", ""]
+)
+def test_a_path_to_no_number_is_told(path):
+    with pytest.raises(chutecalc.SpecError, match="no number"):
+        starter().function([path])
+
+
+@pytest.mark.parametrize("outputs", [[], ["velocity_m_s"], ["exit_time_s"], ["receiver_velocity_ratio"], ["exit_x"]])
+def test_an_output_that_there_is_not_is_told(outputs):
+    with pytest.raises(chutecalc.UsageError, match="no output"):
+        starter().function([SPOON], outputs)
