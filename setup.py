@@ -34,11 +34,13 @@ class Build(build_ext):
 
     def run(self) -> None:
         self.parallel = self.parallel or os.cpu_count()
-        remove(CORE)  # what was compiled from other sources would be used before them
+        folders = [CORE] if self.inplace else [Path(self.build_lib, CORE)]
+        for folder in folders:
+            remove(folder)  # what was compiled from other sources would be used before them
         try:
             super().run()
         except (Exception, SystemExit) as error:  # whatever a compiler may do
-            for folder in (CORE, Path(self.build_lib, CORE)):
+            for folder in folders:
                 remove(folder)  # all of them or none: they know each other's records
             self.warn(f"chutecalc is installed uncompiled: {error}")
 
