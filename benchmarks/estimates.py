@@ -50,8 +50,7 @@ def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
     leg = next(leg for leg in legs if leg.contact)
     known = (leg.status == Status.OK) & (leg.exit.error < KNOWN)
     for pair in PAIRS:
-        legs, _ = Chain(design, effort_with(pair, (16, 24), ANYHOW, False)).solved()
-        found = legs[leg.number]
+        found = Chain(design, effort_with(pair, (16, 24), ANYHOW, False)).legs()[leg.number]
         one = known & (found.contact.stretch.tried == 1) & (found.contact.stretch.place == 1.0)
         error = np.abs((found.exit.velocity[one] / leg.exit.velocity[one]) ** 2 - 1.0)
         yield pair, Told(error, 2.0 * found.exit.error[one])

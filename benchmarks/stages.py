@@ -47,7 +47,7 @@ def stages(file: Path) -> Tasks:
 
 def again(solution: chutecalc.Solution) -> chutecalc.Solution:
     """The same solution, that has not worked out anything yet."""
-    return chutecalc.Solution(solution.design, solution.legs, solution.final, solution.rtol, solution.count)
+    return chutecalc.Solution(solution.design, solution.legs, solution.ends, solution.rtol, solution.count)
 
 
 def main() -> None:

@@ -57,7 +57,7 @@ class Solution:
     """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure."""
 
     def __init__(self, design: Design, legs: tuple[Leg, ...], ends: Ends, rtol: float, count: int) -> None:
-        self.design, self.legs, self.rtol, self.count = design, legs, rtol, count
+        self.design, self.legs, self.ends, self.rtol, self.count = design, legs, ends, rtol, count
         self.codes: Index = np.broadcast_to(ends.status, count)
         """The :class:`~chutecalc.design.Status` of each design, shape (designs,)."""
         self.error_estimate: Array = np.broadcast_to(ends.error, count)
