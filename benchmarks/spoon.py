@@ -157,6 +157,11 @@ def with_heyoka(tolerance: float, grid: np.ndarray, case: Case) -> np.ndarray:
     return np.sqrt(integrator.propagate_grid(grid)[-1][:, 0])
 
 
+def with_function(velocity: Callable[..., float], case: Case) -> np.ndarray:
+    """The exit alone, as a function of radius and wall friction."""
+    return np.array([entry(case), velocity(case["radius_m"], case["wall_friction_deg"])])
+
+
 def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc.Chute | None = None) -> np.ndarray:
     """Solution and stations; the spec too, unless it is checked already, and then its numbers alone are built."""
     if checked is None:

@@ -8,7 +8,8 @@ top. All run in turn, again and again; times are medians, and ratios are to DOP8
 rivals' right-hand side is what one would write in Python for one design, in v², plain floats and `math`; those of
 heyoka and of numbalsoda (where that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled
 beforehand. What chutecalc does in that time: build the numbers from the checked spec, solve, velocity and depth at the
-stations; 'with check' also reads and checks the spec.
+stations; 'with check' also reads and checks the spec. `chute.function` takes radius and wall friction and gives the
+exit.
 """
 
 import csv
@@ -29,6 +30,7 @@ from spoon import (
     spec,
     turn,
     with_chutecalc,
+    with_function,
     with_heyoka,
     with_odeint,
     with_solve_ivp,
@@ -88,6 +90,9 @@ def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.nd
     found = {YARDSTICK: partial(with_solve_ivp, "DOP853", 1e-10, grid, case)}
     found |= {f"chutecalc {rtol}": partial(with_chutecalc, float(rtol), grid, case, checked) for rtol in ours}
     found |= {"chutecalc with check 1e-10": partial(with_chutecalc, 1e-10, grid, case)}
+    if len(grid) == 2:
+        velocity = checked.function(["segments.spoon.radius_m", "liners.wall.friction_deg"], rtol=1e-10)
+        found |= {"chute.function 1e-10": partial(with_function, velocity, case)}
     for method in ("DOP853",) if quick else ("RK45", "DOP853", "LSODA", "Radau"):
         found |= {
             f"solve_ivp {method} {rtol}": partial(with_solve_ivp, method, float(rtol), grid, case) for rtol in theirs
