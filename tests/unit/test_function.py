@@ -51,7 +51,7 @@ def expected(base, path, values):
 def test_every_number_of_random_chutes():
     """By the way written down and by the chute built anew: the same digits, and the same refusals."""
     random, traced = np.random.default_rng(5), 0
-    for data in islice(random_specs(31), seeds.times(60)):
+    for data in islice(random_specs(31), seeds.times(20)):
         try:
             base = chutecalc.parse(data)
             chutecalc.exits(base)
@@ -69,7 +69,7 @@ def test_every_number_of_random_chutes():
                 continue
             assert np.array_equal(np.array(f(values)), right, equal_nan=True), (path, values)
             assert np.array_equal([f(float(item)) for item in values], right.T, equal_nan=True), (path, values)
-    assert traced > 500
+    assert traced > 100
 
 
 def test_several_at_once_are_those_of_vary():
@@ -91,7 +91,8 @@ def test_several_at_once_are_those_of_vary():
     found, right = f(*changes.values()), chutecalc.exits(base.vary(changes), columns=["velocity_m_s", "pressure_kpa"])
     assert f.traced
     for values, name in zip(found, ("velocity_m_s", "pressure_kpa"), strict=True):
-        assert np.array_equal(values, right.exit[name])
+        # NumPy's tangent may differ by a digit with the layout of its argument, which is 1e-16 of each number here
+        assert values == pytest.approx(right.exit[name], rel=1e-14)
 
 
 def test_a_root_finder_takes_it():
