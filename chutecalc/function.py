@@ -1,80 +1,28 @@
 """From a chute's parameters straight to numbers at its end: for optimisers, root finders and sweeps."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from chutecalc.along import asked, at_exit
 from chutecalc.belts import received
 from chutecalc.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.core.replay import Recipe
 from chutecalc.design import Contact, Design, Status
-from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.errors import SpecError, UsageError
+from chutecalc.parameter import Limits, parameter_at
 from chutecalc.physics.arrays import Array
 from chutecalc.solver.chain import run_ends
 from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of, numbers_of
 from chutecalc.solver.leg import Ends
 from chutecalc.spec.build import build
 from chutecalc.spec.model import ChuteSpec
-from chutecalc.spec.quantity import Quantity, Table
-from chutecalc.tape import Tape, Traced
-from chutecalc.units import convert, first_unit
+from chutecalc.tape import Tape, Traced, again
 
 NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
-Limits = tuple[float, float]
 PLAIN = {"exit_velocity_m_s": 1, "error_estimate": 2, "exit_s_m": 3, "exit_x_m": 4, "exit_z_m": 5}
 """Outputs that stand among the ends as they are, and where."""
-
-
-class Parameter(NamedTuple):
-    """A number of the spec that is varied."""
-
-    path: str
-    table: Table
-    """That it stands in, with its documented key and, of a list, the places in it."""
-    key: str
-    places: tuple[int, ...]
-    unit: str
-    limits: Limits | None
-
-    @property
-    def quantity(self) -> Quantity:
-        """Its bounds and its dimension."""
-        return self.table.quantities()[self.key]
-
-    @property
-    def value(self) -> Any:
-        """In the dimension's first unit, as the spec has it."""
-        value = getattr(self.table, self.key)
-        for place in self.places:
-            value = value[place]
-        return value
-
-    def put(self, value: Any) -> None:
-        """Has the spec say so."""
-        if not self.places:
-            self.table.__dict__[self.key] = value  # a model is frozen against everybody else
-            return
-        rows = getattr(self.table, self.key)
-        for place in self.places[:-1]:
-            rows = rows[place]
-        rows[self.places[-1]] = value
-
-    def converted(self, value: Any) -> Any:
-        """To the dimension's first unit."""
-        return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
-
-    def fits(self, value: Any) -> bool:
-        """Whether the spec's bounds, and the rules of its table, let it be so."""
-        try:
-            self.quantity.number(value)
-        except PydanticCustomError:
-            return False
-        if self.places or not self.table.rules:
-            return True
-        table = {key: item for key, item in self.table.__dict__.items() if item is not None} | {self.key: value}
-        return not any(True for rule in self.table.rules for _ in rule(table))
 
 
 class Function:
@@ -104,15 +52,17 @@ class Function:
         """
         self.outputs, self.rtol, self._vary = tuple(outputs), rtol, vary
         given = parameters if isinstance(parameters, Mapping) else dict.fromkeys(parameters)
-        self.parameters = tuple(_parameter(spec, path, limits) for path, limits in given.items())
+        self.parameters = tuple(parameter_at(spec, path, limits) for path, limits in given.items())
+        self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
+        self._plain = {*PLAIN, "exit_slope_deg", "exit_depth_m"}.issuperset(self.outputs)
         self._check_outputs(spec)
         self._trace(spec, drawn_slopes)
 
     @property
     def traced(self) -> bool:
         """Whether calls go the short way; else a chute is built for each."""
-        return self._tape is not None
+        return self._recipe is not None
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -128,42 +78,41 @@ class Function:
         """
         if len(values) != len(self.parameters):
             raise UsageError(f"takes {len(self.parameters)} value(s), for {', '.join(self.paths)}, not {len(values)}")
-        for parameter, value in zip(self.parameters, values, strict=True):
-            if parameter.limits and not (parameter.limits[0] <= np.min(value) and np.max(value) <= parameter.limits[1]):
-                low, high = parameter.limits
-                raise UsageError(f"{parameter.path} has to be from {low:g} to {high:g} here, not {value}")
         single = not any(isinstance(value, np.ndarray | list | tuple) for value in values)
-        found = self._at([float(value) if single else np.atleast_1d(np.float64(value)) for value in values])
+        rows = np.array([values], dtype=float) if single else _rows(values)
+        if self._limited:
+            self._check_limits(rows)
+        found = self._shortly(rows)
+        if found is None:
+            found = self._slowly(rows)
         told = [float(numbers[0]) for numbers in found] if single else found
         return told[0] if len(told) == 1 else tuple(told)
 
-    def _at(self, values: list[Any]) -> list[Array]:
-        """The outputs for an array of each parameter."""
-        converted = [parameter.converted(value) for parameter, value in zip(self.parameters, values, strict=True)]
-        fits = all(parameter.fits(value) for parameter, value in zip(self.parameters, converted, strict=True))
-        known = self._tape.again(converted) if fits and self._tape is not None else None
-        if known is None:
-            return self._slowly(values)
-        count = max(np.size(value) for value in converted)
-        rows = np.repeat(self._row, count, axis=0) if count > 1 else self._row.copy()
-        for column, place in self._varied:
-            rows[:, column] = known[place]
-        try:
-            ends = run_ends(self._kinds, Numbers(rows, [], self._again), self.rtol, *self._asked)
-        except SpecError:
-            return self._slowly(values)
-        return self._told(self._base if self._simple else _filled(self._design, known), ends)
+    def _check_limits(self, rows: Array) -> None:
+        for parameter, column in zip(self.parameters, rows.T, strict=True):
+            low, high = parameter.limits or (-np.inf, np.inf)
+            if not (column.min() >= low and column.max() <= high):
+                raise UsageError(f"{parameter.path} has to be from {low:g} to {high:g} here, not {column}")
 
-    def _slowly(self, values: list[Any]) -> list[Array]:
+    def _shortly(self, rows: Array) -> list[Array] | None:
+        """The outputs by what is written down; None where that does not hold for all designs."""
+        known = None if self._recipe is None else again(self._recipe, rows)
+        if known is None:
+            return None
+        try:
+            ends = run_ends(self._kinds, Numbers(known, [], self._again), self.rtol, *self._asked)
+        except SpecError:
+            return None
+        return self._told(_filled(self._design, known, self._leaves), ends)
+
+    def _slowly(self, values: Array) -> list[Array]:
         """The same by way of a chute of that many designs, without those that cannot be built."""
-        count = max(np.size(value) for value in values)
-        whole = [np.broadcast_to(value, count) for value in values]
-        told = [np.full(count, np.nan) for _ in self.outputs]
-        waiting = [np.arange(count)]
+        told = [np.full(len(values), np.nan) for _ in self.outputs]
+        waiting = [np.arange(len(values))]
         while waiting:
             rows = waiting.pop()
             try:
-                design = self._vary({path: column[rows] for path, column in zip(self.paths, whole, strict=True)}).design
+                design = self._vary(dict(zip(self.paths, np.ascontiguousarray(values[rows].T), strict=True))).design
                 ends = run_ends(kinds_of(design), numbers_of(design), self.rtol, *self._asked)
             except SpecError as error:
                 if error.designs is None:
@@ -179,7 +128,7 @@ class Function:
         """The outputs of designs from their ends."""
         well = ends.status == Status.OK
         exits, belt = {}, {}
-        if not self._simple:
+        if not self._plain:
             names = [*self.exit_names, *(("velocity_m_s", "slope_deg") if design.receiver else ())]
             exits = at_exit(design, ends, names)
             if design.receiver is not None:
@@ -210,71 +159,60 @@ class Function:
 
     def _trace(self, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
         """Builds the chute once and writes down what follows from the parameters."""
-        self._base = build(spec, drawn_slopes)
-        self._kinds = kinds_of(self._base)
-        self._guided = isinstance(self._base.segments[-1], Contact)
-        self._simple = {*PLAIN, "exit_slope_deg", "exit_depth_m"}.issuperset(self.outputs)
+        base = build(spec, drawn_slopes)
+        self._kinds, self._again = kinds_of(base), 0
+        self._guided = isinstance(base.segments[-1], Contact)
         self._asked = asked(self.exit_names)
-        tape, before = Tape(), [parameter.value for parameter in self.parameters]
-        self._tape: Tape | None = tape
+        self._recipe: Recipe | None = None
+        self._design, self._leaves = base, dict[int, int]()
+        before, tape = [parameter.value for parameter in self.parameters], Tape()
         try:
-            for parameter, value in zip(self.parameters, before, strict=True):
-                parameter.put(tape.number(value))
-            self._design = build(spec, drawn_slopes)
-            columns, _, begins = columns_of(self._design)
+            self._write(tape, spec, drawn_slopes)
         except (AttributeError, TypeError, ValueError):  # something that a tape does not hold
-            self._tape, self._design = None, self._base
-            columns, _, begins = columns_of(self._base)
+            self._recipe, self._design = None, base
         finally:
             for parameter, value in zip(self.parameters, before, strict=True):
                 parameter.put(value)
-        self._varied = [(k, column.place) for k, column in enumerate(columns) if isinstance(column, Traced)]
-        first = self._varied[0][0] if self._varied else 0
-        self._again = again_at(self._base, begins, first)
-        self._row = np.array([[_number(column) for column in columns]])
+
+    def _write(self, tape: Tape, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
+        """Has a tape hold it, up to what a row of numbers for the solver is, and what the outputs take beside that."""
+        given = [tape.number(parameter.given) for parameter in self.parameters]
+        for parameter, value in zip(self.parameters, given, strict=True):
+            converted = np.multiply(parameter.converted(value), 1.0)
+            if not parameter.asks(converted):
+                raise ValueError("no value for the spec")
+            parameter.put(converted)
+        design = build(spec, drawn_slopes)
+        columns, _, begins = columns_of(design)
+        varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
+        self._again = again_at(design, begins, varied[0]) if varied else 0
+        leaves = {} if self._plain else {leaf.place: leaf for leaf in _leaves(design)}
+        self._leaves = {place: len(columns) + number for number, place in enumerate(leaves)}
+        self._recipe = tape.recipe([*columns, *leaves.values()])
+        self._design = self._design if self._plain else design
 
 
-def _number(column: Any) -> float:
-    value = column.value if isinstance(column, Traced) else column
-    return float(value if isinstance(value, float) else value[0])
+def _rows(values: Sequence[Any]) -> Array:
+    """Arrays and numbers as a row for each design."""
+    return np.column_stack(np.broadcast_arrays(*(np.atleast_1d(np.float64(value)) for value in values)))
 
 
-def _parameter(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter:
-    """Where a path leads in a checked spec."""
-    here: Any = spec
-    parts = path.split(".")
-    try:
-        for number, part in enumerate(parts):
-            if isinstance(here, Table):
-                name, unit = here.keys()[part]
-                if name in type(here).quantities():
-                    places = tuple(int(place) - 1 for place in parts[number + 1 :])
-                    found = Parameter(path, here, name, places, unit, limits)
-                    if isinstance(found.value, float | int) and all(place >= 0 for place in places):
-                        return found
-                    break
-                part = name
-            here = _below(here, part)
-    except (KeyError, IndexError, AttributeError, ValueError, TypeError, StopIteration):
-        pass
-    raise SpecError(
-        [Fault(path, "is no number that the spec gives", "choose one that it has, or give it one there first")]
-    )
-
-
-def _below(here: Any, part: str) -> Any:
-    if isinstance(here, dict):
-        return here[part]
-    if isinstance(here, list):
-        return here[int(part) - 1] if part.isdecimal() else next(item for item in here if item.name == part)
-    return getattr(here, part)
-
-
-def _filled(item: Any, known: list[Any]) -> Any:
-    """A record with what was traced as it is now."""
+def _leaves(item: Any) -> Iterator[Traced]:
+    """What was traced in a record."""
     if isinstance(item, Traced):
-        return known[item.place]
+        yield item
+    elif isinstance(item, tuple):
+        for part in item:
+            yield from _leaves(part)
+
+
+def _filled(item: Any, known: Array, leaves: Mapping[int, int]) -> Any:
+    """A record with what was traced as it is now."""
+    if not leaves:
+        return item
+    if isinstance(item, Traced):
+        return known[:, leaves[item.place]]
     if isinstance(item, tuple):
-        parts = [_filled(each, known) for each in item]
+        parts = [_filled(each, known, leaves) for each in item]
         return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
     return item

@@ -1,107 +1,121 @@
-"""A record of what NumPy does with some numbers, to do it again with others.
+"""What NumPy does with some numbers, written down to be done again with others, compiled.
 
-What follows from a varied number is a :class:`Traced`: it has the value that it has now, and every NumPy function that
-it goes through is written down. Where a program asks whether something holds, the answer is written down too: with
-other numbers that give another answer the record is of no use, and says so.
+What follows from a varied number is a :class:`Traced`: it has the value that it has now, and every operation that it
+goes through is written down. Where a program asks whether something holds, the answer is written down too: with other
+numbers that give another answer the record is of no use, and says so.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
+from chutecalc.core import replay
+from chutecalc.physics.arrays import Array
+
+CODE = {name: number for number, name in enumerate(replay.NAMES)}
+Place = int
+
 
 class Tape:
-    """What was done, in order."""
+    """What was done, in order. Each value is one number, that of one design."""
 
     def __init__(self) -> None:
-        self.steps: list[tuple[Callable[..., Any], list[Any], dict[str, Any], int]] = []
-        """Function, arguments, and where its result goes; a Traced argument stands for where its own is."""
-        self.answers: list[tuple[int, bool]] = []
-        """Where a truth value is, and what it has to be."""
-        self.size = 0
+        self.values: list[float] = []
+        self.steps: list[int] = []
+        self._constants: dict[float, Place] = {}
 
-    def number(self, value: Any) -> "Traced":
+    def number(self, value: float) -> "Traced":
         """The next number that is varied; all before anything else."""
-        return self._new(np.atleast_1d(np.float64(value)))
+        return Traced(self, np.array([value], dtype=float), self.room(float(value)))
 
-    def call(self, function: Callable[..., Any], arguments: Any, options: Any = None) -> Any:
-        """Does something with traced values, and notes it.
+    def room(self, value: float = np.nan) -> Place:
+        """A place for one more value."""
+        self.values.append(value)
+        return len(self.values) - 1
+
+    def place(self, item: Any) -> Place:
+        """Where a number is; what never changes takes a place too.
 
         Raises:
-            TypeError: it asks for the shape of one design, and would be wrong for many.
+            TypeError: it is more than one number.
         """
-        if function is np.broadcast_to:
-            raise TypeError("a shape is written down that is that of one design")
-        found = function(*_map(arguments, lambda item: item.value), **(options or {}))
-        if isinstance(found, tuple | list):  # of broadcasting
-            return [self.call(_item, (self._note(function, arguments, options, found), k)) for k in range(len(found))]
-        return self._note(function, arguments, options, found)
+        if isinstance(item, Traced):
+            return item.place
+        if np.size(item) != 1:
+            raise TypeError("more than one number")
+        value = float(item if np.ndim(item) == 0 else np.ravel(item)[0])
+        if value not in self._constants:  # −0 is 0 here, which no operation of a spec minds
+            self._constants[value] = self.room(value)
+        return self._constants[value]
 
-    def _note(self, function: Any, arguments: Any, options: Any, found: Any) -> "Traced":
-        own = self._new(found)
-        self.steps.append((function, arguments, options or {}, own.place))
-        return own
+    def do(self, name: str, *places: Place) -> Place:
+        """An operation; tells where its result goes."""
+        found = self.room()
+        self.steps += [CODE[name], *places, *[0] * (3 - len(places)), found]
+        return found
 
-    def _new(self, value: Any) -> "Traced":
-        own = Traced(self, value, self.size)
-        self.size += 1
-        return own
+    def check(self, place: Place, answer: bool) -> None:
+        """An answer that has to stay what it is."""
+        self.steps += [CODE["check"], place, self.place(answer), 0, 0]
 
-    def again(self, numbers: Any) -> list[Any] | None:
-        """All values for other numbers, by their place; None where an answer changes."""
-        values: list[Any] = [*numbers, *[None] * (self.size - len(numbers))]
-        with np.errstate(all="ignore"):
-            for function, arguments, options, place in self.steps:
-                given = [values[item.place] if type(item) is Traced else _now(item, values) for item in arguments]
-                values[place] = function(*given, **options)
-        if any(bool(values[place]) != answer for place, answer in self.answers):
-            return None
-        return values
+    def recipe(self, taken: Sequence[Any]) -> replay.Recipe:
+        """What to do, and the numbers to tell of it, varied or not."""
+        places = [self.place(item) for item in taken]
+        return replay.Recipe(self.steps, self.values, places)
 
 
-def _now(item: Any, values: list[Any]) -> Any:
-    """An argument with what was traced in it as it is now."""
-    return _map(item, lambda traced: values[traced.place]) if type(item) in (list, tuple) else item
+def again(recipe: replay.Recipe, numbers: Array) -> Array | None:
+    """What is asked for, a row for each row of varied numbers; None where an answer changes."""
+    out = np.empty((len(numbers), len(recipe.taken)))
+    return out if replay.replay(recipe, numbers, out) == len(numbers) else None
 
 
 class Traced(np.lib.mixins.NDArrayOperatorsMixin):
     """An array of one design whose value follows from varied numbers."""
 
-    def __init__(self, tape: Tape, value: Any, place: int) -> None:
+    def __init__(self, tape: Tape, value: Any, place: Place) -> None:
         self.tape, self.value, self.place = tape, value, place
 
     def __array_ufunc__(self, function: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        return self.tape.call(getattr(function, method), inputs, options)
+        if method != "__call__" or function not in _OPERATIONS:
+            return NotImplemented
+        return self._made(function, _OPERATIONS[function], inputs)
 
     def __array_function__(self, function: Any, types: Any, arguments: Any, options: Any) -> Any:
-        return self.tape.call(function, arguments, options)
+        if function is np.where:
+            return self._made(np.where, lambda tape, *places: tape.do("choose", *places), arguments)
+        if function in (np.any, np.all, np.atleast_1d) and not options:
+            return self._same(function(self.value))
+        return NotImplemented
+
+    def _made(self, function: Callable[..., Any], operation: Callable[..., Place], inputs: Sequence[Any]) -> "Traced":
+        value = function(*(item.value if isinstance(item, Traced) else item for item in inputs))
+        return Traced(self.tape, value, operation(self.tape, *(self.tape.place(item) for item in inputs)))
+
+    def _same(self, value: Any) -> "Traced":
+        """The same number in another shape."""
+        if np.size(value) != 1:
+            raise TypeError("more than one number")
+        return Traced(self.tape, value, self.place)
 
     def __getitem__(self, key: Any) -> Any:
-        return self.tape.call(_item, (self, key))
+        return self._same(self.value[key])
 
     def __len__(self) -> int:
         return len(self.value)
 
     def __bool__(self) -> bool:
-        self.tape.answers.append((self.place, bool(self.value)))
+        self.tape.check(self.place, bool(self.value))
         return bool(self.value)
 
     def any(self) -> Any:
-        """Whether any is true."""
-        return self.tape.call(np.any, (self,))
+        """Whether any is true: of one, itself."""
+        return self._same(self.value.any())
 
     def all(self) -> Any:
         """Whether all are."""
-        return self.tape.call(np.all, (self,))
-
-    def sum(self, axis: int) -> Any:
-        """The sum."""
-        return self.tape.call(np.sum, (self, axis))
-
-    def reshape(self, *shape: int) -> Any:
-        """In another shape; the designs are the last axis."""
-        return self.tape.call(_reshaped, (self, shape[:-1]))
+        return self._same(self.value.all())
 
     def max(self) -> Any:
         """For words alone: nobody is told of other numbers."""
@@ -112,29 +126,62 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         """For words alone, likewise."""
         return self.value.flat
 
-    @property
-    def shape(self) -> Any:
-        """Of the value."""
-        return self.value.shape
 
-    @property
-    def ndim(self) -> int:
-        """Of the value."""
-        return int(self.value.ndim)
+def _plain(name: str) -> Callable[..., Place]:
+    return lambda tape, *places: tape.do(name, *places)
 
 
-def _item(values: Any, key: Any) -> Any:
-    return values[key]
+def _swapped(name: str) -> Callable[..., Place]:
+    return lambda tape, one, other: tape.do(name, other, one)
 
 
-def _reshaped(values: Any, shape: Any) -> Any:
-    return values.reshape(*shape, -1)
+def _negative(tape: Tape, one: Place) -> Place:
+    return tape.do("multiply", one, tape.place(-1.0))
 
 
-def _map(item: Any, function: Callable[["Traced"], Any]) -> Any:
-    """Traced values, also in tuples and lists, as what a function makes of them."""
-    if isinstance(item, Traced):
-        return function(item)
-    if isinstance(item, tuple | list):
-        return [_map(each, function) for each in item]
-    return item
+def _absolute(tape: Tape, one: Place) -> Place:
+    return tape.do("choose", tape.do("less", one, tape.place(0.0)), _negative(tape, one), one)
+
+
+def _least(tape: Tape, one: Place, other: Place) -> Place:
+    return tape.do("choose", tape.do("less", one, other), one, other)
+
+
+def _largest(tape: Tape, one: Place, other: Place) -> Place:
+    return tape.do("choose", tape.do("less", other, one), one, other)
+
+
+def _power(tape: Tape, one: Place, exponent: Place) -> Place:
+    if tape.values[exponent] != 2.0:
+        raise TypeError("a power that is no square")
+    return tape.do("multiply", one, one)
+
+
+_OPERATIONS: dict[Any, Callable[..., Place]] = {
+    np.add: _plain("add"),
+    np.subtract: _plain("subtract"),
+    np.multiply: _plain("multiply"),
+    np.divide: _plain("divide"),
+    np.less: _plain("less"),
+    np.less_equal: _plain("less_equal"),
+    np.greater: _swapped("less"),
+    np.greater_equal: _swapped("less_equal"),
+    np.equal: _plain("equal"),
+    np.not_equal: lambda tape, one, other: tape.do("not", tape.do("equal", one, other)),
+    np.bitwise_and: _plain("and"),
+    np.bitwise_or: _plain("or"),
+    np.invert: _plain("not"),
+    np.logical_not: _plain("not"),
+    np.sqrt: _plain("root"),
+    np.sin: _plain("sine"),
+    np.cos: _plain("cosine"),
+    np.tan: _plain("tangent"),
+    np.arccos: _plain("arccosine"),
+    np.negative: _negative,
+    np.absolute: _absolute,
+    np.minimum: _least,
+    np.maximum: _largest,
+    np.power: _power,
+    np.square: lambda tape, one: tape.do("multiply", one, one),
+}
+"""What NumPy's functions are in operations of :mod:`chutecalc.core.replay`, of numbers that are numbers."""

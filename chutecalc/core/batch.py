@@ -50,6 +50,7 @@ def tell(course: "records.Course", last: "records.Segment", own: "state.Stream")
     course.ends[3, row], course.ends[4, row] = course.here.distance, course.here.x
     course.ends[5, row], course.ends[6, row] = course.here.z, course.here.slope
     if course.status == state.FAULT:
+        course.faults += 1
         course.ends[4, row], course.ends[6, row] = course.fault_number, course.fault_slope
     y = floats.NAN if course.status != state.OK or last.fall else own.y
     if course.tells_lying:

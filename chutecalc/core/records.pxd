@@ -37,7 +37,7 @@ cdef class Course:
     cdef public Arrival arrival
     cdef public Impact impact, beside
     cdef public quartic.Quartic curve
-    cdef public int saved_status, status, leg_status, strikes, fault_number, row, room, count
+    cdef public int saved_status, status, leg_status, strikes, fault_number, faults, row, room, count
     cdef public bint saved_airborne, airborne, arrived, full
     cdef public double error, saved_error, saved_x, saved_z, saved_off_x, saved_off_z, gravity, drawn_x, drawn_z, drawn_off_x, drawn_off_z, fault_slope, flight_time
     cdef public double[::1] legs

@@ -96,8 +96,8 @@ class Course:
         """The fall before has found how the stream meets the segment."""
         self.drawn_x = self.drawn_z = self.drawn_off_x = self.drawn_off_z = 0.0
         """The drawn end of the segment before."""
-        self.fault_slope, self.fault_number = 0.0, 0
-        """Of a stream that a curve cannot be tangent to, and the curve."""
+        self.fault_slope, self.fault_number, self.faults = 0.0, 0, 0
+        """Of a stream that a curve cannot be tangent to, and the curve; and how many designs have such a one."""
         self.saved = Point()
         self.saved_status, self.saved_airborne = 0, False
         self.error = self.saved_error = 0.0

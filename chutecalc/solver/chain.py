@@ -45,49 +45,50 @@ def run_ends(kinds: Kinds, numbers: Numbers, rtol: float, lying: bool = False, p
         lying, pressing: whether the tables of that name are asked for.
     """
     course = take(kinds)
-    begin(course, numbers, lying, pressing)
+    tables = begin(course, numbers, lying, pressing)
     course.ends_only = True
     if designs.solve(course, effort(rtol, False), numbers.rows, 0, len(numbers.rows)) < len(numbers.rows):
         raise RuntimeError(NOT_SOLVED)
-    ends = told(kinds, course)
+    faults = course.faults
     give_back(kinds, course)
-    return ends
+    return told(kinds, faults, *tables)
 
 
 NOT_SOLVED = f"a contact segment was not solved in {march.MOST} panels"
+Tables = tuple[Array, Array, Array]
+NOT_ASKED = np.empty(0)
 
 
-def begin(course: records.Course, numbers: Numbers, lying: bool, pressing: bool) -> None:
-    """Has records ready for so many designs."""
+def begin(course: records.Course, numbers: Numbers, lying: bool, pressing: bool) -> Tables:
+    """Has records ready for so many designs, and tells the tables that they will fill."""
     count = len(numbers.rows)
-    course.ends = np.empty((len(records.ENDS), count))
-    course.tells_lying, course.tells_pressing = lying, pressing
+    course.faults, course.tells_lying, course.tells_pressing = 0, lying, pressing
+    course.ends = ends = np.empty((len(records.ENDS), count))
+    lies = presses = NOT_ASKED
     if lying:
-        course.lying = np.empty((walls.LIE, 1, count))
+        course.lying = lies = np.empty((walls.LIE, 1, count))
     if pressing:
-        course.pressing = np.empty((walls.PRESS, 1, count))
+        course.pressing = presses = np.empty((walls.PRESS, 1, count))
     course.again = course.first
     while course.again.number < numbers.again:
         course.again = course.again.next
+    return ends, lies, presses
 
 
-def told(kinds: Kinds, course: records.Course) -> Ends:
+def told(kinds: Kinds, faults: int, ends: Array, lying: Array, pressing: Array) -> Ends:
     """How designs end.
 
     Raises:
         SpecError: some have curves that are not tangent to the stream that falls into them.
     """
-    ends = np.asarray(course.ends)
-    refused = ends[0] == state.NOT_TANGENT
-    if refused.any():
+    if faults:
+        refused = ends[0] == state.NOT_TANGENT
         row = int(refused.argmax())
         at, slope = int(ends[4, row]), np.degrees(ends[6, row])
         what = "a hood has to steepen" if kinds[at].side == ROOF else "a curve has to turn"
         problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
         fault = Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")
         raise SpecError([fault], designs=refused)
-    lying = tuple(np.asarray(course.lying)) if course.tells_lying else ()
-    pressing = tuple(np.asarray(course.pressing)) if course.tells_pressing else ()
     return Ends(ends[0].astype(np.intp), ends[1], ends[2], ends[3], ends[4], ends[5], ends[6], lying, pressing)
 
 
@@ -100,12 +101,13 @@ class Chain:
         self.numbers, self.starts, self.again = numbers
         self.count = len(self.numbers)
         course = take(self.kinds)
-        begin(course, numbers, False, False)
+        tables = begin(course, numbers, False, False)
         course.ends_only = False
         self.rows, self.kept = self._run(course, len(self.kinds) * self.count + ROOM)
-        self.ends = told(self.kinds, course)
+        faults = course.faults
         shrink(course)
         give_back(self.kinds, course)
+        self.ends = told(self.kinds, faults, *tables)
 
     def _run(self, course: records.Course, legs: int) -> tuple[Array, Array]:
         """Legs, a row each, and the panels kept, in one row; of one design after the other."""

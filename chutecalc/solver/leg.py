@@ -114,9 +114,10 @@ class Ends(NamedTuple):
     x: Array
     z: Array
     slope: Array
-    lying: tuple[Array, ...]
-    """How the stream lies in the last section, see :func:`chutecalc.core.walls.lie`; shape (1, n), if asked for."""
-    pressing: tuple[Array, ...]
+    lying: Array
+    """How the stream lies in the last section, see :func:`chutecalc.core.walls.lie`: tables of shape (1, n), if asked
+    for."""
+    pressing: Array
     """What the walls bear there, see :func:`chutecalc.core.walls.press`, likewise."""
 
 

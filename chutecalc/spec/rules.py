@@ -108,9 +108,9 @@ def _reference(
 
 def downhill(table: dict[str, Any]) -> Iterator[Rule]:
     """A straight floor does not rise."""
-    slope = table.get("slope_deg")
-    number = isinstance(slope, int | float | np.ndarray) and not isinstance(slope, bool)
-    if table.get("kind") == "straight" and number and np.any(np.less(np.asarray(slope), 0.0)):
+    slope: Any = table.get("slope_deg")
+    number = isinstance(slope, int | float | np.lib.mixins.NDArrayOperatorsMixin | np.ndarray)
+    if table.get("kind") == "straight" and number and np.any(np.less(slope, 0.0)):
         yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")
 
 

@@ -9,11 +9,11 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "units", "core", "tape"},
+    {"errors", "units", "core"},
     {"physics"},
-    {"design", "ranges"},
+    {"design", "ranges", "tape"},
     {"columns", "spec"},
-    {"solver"},
+    {"solver", "parameter"},
     {"along"},
     {"extremes", "belts", "stations"},
     {"findings", "function"},

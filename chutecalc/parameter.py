@@ -1,0 +1,97 @@
+"""A number of a checked spec that is to be varied: where it stands, its unit, its bounds."""
+
+import operator
+from typing import Any, NamedTuple
+
+from chutecalc.errors import Fault, SpecError
+from chutecalc.spec.model import ChuteSpec
+from chutecalc.spec.quantity import Quantity, Table
+from chutecalc.tape import Traced
+from chutecalc.units import convert, first_unit
+
+Limits = tuple[float, float]
+ASKED = {"gt": operator.gt, "ge": operator.ge, "lt": operator.lt, "le": operator.le}
+"""How a quantity's bounds are asked for."""
+
+
+class Parameter(NamedTuple):
+    """A number of the spec that is varied."""
+
+    path: str
+    table: Table
+    """That it stands in, with its documented key and, of a list, the places in it."""
+    key: str
+    places: tuple[int, ...]
+    unit: str
+    limits: Limits | None
+
+    @property
+    def quantity(self) -> Quantity:
+        """Its bounds and its dimension."""
+        return self.table.quantities()[self.key]
+
+    @property
+    def value(self) -> Any:
+        """In the dimension's first unit, as the spec has it."""
+        value = getattr(self.table, self.key)
+        for place in self.places:
+            value = value[place]
+        return value
+
+    @property
+    def given(self) -> float:
+        """In the unit of its path."""
+        return float(convert(self.value, self.quantity.dimension, first_unit(self.quantity.dimension), self.unit))
+
+    def put(self, value: Any) -> None:
+        """Has the spec say so."""
+        if not self.places:
+            self.table.__dict__[self.key] = value  # a model is frozen against everybody else
+            return
+        rows = getattr(self.table, self.key)
+        for place in self.places[:-1]:
+            rows = rows[place]
+        rows[self.places[-1]] = value
+
+    def converted(self, value: Any) -> Any:
+        """To the dimension's first unit."""
+        return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
+
+    def asks(self, value: Traced) -> bool:
+        """Whether limits, the spec's bounds and the rules of its table let a converted value be; each is asked."""
+        table = {key: item for key, item in self.table.__dict__.items() if item is not None}
+        table |= {} if self.places else {self.key: value}
+        finite = bool(value - value == 0.0)
+        within = [bool(ASKED[name](value, limit)) for name, limit in self.quantity.bounds.items()]
+        return finite and all(within) and not any(True for rule in self.table.rules for _ in rule(table))
+
+
+def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter:
+    """Where a path leads in a checked spec."""
+    here: Any = spec
+    parts = path.split(".")
+    try:
+        for number, part in enumerate(parts):
+            if isinstance(here, Table):
+                name, unit = here.keys()[part]
+                if name in type(here).quantities():
+                    places = tuple(int(place) - 1 for place in parts[number + 1 :])
+                    found = Parameter(path, here, name, places, unit, limits)
+                    if isinstance(found.value, float | int) and all(place >= 0 for place in places):
+                        return found
+                    break
+                part = name
+            here = _below(here, part)
+    except (KeyError, IndexError, AttributeError, ValueError, TypeError, StopIteration):
+        pass
+    raise SpecError(
+        [Fault(path, "is no number that the spec gives", "choose one that it has, or give it one there first")]
+    )
+
+
+def _below(here: Any, part: str) -> Any:
+    if isinstance(here, dict):
+        return here[part]
+    if isinstance(here, list):
+        return here[int(part) - 1] if part.isdecimal() else next(item for item in here if item.name == part)
+    return getattr(here, part)
