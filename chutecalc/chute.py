@@ -4,14 +4,13 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import ValidationError
 
 from chutecalc.design import Contact, Design, Fall
 from chutecalc.errors import Fault, SpecError, UsageError
-from chutecalc.function import Function
 from chutecalc.physics.arrays import Array
 from chutecalc.solution import Solution
 from chutecalc.solver.chain import run_chain
@@ -21,6 +20,9 @@ from chutecalc.spec.file import parse_text, read_text
 from chutecalc.spec.geometry import GeometryError
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.spec.paths import with_values
+
+if TYPE_CHECKING:
+    from chutecalc.function import Function
 
 TOLERANCES = (1e-13, 1e-3)
 
@@ -92,7 +94,7 @@ class Chute:
         parameters: Mapping[str, tuple[float, float] | None] | Sequence[str],
         outputs: Sequence[str] = ("exit_velocity_m_s",),
         rtol: float = 1e-10,
-    ) -> Function:
+    ) -> "Function":
         """This chute as a function of some of its numbers: for optimisers, root finders and many designs.
 
         What follows from the parameters is found out once; a call takes no more than the solution itself.
@@ -119,6 +121,8 @@ class Chute:
         >>> round(velocity(3.0), 3), velocity([2.0, 3.0]).round(3)
         (3.878, array([3.578, 3.878]))
         """
+        from chutecalc.function import Function  # what a run does not need
+
         check_tolerance(rtol)
         spec = ChuteSpec.model_validate(self.data)  # its own: what is varied is put there
         return Function(spec, self.vary, self._drawn_slopes, parameters, outputs, rtol)

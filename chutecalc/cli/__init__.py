@@ -107,8 +107,3 @@ def _complain(text: str, status: ExitStatus) -> int:
     """Says on standard error what is wrong. Faults of specs and usage texts say themselves what they are about."""
     print(text, file=sys.stderr)
     return status
-
-
-def entry() -> None:
-    """The console script."""
-    sys.exit(main())

@@ -67,7 +67,7 @@ def print_sweep_chart(printer: Printer, sweep: Sweep, block: Block) -> None:
 
 def _width(printer: Printer) -> int:
     """Columns of a chart; 0, and a word on that, where there is no room."""
-    width = min(printer.console.width, WIDEST) if printer.console.is_terminal else PIPED
+    width = min(printer.console.width, WIDEST) if printer.is_terminal else PIPED
     if width < NARROWEST:
         printer.text(f"no chart: it takes {NARROWEST} columns, and there are {width}")
         return 0

@@ -7,12 +7,9 @@ from collections.abc import Sequence
 from typing import IO, Any
 from xml.etree import ElementTree
 
-from rich.console import JustifyMethod
-from rich.table import Table
-from rich.text import Text
-
 from chutecalc import __version__
 from chutecalc.columns import COLUMNS
+from chutecalc.output.grid import GAP, Grid
 from chutecalc.output.json import FORMAT
 from chutecalc.output.table import Printer
 from chutecalc.studies.regression import NO_BASELINE, OK, Drift, Verdict, worst
@@ -35,26 +32,25 @@ def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Seque
 
 def _print_failing(printer: Printer, verdict: Verdict) -> None:
     """One design that is not as it was."""
-    heading = Text(f"{verdict.spec}: {_words(verdict.outcome)}", style="bold red")
+    heading = f"{verdict.spec}: {_words(verdict.outcome)}"
     lines = [*(change.message for change in verdict.changes), *verdict.notes]
     if len(lines) == 1 and not verdict.drifts:
-        printer.text(heading.append(f": {lines[0]}", style="none"))
+        printer.text(heading, f": {lines[0]}", "bold red")
         return
-    printer.text(heading.append(f" (tolerance {verdict.tolerance:g})" if verdict.drifts else "", style="none"))
+    printer.text(heading, f" (tolerance {verdict.tolerance:g})" if verdict.drifts else "", "bold red")
     for line in lines:
         printer.text(f"  {line}")
     if verdict.drifts:
         printer.table(_drifts(verdict))
 
 
-def _drifts(verdict: Verdict) -> Table:
+def _drifts(verdict: Verdict) -> Grid:
     """A row a column: from where on along the chute it is off, and where it is most."""
-    table = Table(box=None, header_style="bold", padding=(0, 0, 0, 2))
+    table = Grid(indent=GAP)
     for heading in ("column", "off from", "s\nm", "most at", "s\nm", "was", "is", "off by"):
-        side: JustifyMethod = "left" if heading in ("column", "off from", "most at") else "right"
-        table.add_column(heading, no_wrap=True, justify=side)
+        table.column(heading, to_left=heading in ("column", "off from", "most at"))
     for first, most in worst(verdict.drifts):
-        table.add_row(most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}")
+        table.row([most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}"])
     return table
 
 

@@ -2,10 +2,8 @@
 
 import math
 
-from rich.table import Table
-from rich.text import Text
-
 from chutecalc.dem.study import CLAIM, INSENSITIVE, LAWS, Fit, Measured, Series, Study, residual
+from chutecalc.output.grid import Grid
 from chutecalc.output.table import COLOURS, Printer
 
 SHALLOW = 6.0
@@ -16,13 +14,13 @@ def print_study(printer: Printer, study: Study) -> None:
     """Prints a table for each series, its fits, and what failed."""
     for series in study.series:
         if series.points:
-            printer.text(Text(series_title(series), style="bold"))
+            printer.text(series_title(series), style="bold")
             printer.table(_table(study, series))
             for line in (*_fit_lines(study, series), *_shallow_lines(series)):
                 printer.text(line)
             printer.text()
     for line in failures(study):
-        printer.text(Text(line, style=COLOURS["failure"]))
+        printer.text(line, style=COLOURS["failure"])
     waiting = sum(point.waiting for point in study.points)
     if waiting:
         printer.text(f"{waiting} cases have not been run, and more may follow to make beds level")
@@ -36,13 +34,13 @@ def series_title(series: Series) -> str:
     return f"{series.pour}, particle friction {series.friction:g}{force}{raised}"
 
 
-def _table(study: Study, series: Series) -> Table:
+def _table(study: Study, series: Series) -> Grid:
     """A row for each trough and wall, measured and by the law with the fitted δ."""
-    table = Table(box=None, header_style="bold", pad_edge=False)
+    table = Grid()
     headings = ("β", "area", "depth", "solids", "wall", "K", "±", "law", "N_t/N", "±", "paper", "equil.", "μ_e", "±")
     units = ("°", "m²", "m", "", "", "", "", "", "", "", "", "", "", "")
     for heading, unit in zip((*headings, "seeds"), (*units, ""), strict=True):
-        table.add_column(f"{heading}\n{unit}", justify="left" if heading == "wall" else "right", no_wrap=True)
+        table.column(f"{heading}\n{unit}", to_left=heading == "wall")
     for point in series.points:
         walls = {name: both for name, both in point.walls.items() if name != "floor"}
         law = point.law(series.fits["paper"].vertical_ratio, "paper")
@@ -66,7 +64,7 @@ def _table(study: Study, series: Series) -> Table:
                     *_shown(Measured(friction * point.ratio.mean, friction * point.ratio.scatter), 4),
                     f"{len(point.beds)} of {point.group.seeds}",
                 )
-            table.add_row(*bed, name, *_shown(pressure, 3), f"{by_law:.3f}", *loads)
+            table.row([*bed, name, *_shown(pressure, 3), f"{by_law:.3f}", *loads])
     return table
 
 

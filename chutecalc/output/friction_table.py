@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import IO, Any
 
 import numpy as np
-from rich.table import Table
 
 from chutecalc import __version__
 from chutecalc.columns import FRICTION_COLUMNS
 from chutecalc.output.csv import write_columns
+from chutecalc.output.grid import Grid
 from chutecalc.output.json import FORMAT
 from chutecalc.output.table import Printer
 from chutecalc.studies.friction import Best, FrictionStudy
@@ -66,22 +66,22 @@ def given_text(study: FrictionStudy, units: str) -> str:
     return f"{friction}, width between square corners {width}, {area}"
 
 
-def _table(study: FrictionStudy, units: str) -> Table:
+def _table(study: FrictionStudy, units: str) -> Grid:
     """The possible rows."""
-    table = Table(box=None, header_style="bold", pad_edge=False)
+    table = Grid()
     friction = FRICTION_COLUMNS["equivalent_friction"]
     for name in ("chamfer_deg", *SECTION_COLUMNS):
         column = FRICTION_COLUMNS[name]
-        table.add_column(f"{column.symbol}\n{column.unit_text(units)}", justify="right", no_wrap=True)
+        table.column(f"{column.symbol}\n{column.unit_text(units)}")
     for delta in study.internal_friction_deg:
-        table.add_column(f"{friction.symbol}\nδ {delta:g}°", justify="right", no_wrap=True)
+        table.column(f"{friction.symbol}\nδ {delta:g}°")
     count = len(study.chamfer_deg)
     values = study.columns["equivalent_friction"].reshape(-1, count)
     for k in np.flatnonzero(study.columns["status"][:count] == "ok"):
         cells = [
             FRICTION_COLUMNS[name].shown(study.columns[name][k], units) for name in ("chamfer_deg", *SECTION_COLUMNS)
         ]
-        table.add_row(*cells, *(friction.shown(value, units) for value in values[:, k]))
+        table.row([*cells, *(friction.shown(value, units) for value in values[:, k])])
     return table
 
 

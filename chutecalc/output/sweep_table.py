@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from rich.table import Table
 
 from chutecalc.columns import COLUMNS, Column, row_columns
+from chutecalc.output.grid import Grid
 from chutecalc.output.rows import joined
 from chutecalc.output.table import Printer
 from chutecalc.studies.block import IMPOSSIBLE, TEXT, Block, chosen
@@ -95,18 +95,17 @@ class ShownRows:
         )
         return (" with " if sweep.parallel else " by ").join(lists) + how + (top or "")
 
-    def _table(self, units: str) -> Table:
+    def _table(self, units: str) -> Grid:
         """The rows."""
-        table = Table(box=None, header_style="bold", pad_edge=False)
+        table = Grid()
         block = joined(self.kept)
         shown = {name: column_of(self.sweep, name) for name in self.sweep.header}
         for name, column in shown.items():
             unit = UNIT_TEXT.get(column.unit, column.unit) if column.meaning == VARIED else column.unit_text(units)
-            text = name in TEXT
-            table.add_column(f"{column.heading}\n{unit}", justify="left" if text else "right", no_wrap=True)
+            table.column(f"{column.heading}\n{unit}", to_left=name in TEXT)
         cells = [_texts(column, block[name], units) for name, column in shown.items()]
         for row in zip(*cells, strict=True):
-            table.add_row(*row)
+            table.row(row)
         return table
 
     def _notes(self, files: list[str]) -> Iterator[str]:

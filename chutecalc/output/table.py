@@ -1,20 +1,23 @@
 """Tables that a chute designer reads, with the same digits on a terminal and in a pipe."""
 
+from __future__ import annotations
+
 import math
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
-
-from rich.console import Console
-from rich.table import Table
-from rich.text import Text
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS, quantity_text
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
+from chutecalc.output.grid import Grid
 from chutecalc.solution import SegmentResult, Solution
 from chutecalc.units import convert
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 SHOWN = (
     "s_m",
@@ -38,47 +41,52 @@ class Printer:
     def __init__(self, units: str = "metric", stream: Any = None) -> None:
         self.units = units
         self.stream = stream or sys.stdout
-        terminal = self.stream.isatty()
-        colour = terminal and not os.environ.get("NO_COLOR")
-        self.console = Console(
+        self.is_terminal = self.stream.isatty()
+
+    @cached_property
+    def console(self) -> Console:
+        """Of the terminal."""
+        from rich.console import Console
+
+        return Console(
             file=self.stream,
-            color_system="auto" if colour else None,
-            force_terminal=terminal,
-            width=None if terminal else NO_WRAP,
+            color_system=None if os.environ.get("NO_COLOR") else "auto",
+            force_terminal=True,
             highlight=False,
             markup=False,
             emoji=False,
         )
 
-    def text(self, text: str | Text = "") -> None:
-        """A line, wrapped and coloured on a terminal only."""
-        if self.console.is_terminal:
-            self.console.print(text)
-        else:
-            self.stream.write(f"{text}\n")
+    def text(self, text: str = "", plain: str = "", style: str = "") -> None:
+        """A line, wrapped on a terminal only, where what comes before ``plain`` has a style."""
+        if self.is_terminal:
+            from rich.text import Text
 
-    def table(self, table: Table) -> None:
+            self.console.print(Text(text, style=style).append(plain, style="none"))
+        else:
+            self.stream.write(f"{text}{plain}\n")
+
+    def table(self, grid: Grid) -> None:
         """A table at its own width: numbers are never cut or folded."""
-        if self.console.is_terminal:
-            from rich.measure import Measurement
+        if not self.is_terminal:
+            self.stream.writelines(f"{line}\n" for line in grid.lines())
+            return
+        from rich.measure import Measurement
 
-            needed = Measurement.get(self.console, self.console.options.update(width=NO_WRAP), table).maximum
-            self.console.width, width = max(self.console.width, needed), self.console.width
-            self.console.print(table, crop=False)
-            self.console.width = width
-        else:
-            with self.console.capture() as captured:
-                self.console.print(table)
-            self.stream.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
+        table = grid.drawn()
+        needed = Measurement.get(self.console, self.console.options.update(width=NO_WRAP), table).maximum
+        self.console.width, width = max(self.console.width, needed), self.console.width
+        self.console.print(table, crop=False)
+        self.console.width = width
 
     def report(self, chute: Chute, solution: Solution) -> None:
         """A chute: what it is, its segments, its findings."""
-        self.text(Text(chute.spec.title or chute.source, style="bold"))
+        self.text(chute.spec.title or chute.source, style="bold")
         self.text(_flow_line(chute, self.units))
         self.text()
         self.table(self._segments(solution.ways))
         self.text()
-        self.text(Text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[FAILURE]))
+        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[FAILURE])
         for line in (*self._impacts(solution), *self._belts(chute, solution)):
             self.text(line)
         self.findings(solution.findings())
@@ -86,18 +94,20 @@ class Printer:
     def findings(self, findings: Sequence[Finding]) -> None:
         """What a designer has to know."""
         for finding in findings:
-            line = Text(f"{finding.severity} {finding.code}", style=COLOURS[finding.severity])
             place = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
             unit = COLUMNS["s_m"].unit_text(self.units)
-            line.append(f"  {finding.segment}, s = {place} {unit}: {finding.message(0, self.units)}", style="none")
-            self.text(line)
+            self.text(
+                f"{finding.severity} {finding.code}",
+                f"  {finding.segment}, s = {place} {unit}: {finding.message(0, self.units)}",
+                COLOURS[finding.severity],
+            )
 
     def stations(self, stations: dict[str, Any]) -> None:
         """The stream along the chute."""
         table = self._new_table(["segment"])
         for k, segment in enumerate(stations["segment"][0].tolist()):
             if stations["s_m"][0, k] == stations["s_m"][0, k]:
-                table.add_row(segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in SHOWN))
+                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in SHOWN)])
         self.table(table)
 
     def comparison(self, runs: Sequence[tuple[Chute, Solution]]) -> None:
@@ -105,24 +115,24 @@ class Printer:
         table = self._new_table(["spec", "status"], "comparison")
         for chute, solution in runs:
             cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in SHOWN)
-            table.add_row(chute.source, str(solution.status[0]), *cells)
+            table.row([chute.source, str(solution.status[0]), *cells])
         self.table(table)
 
     def catalogue(self) -> None:
         """All columns."""
-        table = Table(box=None, header_style="bold", pad_edge=False)
+        table = Grid()
         for heading in ("name", "unit", "symbol", "meaning"):
-            table.add_column(heading, no_wrap=True)
+            table.column(heading, to_left=True)
         for column in COLUMNS.values():
-            table.add_row(column.name, column.unit_text("metric"), column.symbol, column.meaning)
+            table.row([column.name, column.unit_text("metric"), column.symbol, column.meaning])
         self.table(table)
 
-    def _segments(self, ways: Sequence[SegmentResult]) -> Table:
+    def _segments(self, ways: Sequence[SegmentResult]) -> Grid:
         """The ends and extremes of each segment."""
         table = self._new_table(["segment", "kind", ""])
         for way in ways:
             if way.entry["s_m"][0] != way.entry["s_m"][0]:
-                table.add_row(way.name, way.kind, str(way.status[0]).replace("_", " "), end_section=True)
+                table.row([way.name, way.kind, str(way.status[0]).replace("_", " ")])
                 continue
             rows = [("in", way.entry), ("out", way.exit)]
             if any(
@@ -143,17 +153,17 @@ class Printer:
                     COLUMNS[name].shown(float(numbers[name][0]), self.units) if name in numbers else ""
                     for name in SHOWN
                 )
-                table.add_row(*names, label, *cells, end_section=row == len(rows) - 1)
+                table.row([*names, label, *cells])
         return table
 
-    def _new_table(self, labels: Sequence[str], title: str | None = None) -> Table:
+    def _new_table(self, labels: Sequence[str], title: str = "") -> Grid:
         """A table of labels and the shown columns, headed with their units."""
-        table = Table(box=None, header_style="bold", pad_edge=False, title=title, title_justify="left")
+        table = Grid(title)
         for label in labels:
-            table.add_column(label, no_wrap=True)
+            table.column(label, to_left=True)
         for name in SHOWN:
             column = COLUMNS[name]
-            table.add_column(f"{column.heading}\n{column.unit_text(self.units)}", justify="right", no_wrap=True)
+            table.column(f"{column.heading}\n{column.unit_text(self.units)}")
         return table
 
     def _impacts(self, solution: Solution) -> Iterator[str]:

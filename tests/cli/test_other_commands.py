@@ -79,7 +79,7 @@ def test_no_command_shows_the_help_and_is_a_wrong_command(capsys):
     assert "Usage: chutecalc" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("way", [["-m", "chutecalc"], ["-c", "from chutecalc.cli import entry; entry()"]])
+@pytest.mark.parametrize("way", [["-m", "chutecalc"], ["-c", "from chutecalc.__main__ import entry; entry()"]])
 def test_as_a_process(way):
     run = subprocess.run([sys.executable, *way, "--version"], capture_output=True, text=True, check=True)
     assert run.stdout.startswith("chutecalc ")
