@@ -86,7 +86,8 @@ class Part(Site):
             flies = (self.leg.flight_time > 0.0) | (self.kind != "flight")
             end = np.where(flies, self.leg.flown, np.nan)
             return np.where(np.isnan(end), np.nan, 0.0), end
-        return self.contact.arrival.place, self.contact.stretch.place
+        ends = self.contact.ends
+        return ends[0], ends[2]
 
     def length(self) -> Array:
         """How far that is, m."""
@@ -132,10 +133,7 @@ class Part(Site):
             flown(self.leg.path, top, way)
             share = np.where(rises, way[0] / np.where(rises, end, 1.0), 1.0)
             return np.sort(np.concatenate([np.repeat(EVEN[:, None], len(share), axis=1), share[None]]), axis=0)
-        panels = self.contact.stretch.panels
-        if panels is None:
-            return np.array([0.0, 1.0])
-        places = panels.knots()
+        places = self.contact.panels.knots()
         way = np.where(end > begin, end - begin, np.inf)
         shares = np.ones((len(places) + 1, len(begin)))
         shares[0] = 0.0
@@ -175,7 +173,8 @@ class Part(Site):
         at = self._profile(shares)
         with np.errstate(all="ignore"):
             values = {name: _FORMULA[name](self, at) for name in names or COLUMN}
-        shape = np.broadcast_shapes(at.distance.shape, *(column.shape for column in values.values()))
+        shapes = {at.shape, *(column.shape for column in values.values())}
+        shape = at.shape if len(shapes) == 1 else np.broadcast_shapes(*shapes)
         return {name: stretched(column, shape) for name, column in values.items()}
 
     def _profile(self, shares: Array) -> Profile:

@@ -58,9 +58,9 @@ class Solution:
 
     def __init__(self, design: Design, legs: tuple[Leg, ...], ends: Ends, rtol: float, count: int) -> None:
         self.design, self.legs, self.ends, self.rtol, self.count = design, legs, ends, rtol, count
-        self.codes: Index = np.broadcast_to(ends.status, count)
+        self.codes: Index = stretched(ends.status, (count,))
         """The :class:`~chutecalc.design.Status` of each design, shape (designs,)."""
-        self.error_estimate: Array = np.broadcast_to(ends.error, count)
+        self.error_estimate: Array = stretched(ends.error, (count,))
         """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
 
     @cached_property

@@ -1,6 +1,7 @@
 """The stream at stations: at so many places on each part of the way, or at a spacing."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -39,9 +40,17 @@ def at_stations(
     unknown = [name for name in names if name not in COLUMNS or name == "spec"]
     if unknown:
         raise UsageError(f"there is no column {', '.join(unknown)}; chutecalc columns lists what there is")
-    even = np.linspace(0.0, 1.0, points or USUAL)
+    even = _even(points or USUAL)
     blocks = [_on_part(part, even if spacing is None else _spaced(part, spacing), count, names) for part in parts]
     return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in names}
+
+
+@lru_cache(maxsize=8)
+def _even(points: int) -> Array:
+    """Shares so many, the same for all."""
+    shares = np.linspace(0.0, 1.0, points)
+    shares.flags.writeable = False
+    return shares
 
 
 def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dict[str, Any]:

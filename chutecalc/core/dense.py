@@ -13,24 +13,35 @@ STEEP = 3.0
 """Across how much growth of v² a panel's nodes resolve 1/v to rounding; more of it is divided."""
 
 
-def velocities(kept: Any, first: Any, count: Any, rules: dict[int, "gauss.Rule"], places: Any, out: Any) -> None:
-    """v² at places.
+def velocities(
+    kept: Any, first: Any, count: Any, rules: dict[int, "gauss.Rule"], ends: Any, places: Any, out: Any
+) -> None:
+    """v² at places; not a number where no stream is.
 
     Args:
         kept: the panels.
         first, count: the number of each design's first panel, and how many it has.
         rules: by their number of nodes.
+        ends: rows of where each way begins, the velocity there, where it ends, and v² there; of a stream that gets no
+            further than where it begins the first counts.
         places: c, a row each for so many places of all designs.
-        out: likewise; where no panel is, what stands there stays.
+        out: likewise.
     """
     for design in range(len(first)):
+        for row in range(len(places)):
+            place, out[row, design] = places[row, design], floats.NAN
+            if place == ends[0, design]:
+                out[row, design] = ends[1, design] * ends[1, design]
+            elif place == ends[2, design]:
+                out[row, design] = ends[3, design]
         for number in range(first[design], first[design] + count[design]):
-            at = state.KEPT * number
-            rule = rules[int(kept[at + 1])]
+            here = state.KEPT * number
+            rule = rules[int(kept[here + 1])]
             for row in range(len(places)):
-                share = locate(rule, kept, at, places[row, design])
-                if share == share:
-                    out[row, design] = squared(rule, kept, at, share)
+                if out[row, design] != out[row, design]:
+                    share = locate(rule, kept, here, places[row, design])
+                    if share == share:
+                        out[row, design] = squared(rule, kept, here, share)
 
 
 def locate(rule: "gauss.Rule", kept: Any, at: int, place: float) -> float:

@@ -108,7 +108,7 @@ class Course:
         self.leg_status = self.strikes = 0
         """How the leg ended, and how often the segment was struck before."""
         self.row = 0
-        self.legs = floats.zeros(LEG)
+        self.legs: Any = floats.zeros(LEG)
         """What became of the stream on each segment, one leg after the other; see :data:`FIELDS`."""
         self.room = 0
         self.count = 0

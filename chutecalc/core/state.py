@@ -1,6 +1,7 @@
 """Where a stream stands on its segment, and how hard its solver is to work."""
 
 from array import array
+from typing import Any
 
 from chutecalc.core import events, floats, gauss, panel, slide
 
@@ -32,7 +33,7 @@ class Log:
     def __init__(self, room: int) -> None:
         self.panel = panel.Panel()
         self.margins, self.values = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
-        self.kept = floats.zeros(KEPT * max(room, 1))
+        self.kept: Any = floats.zeros(KEPT * max(room, 1))
         """Panels, one after the other: by root, nodes, facet, piece, start, end, knots."""
         self.room = room
         self.count = 0

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from chutecalc.core import designs, floats, march, records, state, walls
+from chutecalc.core import designs, march, records, state, walls
 from chutecalc.design import Contact, Design, Status
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.motion import ROOF
 from chutecalc.solver.course import Kinds, Numbers, give_back, kinds_of, numbers_of, shrink, take
 from chutecalc.solver.effort import effort
-from chutecalc.solver.leg import AT, Arrival, ContactLeg, Ends, Impact, Leg, Point, Stretch, columns, surface_of, whole
+from chutecalc.solver.leg import AT, ContactLeg, Ends, Leg, columns, whole
 from chutecalc.solver.panels import Panels, Way
 
 ROOM = 32
@@ -111,14 +111,15 @@ class Chain:
 
     def _run(self, course: records.Course, legs: int) -> tuple[Array, Array]:
         """Legs, a row each, and the panels kept, in one row; of one design after the other."""
-        found, kept, log, done, panels = [], [], course.first.own.log, 0, legs if self.work.complete else 0
+        found, kept, log, done, panels = [], [], course.first.own.log, 0, legs if self.work.complete else 1
         while done < self.count:
-            course.legs, course.room, course.count = floats.zeros(records.NUMBERS * max(legs, 1)), legs, 0
-            log.kept, log.room, log.count = floats.zeros(state.PANEL * max(panels, 1)), panels, 0
+            own_legs, own_panels = np.empty(records.NUMBERS * legs), np.empty(state.PANEL * panels)
+            course.legs, course.room, course.count = own_legs, legs, 0
+            log.kept, log.room, log.count = own_panels, panels, 0
             course.full = log.full = False
             before, done = done, designs.solve(course, self.work, self.numbers, done, self.count)
-            found.append(np.asarray(course.legs)[: course.count * records.NUMBERS])
-            kept.append(np.asarray(log.kept)[: log.count * state.PANEL])
+            found.append(own_legs[: course.count * records.NUMBERS])
+            kept.append(own_panels[: log.count * state.PANEL])
             if done < self.count and not (course.full or log.full):
                 raise RuntimeError(NOT_SOLVED)
             panels *= 2 if log.full and done == before else 1
@@ -154,22 +155,11 @@ class Chain:
             table[:, at], begins[at] = own.T, first
         else:
             table, begins = np.ascontiguousarray(own.T), first
-        path = columns(table, "path_x", 5)
-        start, entry, end = (Point._make(columns(table, f"{at}_distance", 9)) for at in ("start", "entry", "exit"))
         contact = self._contact(number, segment, table, begins) if isinstance(segment, Contact) else None
-        time, flown, status = table[AT["flight_time"]], table[AT["distance"]], whole(table, "status")
-        return Leg(number, segment, start, path, time, flown, entry, end, status, contact)
+        return Leg(number, segment, table, contact)
 
     def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactLeg:
         """The same of a guiding surface."""
-        surface = surface_of(table, contact)
         surfaces = np.ascontiguousarray(columns(table, "surface_slope", 3).T)
         way = Way(self.kinds[number], self.numbers[: len(surfaces)], self.starts[number], surfaces)
-        impact = Impact._make(columns(table, "footprint", 7))
-        arrival = Arrival._make((*columns(table, "distance", 5), whole(table, "met"), impact))
-        panels = None
-        if self.work.complete:
-            panels = Panels(way, self.kept, first, whole(table, "panels"))
-        counts = (whole(table, "beyond_status"), whole(table, "tried"), panels)
-        stretch = Stretch._make((*columns(table, "end_place", 3), *counts))
-        return ContactLeg(surface, way, arrival, stretch)
+        return ContactLeg(contact, table, way, Panels(way, self.kept, first, whole(table, "panels")))

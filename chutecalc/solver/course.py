@@ -28,6 +28,7 @@ class Kind(NamedTuple):
 
 
 Kinds = tuple[Kind, ...]
+_NO_ROOM = floats.zeros(1)
 _FREE: defaultdict[Kinds, list[records.Course]] = defaultdict(list)
 """Records that nobody uses now: making them takes longer than a solution."""
 
@@ -59,8 +60,8 @@ def give_back(kinds: Kinds, course: records.Course) -> None:
 
 def shrink(course: records.Course) -> None:
     """Lets go of the room for what a solution keeps."""
-    course.legs, course.room = floats.zeros(records.NUMBERS), 0
-    course.first.own.log.kept, course.first.own.log.room = floats.zeros(state.PANEL), 0
+    course.legs, course.room = _NO_ROOM, 0
+    course.first.own.log.kept, course.first.own.log.room = _NO_ROOM, 0
 
 
 def _course(kinds: Kinds) -> records.Course:

@@ -1,5 +1,6 @@
 """One segment as n designs went through it. Arrays are of shape (n,), NaN in designs that did not get that far."""
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -64,41 +65,94 @@ class Stretch(NamedTuple):
     """After a choke: how it would end there."""
     tried: Index
     """Panels solved, also such as were refused."""
-    panels: Panels | None
-    """Those taken, where they are kept."""
 
 
-class ContactLeg(NamedTuple):
-    """What a leg has along a guiding surface."""
+class ContactLeg:
+    """What a leg has along a guiding surface; each is read when it is asked for."""
 
-    surface: Surface
-    way: Way
-    arrival: Arrival
-    stretch: Stretch
+    def __init__(self, segment: Contact, table: Array, way: Way, panels: Panels) -> None:
+        """Of a leg's table; ``panels`` are those taken, as far as they are kept."""
+        self.segment, self.table, self.way, self.panels = segment, table, way, panels
+
+    @cached_property
+    def surface(self) -> Surface:
+        """The segment as it stands."""
+        return Surface(self.segment.side, *columns(self.table, "surface_x", 5))
+
+    @cached_property
+    def arrival(self) -> Arrival:
+        """How it is met."""
+        impact = Impact._make(columns(self.table, "footprint", 7))
+        return Arrival._make((*columns(self.table, "distance", 5), whole(self.table, "met"), impact))
+
+    @cached_property
+    def ends(self) -> Array:
+        """Where the way begins, as a share of the length, the velocity there, where it ends, and v² there."""
+        return self.table.take(_ENDS, axis=0)
+
+    @cached_property
+    def stretch(self) -> Stretch:
+        """The way along it."""
+        counts = whole(self.table, "beyond_status"), whole(self.table, "tried")
+        return Stretch._make((*columns(self.table, "end_place", 3), *counts))
 
 
-class Leg(NamedTuple):
-    """One segment as n designs went through it."""
+class Leg:
+    """One segment as n designs went through it; its numbers are read when they are asked for."""
 
-    number: int
-    """Of the segment, from 0; one that is left and struck again has a leg for each time."""
-    segment: Segment
-    start: Point
-    """As it comes from the segment before."""
-    path: Array
-    """The flight that begins at ``start``: a fall's, or what leads from an edge to a contact segment. Five rows: x and
-    z, velocities forward and downward, gravity."""
-    flight_time: Array
-    """s, 0 where the stream does not fly."""
-    flown: Array
-    """How far it flies, m."""
-    entry: Point
-    """On the surface, after an impact; for a fall the same as ``exit``."""
-    exit: Point
-    """At the end, or where the design fails."""
-    status: Index
-    """A :class:`~chutecalc.design.Status` each."""
-    contact: ContactLeg | None
+    def __init__(self, number: int, segment: Segment, table: Array, contact: ContactLeg | None) -> None:
+        """A leg.
+
+        Args:
+            number: of the segment, from 0; one that is left and struck again has a leg for each time.
+            segment: the segment.
+            table: a row for each of :data:`chutecalc.core.records.FIELDS`, a column for each design.
+            contact: what it has of a guiding surface.
+        """
+        self.number, self.segment, self.table, self.contact = number, segment, table, contact
+
+    @cached_property
+    def start(self) -> Point:
+        """As the stream comes from the segment before."""
+        return self._point("start")
+
+    @cached_property
+    def entry(self) -> Point:
+        """On the surface, after an impact; for a fall the same as ``exit``."""
+        return self._point("entry")
+
+    @cached_property
+    def exit(self) -> Point:
+        """At the end, or where the design fails."""
+        return self._point("exit")
+
+    @cached_property
+    def status(self) -> Index:
+        """A :class:`~chutecalc.design.Status` each."""
+        return whole(self.table, "status")
+
+    @property
+    def path(self) -> Array:
+        """The flight that begins at ``start``: a fall's, or what leads from an edge to a contact segment.
+
+        Five rows: x and z, velocities forward and downward, gravity.
+        """
+        return columns(self.table, "path_x", 5)
+
+    @property
+    def flight_time(self) -> Array:
+        """S, 0 where the stream does not fly."""
+        time: Array = self.table[AT["flight_time"]]
+        return time
+
+    @property
+    def flown(self) -> Array:
+        """How far it flies, m."""
+        flown: Array = self.table[AT["distance"]]
+        return flown
+
+    def _point(self, at: str) -> Point:
+        return Point._make(columns(self.table, f"{at}_distance", 9))
 
 
 class Ends(NamedTuple):
@@ -125,6 +179,7 @@ TANGENT = joint.SAME
 """rad: directions closer than this are one."""
 AT = {name: number for number, name in enumerate(records.FIELDS)}
 """Where each number of a leg stands in its row."""
+_ENDS = np.array([AT[name] for name in ("place", "after", "end_place", "end_squared")])
 
 
 def columns(table: Array, first: str, count: int) -> Array:
@@ -136,8 +191,3 @@ def whole(table: Array, name: str) -> Index:
     """A whole number."""
     numbers: Index = table[AT[name]].astype(np.intp)
     return numbers
-
-
-def surface_of(table: Array, contact: Contact) -> Surface:
-    """The segment as it stands."""
-    return Surface(contact.side, *columns(table, "surface_x", 5))

@@ -38,7 +38,7 @@ class Panels:
     """The panels of n designs along a segment, those of a design one after the other."""
 
     def __init__(self, way: Way, kept: Array, first: Index, count: Index) -> None:
-        """Panels as they were kept.
+        """Panels as they were kept; there may be none.
 
         Args:
             way: the designs on it.
@@ -53,13 +53,13 @@ class Panels:
         first = self.first[design]
         return self.kept.reshape(-1, state.PANEL)[first : first + self.count[design]]
 
-    def velocities(self, places: Array, out: Array) -> None:
-        """v² at places, shape (places, designs); where no panel is, what stands there stays."""
+    def velocities(self, ends: Array, places: Array, out: Array) -> None:
+        """v² at places, shape (places, designs); ``ends`` as of :func:`chutecalc.core.dense.velocities`."""
         assert places.shape == out.shape == (len(places), len(self.count))  # the compiled loop does not look
-        dense.velocities(self.kept, self.first, self.count, self._rules, places, out)
+        dense.velocities(self.kept, self.first, self.count, self._rules, ends, places, out)
 
     def times(self, places: Array, out: Array) -> None:
-        """Seconds since the contact began, likewise."""
+        """Seconds since the contact began, likewise; where no panel is, what stands there stays."""
         assert places.shape == out.shape == (len(places), len(self.count))
         dense.times(
             stream_of(self.way.kind), *self.way[1:], self.kept, self.first, self.count, self._rules, places, out

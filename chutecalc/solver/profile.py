@@ -18,7 +18,7 @@ class FlightProfile:
     """A leg's flight at distances flown, m, shape (places, designs)."""
 
     def __init__(self, leg: Leg, flow: Array, distances: Array) -> None:
-        self.leg, self.flow, self.flown = leg, flow, distances
+        self.leg, self.flow, self.flown, self.shape = leg, flow, distances, distances.shape
 
     @cached_property
     def _told(self) -> tuple[Array, ...]:
@@ -66,17 +66,14 @@ class SlideProfile:
 
     def __init__(self, leg: Leg, contact: ContactLeg, flow: Array, places: Array) -> None:
         """The contact at places: NaN where none is wanted; outside the part travelled gives NaN."""
-        self.leg, self.contact, self.flow, self.place = leg, contact, flow, places
+        self.leg, self.contact, self.flow, self.place, self.shape = leg, contact, flow, places, places.shape
 
     @cached_property
     def velocity_squared(self) -> Array:
         """m²/s²."""
-        arrival, stretch = self.contact.arrival, self.contact.stretch
-        y = np.full(self.place.shape, np.nan)
-        if stretch.panels is not None:
-            stretch.panels.velocities(self.place, y)
-        y = np.where(self.place == stretch.place, stretch.velocity_squared, y)
-        return np.where(self.place == arrival.place, arrival.impact.after**2, y)  # also of streams that get no further
+        y = np.empty(self.place.shape)
+        self.contact.panels.velocities(self.contact.ends, self.place, y)
+        return y
 
     @cached_property
     def velocity(self) -> Array:
@@ -87,8 +84,7 @@ class SlideProfile:
     def time(self) -> Array:
         """Since the leg began, s."""
         time = np.full(self.place.shape, np.nan)
-        if self.contact.stretch.panels is not None:
-            self.contact.stretch.panels.times(self.place, time)
+        self.contact.panels.times(self.place, time)
         return self.leg.flight_time + np.where(self.place == self.contact.arrival.place, 0.0, time)
 
     @property
@@ -118,7 +114,7 @@ class SlideProfile:
 
     @cached_property
     def lying(self) -> tuple[Array, ...]:
-        """How the stream lies in the section, see :func:`chutecalc.core.profile.lying`."""
+        """How the stream lies in the section, see :func:`chutecalc.core.profile.lying`: a table each."""
         out = np.empty((walls.LIE, *self.place.shape))
         profile.lying(*self.contact.way.read, self.place, self.velocity_squared, out)
         return tuple(out)
@@ -223,7 +219,7 @@ class EndProfile(SlideProfile):
 
     def __init__(self, ends: Ends, flow: Array) -> None:
         self.ends, self.flow = ends, flow
-        self.__dict__.update(velocity=ends.velocity[None], lying=ends.lying, pressing=ends.pressing)
+        self.__dict__.update(velocity=ends.velocity[None], lying=tuple(ends.lying), pressing=tuple(ends.pressing))
 
     @property
     def distance(self) -> Array:

@@ -239,7 +239,7 @@ def test_a_stream_that_leaves_a_hood_passes_the_rows_of_its_locus_on_the_way():
         # over a kink a step h is off by h² of what the slope jumps, as above
         assert leg.exit.distance[0] == pytest.approx(run.t_events[0][0], rel=1e-6)
         assert leg.exit.velocity[0] == pytest.approx(np.sqrt(run.y_events[0][0][0]), rel=1e-6)
-        assert leg.contact.stretch.panels.count[0] < 60
+        assert leg.contact.panels.count[0] < 60
 
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-12])
@@ -260,7 +260,7 @@ def test_a_stream_that_clings_to_a_balance_next_to_rest_is_solved_at_every_toler
         rtol,
     )
     assert solution.status[0] == "stall"
-    assert solution.legs[0].contact.stretch.panels.count[0] < 60
+    assert solution.legs[0].contact.panels.count[0] < 60
 
 
 def test_errors_beside_adhesion_are_within_their_estimates():
