@@ -10,7 +10,7 @@ from chutecalc.along import Numbers, Part
 from chutecalc.physics.arrays import Array, Index, Mask
 
 ROUNDS, SIDE = 2, np.linspace(0.0, 1.0, 9)  # each round leaves an eighth of the bracket around an extreme
-NEAR = 1.0 / 16.0, 1.0 / 256.0  # of the bracket: as near, by three places around the top of the last parabola
+NEAR = 1.0 / 16.0, 1.0 / 1024.0  # of the bracket: as near, by three places around the top of the last parabola
 
 
 Look = Callable[[Array], Array]

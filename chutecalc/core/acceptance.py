@@ -8,6 +8,7 @@ TIRED, AGAIN = 0.1, 0.15  # of the way to its goal: the least that a panel in r 
 CLEAR = 4e-13  # beyond an event by more than it is found within
 AT_END, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
 CLOSE, BEYOND = 0.98, 1e-6  # of a panel: an event behind that is near its end; how far beyond an event the next goes
+LEAST_SHARE, MOST_SHARE = 0.25, 0.8  # of a refused panel's length: the least and the most that is tried next
 WELL_WITHIN = 10.0  # times the error of a panel's end, that its inside may have where it is cut
 
 
@@ -129,14 +130,27 @@ def keep(stream: "state.Stream", rule: "gauss.Rule", end: float) -> None:
     stream.log.count += 1
 
 
-def retreat(stream: "state.Stream", kind: int, step: float) -> None:
-    """After a panel that was too long: a step in c instead of one in r, or half the step."""
+def retreat(stream: "state.Stream", effort: "state.Effort", kind: int, step: float) -> None:
+    """After a panel that was too long: a step in c instead of one in r, or as much of the step as is likely to do."""
     stream.aim = floats.NAN
     if kind == panel.ROOT:
         stream.stride *= 0.5
         stream.tired = stream.stride < TIRED
     else:
-        stream.reach = max(0.5 * step, state.LEAST_STEP)
+        stream.reach = max(likely(stream.panel, effort) * step, state.LEAST_STEP)
+
+
+def likely(own: "panel.Panel", effort: "state.Effort") -> float:
+    """The share of a refused panel's length that would have been good, by what bounds the ellipse around it.
+
+    From the start that is at h (z + 1)/2 with z = (ρ + 1/ρ)/2; how large ρ has to be follows from the tolerance. Where
+    the panel is no solution at all, rest lies inside it, about where friction as at its start would stop the stream.
+    """
+    wanted = (panel.SAFETY / effort.share) ** (0.5 / effort.later.fine.count)
+    far = 0.5 * (wanted + 1.0 / wanted) + 1.0
+    if own.error < floats.INFINITY:
+        return min(max((0.5 * (own.smooth + 1.0 / own.smooth) + 1.0) / far, LEAST_SHARE), MOST_SHARE)
+    return min(max(2.0 * own.stop / far, LEAST_SHARE), MOST_SHARE) if own.stop < 1.0 else 0.5
 
 
 def chatter(stream: "state.Stream", by_root: bool, step: float) -> None:

@@ -16,7 +16,7 @@ def by_place(
     bend = -2.0 * way.side * width * way.turn * way.slopes[own.piece]
     first = y0 / unit
     iterations, refinements = 1, 1
-    forces(own, way, pair.coarse)
+    forces(own, way, pair.coarse, own.coarse_angles)
     if kind == panel.CLINGING:  # from a balance that clings, freezing friction leads far astray
         iterations = 3
         for j in range(pair.coarse.count):
@@ -27,11 +27,15 @@ def by_place(
             iterations, refinements = 2, 2
         freeze(own, way, pair.coarse, first, flow, bend)
     step(own, pair.coarse, first, kind, own.coarse, own.coarse_growth)
+    own.stop = 1.0
+    for j in range(pair.coarse.last):
+        if own.stop == 1.0 and own.coarse[j + 1] <= 0.0:
+            own.stop = pair.coarse.knots[j + 1]
     for _ in range(iterations):
         linearise(own, way, pair.coarse, own.coarse, 1, flow, bend)
         step(own, pair.coarse, first, kind, own.coarse, own.coarse_growth)
     gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse, own.guess)
-    forces(own, way, pair.fine)
+    forces(own, way, pair.fine, own.angles)
     update, latest, last = 0.0, 0.0, pair.fine.last
     for number in range(refinements):
         linearise(own, way, pair.fine, own.guess, 0, flow, bend)
@@ -66,15 +70,20 @@ def by_place(
         own.rounding += noise
 
 
-def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule") -> None:
+def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", angles: "panel.Angles") -> None:
     """Gravity's shares along the surface and on the wall, sin a and μ σ cos a, at the nodes."""
+    start, turn = way.entry_slope + way.turn * own.start, way.turn * own.width
+    if angles.count != rule.count or angles.start != start or angles.turn != turn:
+        angles.count, angles.start, angles.turn = rule.count, start, turn
+        for j in range(rule.count):
+            if j > 0 and turn == 0.0:
+                angles.sine[j], angles.cosine[j] = angles.sine[0], angles.cosine[0]
+            else:
+                slope = start + turn * rule.knots[j + 1]
+                angles.sine[j], angles.cosine[j] = math.sin(slope), math.cos(slope)
     friction = way.slopes[own.piece] * way.side
     for j in range(rule.count):
-        if j > 0 and way.turn == 0.0:
-            own.sine[j], own.press[j] = own.sine[0], own.press[0]
-        else:
-            slope = way.entry_slope + way.turn * (own.start + own.width * rule.knots[j + 1])
-            own.sine[j], own.press[j] = math.sin(slope), friction * math.cos(slope)
+        own.sine[j], own.press[j] = angles.sine[j], friction * angles.cosine[j]
 
 
 def freeze(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:

@@ -9,7 +9,7 @@ import math
 
 from chutecalc.core import acceptance, collocation, events, floats, gauss, panel, section, slide, state
 
-STOPPING, STARTING = 0.5, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
+STOPPING, STARTING = 0.8, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
 SHY, AWAY = 0.667, 2.0  # of the distance to rest ahead or behind: as far as a panel in c may reach
 STIFF = -6.0  # ∂f/∂y times a panel's length from which on the stream clings to a balance
 PASSES = 2000  # a bound, so that no input can hang
@@ -204,7 +204,7 @@ def advance(
     if stream.hopeful:  # as far as the ellipse tells what the finest rules would leave
         stream.hopeful = panel.SAFETY * stream.panel.smooth ** (-2 * effort.second.fine.count) <= tolerance
     if not good:
-        acceptance.retreat(stream, kind, target - start)
+        acceptance.retreat(stream, effort, kind, target - start)
     elif stream.eventful or kind == panel.ROOT:
         acceptance.judge(stream, effort, pair.fine, start, target)
     else:

@@ -6,8 +6,15 @@ cdef double SAFETY, NEWTON_SAFETY, ROOT_SAFETY, ROUNDING, CANCELLED, PLACE_ROUND
 cdef int WHOLE, PLACE, CLINGING, ROOT
 
 @cython.final
+cdef class Angles:
+    cdef public int count
+    cdef public double start, turn
+    cdef public double[::1] sine, cosine
+
+@cython.final
 cdef class Panel:
-    cdef public double start, width, error, inner_error, rounding, left, smooth
+    cdef public Angles coarse_angles, angles
+    cdef public double start, width, error, inner_error, rounding, left, stop, smooth
     cdef public bint by_root
     cdef public int facet, piece
     cdef public double[::1] knots, growth, coarse, coarse_growth, guess, sine, press, forcing, rate, values, system

@@ -31,6 +31,16 @@ WHOLE, PLACE, CLINGING, ROOT = range(4)
 which a stream clings to a balance; and in r."""
 
 
+class Angles:
+    """Sine and cosine of the slope at a rule's nodes, for the panel that asked last: variants ask for the same."""
+
+    def __init__(self) -> None:
+        self.count = 0
+        self.start = self.turn = 0.0
+        """Slope at the panel's start, and what it turns by."""
+        self.sine, self.cosine = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
+
+
 class Panel:
     """A solved panel, and room to work in."""
 
@@ -50,8 +60,11 @@ class Panel:
         self.coarse, self.coarse_growth = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
         self.guess, self.sine, self.press = (floats.zeros(gauss.MOST) for _ in range(3))
         self.forcing, self.rate, self.values = (floats.zeros(gauss.MOST) for _ in range(3))
+        self.coarse_angles, self.angles = Angles(), Angles()
         self.system = floats.zeros(gauss.MOST * gauss.MOST)
         self.left = 0.0
+        self.stop = floats.INFINITY
+        """Where friction as at its start would have stopped the stream, as a share of the width; from 1 on, nowhere."""
         self.smooth = 1.0
         """ρ of the ellipse around the panel in which the solution is smooth."""
 
