@@ -146,7 +146,7 @@ def likely(own: "panel.Panel", effort: "state.Effort") -> float:
     From the start that is at h (z + 1)/2 with z = (ρ + 1/ρ)/2; how large ρ has to be follows from the tolerance. Where
     the panel is no solution at all, rest lies inside it, about where friction as at its start would stop the stream.
     """
-    wanted = (panel.SAFETY / effort.share) ** (0.5 / effort.later.fine.count)
+    wanted: float = (panel.SAFETY / effort.share) ** (0.5 / effort.later.fine.count)
     far = 0.5 * (wanted + 1.0 / wanted) + 1.0
     if own.error < floats.INFINITY:
         return min(max((0.5 * (own.smooth + 1.0 / own.smooth) + 1.0) / far, LEAST_SHARE), MOST_SHARE)

@@ -22,7 +22,7 @@ def run(stream: "state.Stream", effort: "state.Effort") -> None:
     begin(stream, effort)
     if stream.status == state.RUNNING:
         advance(stream, effort, panel.WHOLE, stream.limit, effort.first, effort.tolerance)
-        if stream.hopeful and stream.status == state.RUNNING:
+        if stream.promising and stream.status == state.RUNNING:
             advance(stream, effort, panel.PLACE, stream.limit, effort.second, effort.tolerance)
     for _ in range(PASSES):
         if stream.status != state.RUNNING:
@@ -36,7 +36,7 @@ def run(stream: "state.Stream", effort: "state.Effort") -> None:
 def begin(stream: "state.Stream", effort: "state.Effort") -> None:
     """Where it stands at first, and what can happen to it."""
     stream.status, stream.tried = state.RUNNING, 0
-    stream.stride, stream.tired, stream.hopeful = 1.0, False, True
+    stream.stride, stream.tired, stream.promising = 1.0, False, True
     stream.aim = stream.crossed = stream.choke_place = stream.choke_y = stream.choke_error = floats.NAN
     slide.draw(stream.way, stream.place)
     stream.facet = (
@@ -200,9 +200,9 @@ def advance(
     good = stream.panel.error <= tolerance
     if effort.complete:
         good = good and stream.panel.inner_error <= effort.tolerance
-    stream.hopeful = not good and stream.panel.error < floats.INFINITY
-    if stream.hopeful:  # as far as the ellipse tells what the finest rules would leave
-        stream.hopeful = panel.SAFETY * stream.panel.smooth ** (-2 * effort.second.fine.count) <= tolerance
+    stream.promising = not good and stream.panel.error < floats.INFINITY
+    if stream.promising:  # as far as the ellipse tells what the finest rules would leave
+        stream.promising = panel.SAFETY * stream.panel.smooth ** (-2 * effort.second.fine.count) <= tolerance
     if not good:
         acceptance.retreat(stream, effort, kind, target - start)
     elif stream.eventful or kind == panel.ROOT:

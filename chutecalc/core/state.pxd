@@ -25,7 +25,7 @@ cdef class Stream:
     cdef public double[::1] margins, values
     cdef public int[::1] watched
     cdef public int status, facet, piece, tried
-    cdef public bint eventful, aim_by_root, hopeful, tired
+    cdef public bint eventful, aim_by_root, promising, tired
     cdef public double place, y, error, limit, reach, stride, aim, crossed, choke_place, choke_y, choke_error
 
 cdef double margin(Stream stream, int event, double place, double y) noexcept nogil

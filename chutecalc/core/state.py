@@ -61,7 +61,7 @@ class Stream:
         self.aim = floats.NAN
         """Where an event has fixed the end of the next panel, in c or in r."""
         self.aim_by_root = False
-        self.hopeful = True
+        self.promising = True
         """The last panel was a solution, if not a good one, and by its ellipse the finest rules may make it one."""
         self.tried = 0
         """How many panels, also such as were refused."""
