@@ -15,7 +15,11 @@ from compiling import ZIG, has_headers, needs_zig, wanted
 
 CORE = Path("chutecalc", "core")
 # The digits are those of plain Python: a sum of a product stays two roundings.
-FLAGS = [] if sys.platform == "win32" else ["-O3", "-g0", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+FLAGS = (
+    []
+    if sys.platform == "win32"
+    else ["-O3", "-g0", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-funroll-loops"]
+)
 DIRECTIVES = {
     "language_level": 3,
     "infer_types": True,  # what follows from the C types beside each module

@@ -6,8 +6,8 @@ from chutecalc.core cimport floats, gauss, panel, slide
 cdef void by_place(panel.Panel own, slide.Slide way, double start, double width, double y0, gauss.Pair pair, int kind) noexcept nogil
 cdef void forces(panel.Panel own, slide.Slide way, gauss.Rule rule, panel.Angles angles) noexcept nogil
 cdef void freeze(panel.Panel own, slide.Slide way, gauss.Rule rule, double first, double flow, double bend) noexcept nogil
-cdef void linearise(panel.Panel own, slide.Slide way, gauss.Rule rule, double[::1] iterate, int offset, double flow, double bend) noexcept nogil
-cdef void step(panel.Panel own, gauss.Rule rule, double first, int kind, double[::1] knots, double[::1] growth) noexcept nogil
+cdef void linearise(panel.Panel own, slide.Slide way, gauss.Rule rule, gauss.Curve iterate, double flow, double bend) noexcept nogil
+cdef void step(panel.Panel own, gauss.Rule rule, double first, int kind, gauss.Curve curve) noexcept nogil
 @cython.locals(sound=bint)
 cdef void by_root(panel.Panel own, slide.Slide way, double start, double width, double place, gauss.Pair pair) noexcept nogil
-cdef double rates(panel.Panel own, slide.Slide way, gauss.Rule rule, double[::1] iterate, int offset) noexcept nogil
+cdef double rates(panel.Panel own, slide.Slide way, gauss.Rule rule, gauss.Curve iterate) noexcept nogil

@@ -1,7 +1,6 @@
 """Gauss collocation of the equation of motion over one panel, in v² over the place or in the place over √v."""
 
 import math
-from array import array
 
 from chutecalc.core import floats, gauss, panel, slide
 
@@ -20,30 +19,30 @@ def by_place(
     if kind == panel.CLINGING:  # from a balance that clings, freezing friction leads far astray
         iterations = 3
         for j in range(pair.coarse.count):
-            own.coarse[j + 1] = first
-        linearise(own, way, pair.coarse, own.coarse, 1, flow, bend)
+            own.coarse.knots[j + 1] = first
+        linearise(own, way, pair.coarse, own.coarse, flow, bend)
     else:
         if kind == panel.PLACE:
             iterations, refinements = 2, 2
         freeze(own, way, pair.coarse, first, flow, bend)
-    step(own, pair.coarse, first, kind, own.coarse, own.coarse_growth)
+    step(own, pair.coarse, first, kind, own.coarse)
     own.stop = 1.0
     for j in range(pair.coarse.last):
-        if own.stop == 1.0 and own.coarse[j + 1] <= 0.0:
+        if own.stop == 1.0 and own.coarse.knots[j + 1] <= 0.0:
             own.stop = pair.coarse.knots[j + 1]
     for _ in range(iterations):
-        linearise(own, way, pair.coarse, own.coarse, 1, flow, bend)
-        step(own, pair.coarse, first, kind, own.coarse, own.coarse_growth)
-    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse, own.guess)
+        linearise(own, way, pair.coarse, own.coarse, flow, bend)
+        step(own, pair.coarse, first, kind, own.coarse)
+    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse.knots, own.guess.knots, 1)
     forces(own, way, pair.fine, own.angles)
     update, latest, last = 0.0, 0.0, pair.fine.last
     for number in range(refinements):
-        linearise(own, way, pair.fine, own.guess, 0, flow, bend)
-        step(own, pair.fine, first, kind, own.knots, own.growth)
+        linearise(own, way, pair.fine, own.guess, flow, bend)
+        step(own, pair.fine, first, kind, own.fine)
         latest = 0.0
         for j in range(pair.fine.count):
-            latest = max(latest, math.fabs(floats.quotient(own.guess[j], own.knots[j + 1]) - 1.0))
-            own.guess[j] = own.knots[j + 1]
+            latest = max(latest, math.fabs(floats.quotient(own.guess.knots[j + 1], own.knots[j + 1]) - 1.0))
+            own.guess.knots[j + 1] = own.knots[j + 1]
         end = own.knots[last]
         # What is small at the last node may not be so at a slow end.
         latest *= max(floats.quotient(own.knots[last - 1], end), 1.0)
@@ -54,7 +53,7 @@ def by_place(
     noise = 0.0
     if kind == panel.CLINGING:  # slope and friction nearly cancel: their rounding moves the balance the more, the less
         noise = floats.quotient(
-            panel.CANCELLED, math.fabs(own.rate[pair.fine.count - 1] * own.knots[last - 1])
+            panel.CANCELLED, math.fabs(own.equation.rate[pair.fine.count - 1] * own.knots[last - 1])
         )  # friction varies
     for j in range(last + 1):
         own.knots[j] *= unit
@@ -64,8 +63,8 @@ def by_place(
     panel.estimate(own, sound, update, newton, smooth, floats.quotient(panel.ROUNDING, end), pair, kind)
     if kind == panel.CLINGING:
         # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share.
-        share = floats.quotient(own.growth[pair.fine.count], own.coarse_growth[pair.coarse.count])
-        kept = math.fabs(floats.quotient(own.coarse[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
+        share = floats.quotient(own.growth[pair.fine.count], own.coarse.growth[pair.coarse.count])
+        kept = math.fabs(floats.quotient(own.coarse.knots[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
         own.error += max(kept - noise, 0.0)
         own.rounding += noise
 
@@ -94,16 +93,15 @@ def freeze(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", first: fl
         if j == 0 or way.taper:
             slide.draw(way, own.start + own.width * rule.knots[j + 1])
             drag, stuck = slide.drag_of(way, own.facet, own.piece, area)
-        own.forcing[j] = own.sine[j] - drag * own.press[j] - stuck
-        own.rate[j] = -drag * bend
+        own.equation.forcing[j] = own.sine[j] - drag * own.press[j] - stuck
+        own.equation.rate[j] = -drag * bend
 
 
 def linearise(
     own: "panel.Panel",
     way: "slide.Slide",
     rule: "gauss.Rule",
-    iterate: "array[float]",
-    offset: int,
+    iterate: "gauss.Curve",
     flow: float,
     bend: float,
 ) -> None:
@@ -114,28 +112,26 @@ def linearise(
     """
     own.left = 0.0
     for j in range(rule.count):
-        y = iterate[j + offset]
+        y = iterate.knots[j + 1]
         area = floats.quotient(flow, floats.root(y))
         if way.taper:
             slide.draw(way, own.start + own.width * rule.knots[j + 1])
         forcing, rate, bending, held = slide.linearised(
             way, own.facet, own.piece, area, y, own.sine[j], own.press[j], bend
         )
-        own.forcing[j], own.rate[j] = forcing, rate
+        own.equation.forcing[j], own.equation.rate[j] = forcing, rate
         weight = math.fabs(bending) + 2.0 * math.fabs(held)
         if way.turn > 0.0:
             weight += 2.0 * (math.fabs(bending - rate) - math.fabs(bend))
         own.left = max(own.left, weight)
 
 
-def step(
-    own: "panel.Panel", rule: "gauss.Rule", first: float, kind: int, knots: "array[float]", growth: "array[float]"
-) -> None:
+def step(own: "panel.Panel", rule: "gauss.Rule", first: float, kind: int, curve: "gauss.Curve") -> None:
     """Solves the linear equation over the panel."""
     if kind == panel.CLINGING:
-        gauss.integrate_stiff(rule, own.forcing, own.rate, first, knots, growth, own.system, own.values)
+        gauss.integrate_stiff(rule, own.equation, first, curve)
     else:
-        gauss.integrate(rule, own.forcing, own.rate, first, knots, growth)
+        gauss.integrate(rule, own.equation, first, curve)
 
 
 def by_root(
@@ -147,38 +143,38 @@ def by_root(
     first, _, pulled = slide.place_rate(way, facet, piece, start, width, place)
     for j in range(pair.coarse.count):
         r = start + width * pair.coarse.knots[j + 1]
-        own.coarse[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
+        own.coarse.knots[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
     for _iteration in range(4):
         for j in range(pair.coarse.count):
-            own.guess[j] = own.coarse[j + 1]
-        rates(own, way, pair.coarse, own.coarse, 1)
-        gauss.integrate(pair.coarse, own.forcing, own.rate, place, own.coarse, own.coarse_growth)
+            own.guess.knots[j + 1] = own.coarse.knots[j + 1]
+        rates(own, way, pair.coarse, own.coarse)
+        gauss.integrate(pair.coarse, own.equation, place, own.coarse)
         moved = 0.0
         for j in range(pair.coarse.count):
-            moved = max(moved, math.fabs(own.coarse[j + 1] - own.guess[j]))
-        if moved <= panel.SETTLED * math.fabs(own.coarse[pair.coarse.last] - place):
+            moved = max(moved, math.fabs(own.coarse.knots[j + 1] - own.guess.knots[j + 1]))
+        if moved <= panel.SETTLED * math.fabs(own.coarse.knots[pair.coarse.last] - place):
             break
-    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse, own.guess)
-    least = rates(own, way, pair.fine, own.guess, 0)
-    gauss.integrate(pair.fine, own.forcing, own.rate, place, own.knots, own.growth)
+    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse.knots, own.guess.knots, 1)
+    least = rates(own, way, pair.fine, own.guess)
+    gauss.integrate(pair.fine, own.equation, place, own.fine)
     # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
     sound, noise, last = least > 0.0, 0.0, pair.fine.last
     for j in range(last + 1):
         sound = sound and own.knots[j] >= place and own.knots[j] < 2.0
     for j in range(pair.fine.count):
-        noise = max(noise, math.fabs(own.knots[j + 1] - own.guess[j]))
+        noise = max(noise, math.fabs(own.knots[j + 1] - own.guess.knots[j + 1]))
     update = max(noise - panel.PLACE_ROUNDING, 0.0) / max(math.fabs(own.knots[last] - place), panel.PLACE_ROUNDING)
     smooth = panel.smoothness_by_root(own, way, pair.fine, first, place)
     panel.estimate(own, sound, update, panel.NEWTON_SAFETY * update * update, smooth, 0.0, pair, panel.ROOT)
 
 
-def rates(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", iterate: "array[float]", offset: int) -> float:
+def rates(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", iterate: "gauss.Curve") -> float:
     """The equation in r, linearised at the nodes, with dc/dr in ``sine``; the least of that."""
     least = floats.INFINITY
     for j in range(rule.count):
-        r, c = own.start + own.width * rule.knots[j + 1], iterate[j + offset]
+        r, c = own.start + own.width * rule.knots[j + 1], iterate.knots[j + 1]
         rate, growth, _ = slide.place_rate(way, own.facet, own.piece, r, own.width, c)
-        own.sine[j], own.forcing[j], own.rate[j] = rate, rate - growth * c, growth
+        own.sine[j], own.equation.forcing[j], own.equation.rate[j] = rate, rate - growth * c, growth
         if not rate >= least:
             least = rate
     return least

@@ -134,10 +134,10 @@ def clock(stream: "state.Stream", rule: "gauss.Rule", kept: Any, at: int, width:
             rate, _, _ = slide.place_rate(
                 stream.way, int(kept[at + 2]), int(kept[at + 3]), r, width, stream.values[j + 1]
             )
-            stream.panel.forcing[j] = stream.way.length * rate / (r * r)
+            stream.panel.equation.forcing[j] = stream.way.length * rate / (r * r)
         else:
-            stream.panel.forcing[j] = stream.way.length * width / floats.root(stream.values[j + 1])
-    gauss.multiply(rule.integral, rule.count + 1, rule.count, stream.panel.forcing, stream.panel.press)
+            stream.panel.equation.forcing[j] = stream.way.length * width / floats.root(stream.values[j + 1])
+    gauss.multiply(rule.integral, rule.count + 1, rule.count, stream.panel.equation.forcing, stream.panel.press, 0)
     stream.margins[0] = elapsed
     for k in range(rule.last):
         stream.margins[k + 1] = elapsed + stream.panel.press[k]

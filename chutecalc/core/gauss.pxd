@@ -15,9 +15,17 @@ cdef class Pair:
     cdef public Rule coarse, fine
     cdef public double[::1] transfer
 
-cdef void multiply(double[::1] matrix, int rows, int columns, double[::1] x, double[::1] out) noexcept nogil
-cpdef void integrate(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor) noexcept nogil
-cdef void integrate_stiff(Rule rule, double[::1] forcing, double[::1] growth, double start, double[::1] knots, double[::1] factor, double[::1] system, double[::1] rates) noexcept nogil
+@cython.final
+cdef class Equation:
+    cdef public double[::1] forcing, rate, rises, system
+
+@cython.final
+cdef class Curve:
+    cdef public double[::1] knots, growth
+
+cdef void multiply(double[::1] matrix, int rows, int columns, double[::1] x, double[::1] out, int first) noexcept nogil
+cpdef void integrate(Rule rule, Equation equation, double start, Curve curve) noexcept nogil
+cdef void integrate_stiff(Rule rule, Equation equation, double start, Curve curve) noexcept nogil
 cdef void eliminate(double[::1] system, int nodes) noexcept nogil
 cdef double evaluate(Rule rule, double[::1] values, int offset, double at) noexcept nogil
 cdef double solve(Rule rule, double[::1] values, int offset, double target, double low, double high) noexcept nogil

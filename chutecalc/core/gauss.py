@@ -40,89 +40,87 @@ class Pair:
         """From values at the coarse knots to those at the fine nodes, column after column."""
 
 
-def multiply(matrix: "array[float]", rows: int, columns: int, x: "array[float]", out: "array[float]") -> None:
-    """A matrix, held column after column, times x."""
+class Equation:
+    """A linear equation u' = forcing + rate u over a panel of width 1, at the nodes of a rule; and room to solve it."""
+
+    def __init__(self) -> None:
+        self.forcing, self.rate = floats.zeros(MOST), floats.zeros(MOST)
+        self.rises, self.system = floats.zeros(MOST), floats.zeros(MOST * MOST)
+
+
+class Curve:
+    """A solution over a panel."""
+
+    def __init__(self) -> None:
+        self.knots = floats.zeros(MOST)
+        """At the rule's start, nodes and end."""
+        self.growth = floats.zeros(MOST)
+        """What a small change at the start has become at nodes and end."""
+
+
+def multiply(
+    matrix: "array[float]", rows: int, columns: int, x: "array[float]", out: "array[float]", first: int
+) -> None:
+    """A matrix, held column after column, times x; written from ``first`` on."""
     for i in range(rows):
-        out[i] = 0.0
+        out[first + i] = 0.0
     for j in range(columns):
         for i in range(rows):
-            out[i] += matrix[j * rows + i] * x[j]
+            out[first + i] += matrix[j * rows + i] * x[j]
 
 
-def integrate(
-    rule: Rule,
-    forcing: "array[float]",
-    growth: "array[float]",
-    start: float,
-    knots: "array[float]",
-    factor: "array[float]",
-) -> None:
-    """Solves u' = forcing + growth u over a panel of width 1, by its integrating factor.
-
-    Gives u at the knots, and exp ∫ growth at nodes and end: how much a small change of ``start`` has grown.
-    """
+def integrate(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
+    """Solves an equation by its integrating factor, exp ∫ rate."""
     nodes, rows = rule.count, rule.count + 1
     for i in range(rows):
-        factor[i] = 0.0
+        curve.growth[i] = 0.0
     for j in range(nodes):
         for i in range(rows):
-            factor[i] += rule.integral[j * rows + i] * growth[j]
+            curve.growth[i] += rule.integral[j * rows + i] * equation.rate[j]
     for i in range(rows):
-        factor[i] = floats.power(factor[i])
-        knots[i + 1] = 0.0
+        curve.growth[i] = floats.power(curve.growth[i])
+        curve.knots[i + 1] = 0.0
     for j in range(nodes):
-        scaled = floats.quotient(forcing[j], factor[j])
+        scaled = floats.quotient(equation.forcing[j], curve.growth[j])
         for i in range(rows):
-            knots[i + 1] += rule.integral[j * rows + i] * scaled
-    knots[0] = start
+            curve.knots[i + 1] += rule.integral[j * rows + i] * scaled
+    curve.knots[0] = start
     for i in range(rows):
-        knots[i + 1] = (knots[i + 1] + start) * factor[i]
+        curve.knots[i + 1] = (curve.knots[i + 1] + start) * curve.growth[i]
 
 
-def integrate_stiff(
-    rule: Rule,
-    forcing: "array[float]",
-    growth: "array[float]",
-    start: float,
-    knots: "array[float]",
-    factor: "array[float]",
-    system: "array[float]",
-    rates: "array[float]",
-) -> None:
-    """The same with the equation collocated: any step through a stream that clings to a balance, Gauss is A-stable.
-
-    ``system`` has room for N (N + 2) numbers, ``rates`` for N: the matrix with the rise wanted and with ones beside it.
-    """
+def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
+    """The same with the equation collocated: any step through a stream that clings to a balance, Gauss is A-stable."""
     nodes, rows = rule.count, rule.count + 1
-    width = nodes + 2
+    width = nodes + 2  # the matrix, with the rise wanted and with ones beside it
     for i in range(nodes):
-        knots[i + 1] = 0.0
-        rates[i] = forcing[i]
+        curve.knots[i + 1] = 0.0
+        equation.rises[i] = equation.forcing[i]
     for _ in range(2):  # forcing and growth u nearly cancel: the second time regains the digits that this has cost
         for i in range(nodes):
             rise = 0.0
             for j in range(nodes):
                 entry = rule.integral[j * rows + i]
-                rise += entry * rates[j]
-                system[i * width + j] = (1.0 if i == j else 0.0) - entry * growth[j]
-            system[i * width + nodes] = rise + start - knots[i + 1]
-            system[i * width + nodes + 1] = 1.0
-        eliminate(system, nodes)
+                rise += entry * equation.rises[j]
+                equation.system[i * width + j] = (1.0 if i == j else 0.0) - entry * equation.rate[j]
+            equation.system[i * width + nodes] = rise + start - curve.knots[i + 1]
+            equation.system[i * width + nodes + 1] = 1.0
+        eliminate(equation.system, nodes)
         rise = start
         for j in range(nodes):
-            rise += rule.integral[j * rows + nodes] * rates[j]
+            rise += rule.integral[j * rows + nodes] * equation.rises[j]
         spread = 1.0
         for j in range(nodes):
-            update, one = system[j * width + nodes], system[j * width + nodes + 1]
-            knots[j + 1] += update
-            rates[j] = forcing[j] + growth[j] * knots[j + 1]
-            entry = rule.integral[j * rows + nodes] * growth[j]
+            update, one = equation.system[j * width + nodes], equation.system[j * width + nodes + 1]
+            curve.knots[j + 1] += update
+            equation.rises[j] = equation.forcing[j] + equation.rate[j] * curve.knots[j + 1]
+            entry = rule.integral[j * rows + nodes] * equation.rate[j]
             rise += entry * update
             spread += entry * one
-            factor[j] = one
-    knots[0] = start
-    knots[nodes + 1] = rise
-    factor[nodes] = spread
+            curve.growth[j] = one
+    curve.knots[0] = start
+    curve.knots[nodes + 1] = rise
+    curve.growth[nodes] = spread
 
 
 def eliminate(system: "array[float]", nodes: int) -> None:

@@ -17,7 +17,9 @@ cdef class Panel:
     cdef public double start, width, error, inner_error, rounding, left, stop, smooth
     cdef public bint by_root
     cdef public int facet, piece
-    cdef public double[::1] knots, growth, coarse, coarse_growth, guess, sine, press, forcing, rate, values, system
+    cdef public gauss.Equation equation
+    cdef public gauss.Curve coarse, guess, fine
+    cdef public double[::1] knots, growth, sine, press, values
 
 cdef void estimate(Panel panel, bint sound, double update, double newton, double smooth, double rounding, gauss.Pair pair, int kind) noexcept nogil
 @cython.locals(arc=bint)

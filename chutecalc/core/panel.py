@@ -50,18 +50,15 @@ class Panel:
         self.by_root = False
         self.facet = self.piece = 0
         """The branch of the friction law."""
-        self.knots = floats.zeros(gauss.MOST)
-        """The unknown, y or c, at the rule's start, nodes and end."""
-        self.growth = floats.zeros(gauss.MOST)
-        """What a small change at the start has become at nodes and end."""
+        self.equation = gauss.Equation()
+        self.coarse, self.guess, self.fine = gauss.Curve(), gauss.Curve(), gauss.Curve()
+        """The unknown, y or c: by the coarser rule, that at the finer one's nodes, and by the finer."""
+        self.knots, self.growth = self.fine.knots, self.fine.growth
         self.error = self.inner_error = self.rounding = 0.0
         """Estimated, of the end: relative in y, in r relative to the way; infinite where the panel is no solution.
         The same of the polynomial through the knots. What rounding may add to both."""
-        self.coarse, self.coarse_growth = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
-        self.guess, self.sine, self.press = (floats.zeros(gauss.MOST) for _ in range(3))
-        self.forcing, self.rate, self.values = (floats.zeros(gauss.MOST) for _ in range(3))
+        self.sine, self.press, self.values = (floats.zeros(gauss.MOST) for _ in range(3))
         self.coarse_angles, self.angles = Angles(), Angles()
-        self.system = floats.zeros(gauss.MOST * gauss.MOST)
         self.left = 0.0
         self.stop = floats.INFINITY
         """Where friction as at its start would have stopped the stream, as a share of the width; from 1 on, nowhere."""

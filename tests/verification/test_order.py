@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.core.gauss import integrate
+from chutecalc.core.gauss import Curve, Equation, integrate
 from chutecalc.design import Status
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.collocation import rule, transfer
@@ -34,7 +34,7 @@ def test_a_transfer_is_exact_for_polynomials(pair):
 def test_the_end_of_a_panel_converges_with_twice_the_number_of_nodes(count, order):
     """u' = -u²/2 + cos t on (0, 1.6), halving panels: log2 of the errors' ratio, above what doubles leave of them."""
     nodes, own = rule(count).nodes, compiled_rule(count)
-    knots, growth = np.zeros(count + 2), np.zeros(count + 1)
+    equation, curve = Equation(), Curve()
 
     def solve(panels):
         u = 1.0
@@ -43,9 +43,11 @@ def test_the_end_of_a_panel_converges_with_twice_the_number_of_nodes(count, orde
             t = (k + nodes) * h
             guess = np.full(count, u)
             for _ in range(8):
-                integrate(own, h * (np.cos(t) + guess**2 / 2), -h * guess, u, knots, growth)
-                guess = knots[1:-1].copy()
-            u = knots[-1]
+                for j in range(count):
+                    equation.forcing[j], equation.rate[j] = h * (np.cos(t[j]) + guess[j] ** 2 / 2), -h * guess[j]
+                integrate(own, equation, u, curve)
+                guess = np.array(curve.knots)[1 : count + 1]
+            u = curve.knots[count + 1]
         return u
 
     exact = solve(64)
