@@ -126,8 +126,11 @@ class ParquetRows:
         """An array as Arrow has it, null where there is no number."""
         if name not in TEXT:
             return self.arrow.array(values, from_pandas=True)
-        words, codes = np.unique(values, return_inverse=True)
-        return self.arrow.DictionaryArray.from_arrays(codes.astype(np.int32), words.astype(object))
+        words: dict[str, int] = {}
+        codes = [
+            words.setdefault(word, len(words)) for word in values.tolist()
+        ]  # sorting takes five times as long
+        return self.arrow.DictionaryArray.from_arrays(np.array(codes, dtype=np.int32), np.array([*words], dtype=object))
 
     def _flush(self) -> None:
         if self.waiting:

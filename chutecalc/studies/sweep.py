@@ -146,10 +146,14 @@ class Sweep:
         first = number * self.block_size
         rows = np.arange(first, min(first + self.block_size, self.count))
         pieces = list(self._pieces(rows))
-        told = np.concatenate([rows[:0], *(numbers for numbers, _ in pieces)])
-        missing = np.setdiff1d(rows, told)
-        numbers = np.concatenate([told, missing])
-        order = np.argsort(numbers, kind="stable")
+        order: Index | slice
+        if len(pieces) == 1 and pieces[0][0] is rows:  # all there, and in their order
+            numbers, order, missing = rows, slice(None), rows[:0]
+        else:
+            told = np.concatenate([rows[:0], *(numbers for numbers, _ in pieces)])
+            missing = np.setdiff1d(rows, told)
+            numbers = np.concatenate([told, missing])
+            order = np.argsort(numbers, kind="stable")
         given = zip(self.parameters, self.grid.at(rows), strict=True)
         block: Block = {
             parameter.name: np.broadcast_to(values, len(rows))[numbers[order] - first] for parameter, values in given
