@@ -127,9 +127,7 @@ class ParquetRows:
         if name not in TEXT:
             return self.arrow.array(values, from_pandas=True)
         words: dict[str, int] = {}
-        codes = [
-            words.setdefault(word, len(words)) for word in values.tolist()
-        ]  # sorting takes five times as long
+        codes = [words.setdefault(word, len(words)) for word in values.tolist()]  # sorting takes five times as long
         return self.arrow.DictionaryArray.from_arrays(np.array(codes, dtype=np.int32), np.array([*words], dtype=object))
 
     def _flush(self) -> None:

@@ -218,14 +218,15 @@ class _Geometry:
         """A hood has to steepen, a curve to turn; what begins tangent to a falling stream is known only when solved."""
         if entry is None:
             return
-        key, start = (*place, "to_slope_deg"), f"{np.degrees(entry.flat[0]):.6g}°"
-        if segment.kind == "hood":
-            problem = (
-                f"has to be steeper than where the hood begins, {start}: only a roof that steepens guides a stream"
-            )
-            self.faults.note(
-                exit_ <= entry, key, segment.to_slope_deg, problem, "give a steeper slope, or make it a curve"
-            )
-        else:
+        hood = segment.kind == "hood"
+        wrong = exit_ <= entry if hood else exit_ == entry
+        if wrong.any():
+            start = f"{np.degrees(entry.flat[0]):.6g}°"
             problem = f"leaves the curve no length: it begins at {start}"
-            self.faults.note(exit_ == entry, key, segment.to_slope_deg, problem, "give another slope")
+            remedy = "give another slope"
+            if hood:
+                problem = (
+                    f"has to be steeper than where the hood begins, {start}: only a roof that steepens guides a stream"
+                )
+                remedy = "give a steeper slope, or make it a curve"
+            self.faults.note(wrong, (*place, "to_slope_deg"), segment.to_slope_deg, problem, remedy)

@@ -47,6 +47,8 @@ class GeometryFaults:
 
 def in_si(value: Any, dimension: str) -> Array:
     """A number of the spec in SI, of length 1 or n."""
+    if type(value) is float:  # most of them, for which NumPy's functions take five times as long
+        return np.array([to_si(value, dimension)])
     values: Array = np.atleast_1d(
         np.multiply(to_si(value, dimension), 1.0)
     )  # an array, also of what only acts like one
