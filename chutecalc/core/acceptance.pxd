@@ -12,6 +12,7 @@ cdef void accept_part(state.Stream stream, state.Effort effort, gauss.Rule rule,
 cdef void accept(state.Stream stream, state.Effort effort, gauss.Rule rule, double end, double off) noexcept nogil
 cdef void keep(state.Stream stream, gauss.Rule rule, double end) noexcept nogil
 cdef void retreat(state.Stream stream, state.Effort effort, int kind, double step) noexcept nogil
+@cython.locals(told=bint)
 cdef double likely(panel.Panel own, state.Effort effort) noexcept nogil
 cdef void chatter(state.Stream stream, bint by_root, double step) noexcept nogil
 cdef void arrive(state.Stream stream) noexcept nogil

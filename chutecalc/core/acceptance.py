@@ -145,12 +145,15 @@ def likely(own: "panel.Panel", effort: "state.Effort") -> float:
 
     From the start that is at h (z + 1)/2 with z = (ρ + 1/ρ)/2; how large ρ has to be follows from the tolerance. Where
     the panel is no solution at all, rest lies inside it, about where friction as at its start would stop the stream.
+    Half of it where something else was the reason.
     """
     wanted: float = (panel.SAFETY / effort.share) ** (0.5 / effort.later.fine.count)
-    far = 0.5 * (wanted + 1.0 / wanted) + 1.0
+    reach = 2.0 * own.stop
     if own.error < floats.INFINITY:
-        return min(max((0.5 * (own.smooth + 1.0 / own.smooth) + 1.0) / far, LEAST_SHARE), MOST_SHARE)
-    return min(max(2.0 * own.stop / far, LEAST_SHARE), MOST_SHARE) if own.stop < 1.0 else 0.5
+        reach = 0.5 * (own.smooth + 1.0 / own.smooth) + 1.0
+    share = reach / (0.5 * (wanted + 1.0 / wanted) + 1.0)
+    told = own.error < floats.INFINITY or own.stop < 1.0
+    return min(max(share, LEAST_SHARE), MOST_SHARE) if told and share < 1.0 else 0.5
 
 
 def chatter(stream: "state.Stream", by_root: bool, step: float) -> None:
