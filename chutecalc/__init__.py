@@ -9,8 +9,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from chutecalc.batch import Exits, exits
+    from chutecalc.batch import exits
     from chutecalc.chute import Chute, load, parse, solve
+    from chutecalc.ends import Exits
     from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
     from chutecalc.solution import Solution
     from chutecalc.spec.starter import STARTER
@@ -36,7 +37,7 @@ _ROOMS = {
     "STARTER": "chutecalc.spec.starter",
     "Chute": "chutecalc.chute",
     "ChutecalcError": "chutecalc.errors",
-    "Exits": "chutecalc.batch",
+    "Exits": "chutecalc.ends",
     "Fault": "chutecalc.errors",
     "Solution": "chutecalc.solution",
     "SpecError": "chutecalc.errors",

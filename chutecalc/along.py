@@ -179,11 +179,15 @@ class Part(Site):
 
     def _profile(self, shares: Array) -> Profile:
         each = shares[:, None] if shares.ndim == 1 else shares
+        leg = self.leg
+        if each.shape[1] > leg.table.shape[1]:  # designs that differ in what the stream does not feel, as slip at walls
+            leg = leg.widened(each.shape[1])
         begin, end = self.ends()
         places = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
         if self.contact is None:
-            return FlightProfile(self.leg, self.design.volume_rate, places)
-        return SlideProfile(self.leg, self.contact, self.design.volume_rate, places)
+            return FlightProfile(leg, self.design.volume_rate, places)
+        assert leg.contact is not None
+        return SlideProfile(leg, leg.contact, self.design.volume_rate, places)
 
 
 Formula = Callable[[Site, SlideProfile], Array]

@@ -1,40 +1,21 @@
 """What leaves each of many variants of a chute, without what lies between: the fast way through a large batch."""
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.along import Numbers, asked, at_exit
-from chutecalc.belts import received
 from chutecalc.chute import Chute, check_tolerance
 from chutecalc.columns import COLUMNS
-from chutecalc.design import Design, select, stretched
+from chutecalc.design import select
+from chutecalc.ends import Exits, at_ends
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.physics.arrays import Array, Index
-from chutecalc.solution import Solution
-from chutecalc.solver.chain import run_chain, run_ends
-from chutecalc.solver.course import kinds_of, numbers_of
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
 USUAL = ("velocity_m_s", "depth_m", "slope_deg")
 NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
-
-
-class Exits(NamedTuple):
-    """The ends of n designs; arrays of shape (designs,), NaN in the numbers of those that fail."""
-
-    codes: Index
-    """The :class:`~chutecalc.design.Status` of each design."""
-    error_estimate: Array
-    """Of the last velocity, relative; after a stall of its place, as a share of the segment."""
-    exit: Numbers
-    """The stream at the end of the chute, by column name."""
-    receiver: Numbers
-    """What it does to the belt there, as :attr:`chutecalc.solution.Solution.receiver`."""
 
 
 def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, jobs: int | None = None) -> Exits:
@@ -72,7 +53,7 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
     def solved(first: int) -> Exits:
         count = min(CHUNK, chute.count - first)
         design = select(chute.design, slice(first, first + count)) if len(edges) > 1 else chute.design
-        return _ends(design, rtol, wanted, count)
+        return at_ends(design, rtol, wanted, count)
 
     try:
         if len(edges) == 1:
@@ -84,22 +65,6 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
         raise SpecError(error.faults, chute.source, error.designs if len(edges) == 1 else None) from None
     whole = chunks[0] if len(chunks) == 1 else _joined(chunks)
     return whole._replace(exit={name: whole.exit[name] for name in names})
-
-
-def _ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
-    """Those of one chunk."""
-    if design.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
-        legs, ends = run_chain(design, rtol, complete=False)
-        found = Solution(design, tuple(legs), ends, rtol, count).exit_columns(names)
-    else:
-        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *asked(names))
-        found = at_exit(design, ends, names)
-    belt: Numbers = {}
-    if design.receiver is not None:
-        belt = received(design.receiver, design, found["velocity_m_s"], np.radians(found["slope_deg"]))
-    whole = [stretched(values, (count,)) for values in (ends.status, ends.error)]
-    both = ({name: stretched(values, (count,)) for name, values in numbers.items()} for numbers in (found, belt))
-    return Exits(*whole, *both)
 
 
 def _joined(chunks: list[Exits]) -> Exits:

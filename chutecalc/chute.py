@@ -113,7 +113,7 @@ class Chute:
 
         Raises:
             SpecError: a path that leads to no number of the spec.
-            UsageError: an output that there is not.
+            UsageError: an output that there is not, or a chute of several designs.
 
         >>> import chutecalc
         >>> spoon = chutecalc.parse(chutecalc.STARTER)
@@ -124,6 +124,8 @@ class Chute:
         from chutecalc.function import Function  # what a run does not need
 
         check_tolerance(rtol)
+        if self.count != 1:
+            raise UsageError(f"takes a chute of one design, not of {self.count}")
         spec = ChuteSpec.model_validate(self.data)  # its own: what is varied is put there
         return Function(spec, self.vary, self._drawn_slopes, parameters, outputs, rtol)
 

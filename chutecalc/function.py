@@ -10,11 +10,12 @@ from chutecalc.belts import received
 from chutecalc.columns import COLUMNS, RECEIVER_COLUMNS
 from chutecalc.core.replay import Recipe
 from chutecalc.design import Contact, Design, Status
+from chutecalc.ends import at_ends
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.parameter import Limits, parameter_at
+from chutecalc.parameter import Limits, check_once, names_of, parameter_at
 from chutecalc.physics.arrays import Array
 from chutecalc.solver.chain import run_ends
-from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of, numbers_of
+from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of
 from chutecalc.solver.leg import Ends
 from chutecalc.spec.build import build
 from chutecalc.spec.model import ChuteSpec
@@ -50,9 +51,12 @@ class Function:
             drawn_slopes: as of :func:`chutecalc.spec.build.build`.
             parameters, outputs, rtol: as there.
         """
-        self.outputs, self.rtol, self._vary = tuple(outputs), rtol, vary
-        given = parameters if isinstance(parameters, Mapping) else dict.fromkeys(parameters)
-        self.parameters = tuple(parameter_at(spec, path, limits) for path, limits in given.items())
+        self.outputs, self.rtol, self._vary = names_of(outputs, "outputs"), rtol, vary
+        limits = parameters if isinstance(parameters, Mapping) else {}
+        self.parameters = tuple(
+            parameter_at(spec, path, limits.get(path)) for path in names_of(parameters, "parameters")
+        )
+        check_once(self.parameters)
         self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
         self._plain = {*PLAIN, "exit_slope_deg", "exit_depth_m"}.issuperset(self.outputs)
@@ -78,21 +82,22 @@ class Function:
         """
         if len(values) != len(self.parameters):
             raise UsageError(f"takes {len(self.parameters)} value(s), for {', '.join(self.paths)}, not {len(values)}")
-        single = not any(isinstance(value, np.ndarray | list | tuple) for value in values)
+        single = all(type(value) in (float, np.float64) for value in values)
         rows = np.array([values], dtype=float) if single else _rows(values)
         if self._limited:
             self._check_limits(rows)
         found = self._shortly(rows)
         if found is None:
             found = self._slowly(rows)
-        told = [float(numbers[0]) for numbers in found] if single else found
+        told = [float(numbers[0]) for numbers in found] if single or not any(map(np.ndim, values)) else found
         return told[0] if len(told) == 1 else tuple(told)
 
     def _check_limits(self, rows: Array) -> None:
         for parameter, column in zip(self.parameters, rows.T, strict=True):
             low, high = parameter.limits or (-np.inf, np.inf)
-            if not (column.min() >= low and column.max() <= high):
-                raise UsageError(f"{parameter.path} has to be from {low:g} to {high:g} here, not {column}")
+            wrong = column[~((column >= low) & (column <= high))]
+            if wrong.size:
+                raise UsageError(f"{parameter.path} has to be from {low!r} to {high!r} here, not {float(wrong[0])!r}")
 
     def _shortly(self, rows: Array) -> list[Array] | None:
         """The outputs by what is written down; None where that does not hold for all designs."""
@@ -113,15 +118,19 @@ class Function:
             rows = waiting.pop()
             try:
                 design = self._vary(dict(zip(self.paths, np.ascontiguousarray(values[rows].T), strict=True))).design
-                ends = run_ends(kinds_of(design), numbers_of(design), self.rtol, *self._asked)
+                found = at_ends(design, self.rtol, self._names(design), len(rows))
             except SpecError as error:
                 if error.designs is None:
                     raise
                 rest = rows[~np.broadcast_to(error.designs, len(rows))]
                 waiting += [rest] if rest.size else []
             else:
-                for column, found in zip(told, self._told(design, ends), strict=True):
-                    column[rows] = found
+                known = {f"exit_{name}": values for name, values in found.exit.items()} | {
+                    f"receiver_{name}": values for name, values in found.receiver.items()
+                }
+                known["error_estimate"] = found.error_estimate
+                for column, name in zip(told, self.outputs, strict=True):
+                    column[rows] = np.where(found.codes == Status.OK, known[name], np.nan)
         return told
 
     def _told(self, design: Design, ends: Ends) -> list[Array]:
@@ -129,8 +138,7 @@ class Function:
         well = ends.status == Status.OK
         exits, belt = {}, {}
         if not self._plain:
-            names = [*self.exit_names, *(("velocity_m_s", "slope_deg") if design.receiver else ())]
-            exits = at_exit(design, ends, names)
+            exits = at_exit(design, ends, self._names(design))
             if design.receiver is not None:
                 belt = received(design.receiver, design, exits["velocity_m_s"], np.radians(exits["slope_deg"]))
         told = []
@@ -146,6 +154,10 @@ class Function:
                 values = exits[own] if way == "exit" else belt[own]
             told.append(np.where(well, values, np.nan))
         return told
+
+    def _names(self, design: Design) -> list[str]:
+        """Columns at the exit that the outputs take."""
+        return [*dict.fromkeys([*self.exit_names, *(("velocity_m_s", "slope_deg") if design.receiver else ())])]
 
     def _check_outputs(self, spec: ChuteSpec) -> None:
         known = {"error_estimate", *(f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT)}
@@ -166,6 +178,8 @@ class Function:
         self._recipe: Recipe | None = None
         self._design, self._leaves = base, dict[int, int]()
         before, tape = [parameter.value for parameter in self.parameters], Tape()
+        if base.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
+            return
         try:
             self._write(tape, spec, drawn_slopes)
         except (AttributeError, TypeError, ValueError):  # something that a tape does not hold
@@ -194,7 +208,14 @@ class Function:
 
 def _rows(values: Sequence[Any]) -> Array:
     """Arrays and numbers as a row for each design."""
-    return np.column_stack(np.broadcast_arrays(*(np.atleast_1d(np.float64(value)) for value in values)))
+    try:
+        arrays = [np.asarray(value) for value in values]
+        if all(array.ndim <= 1 and (array.dtype.kind in "fiu" or not array.size) for array in arrays):
+            columns = np.broadcast_arrays(*(np.atleast_1d(array.astype(float)) for array in arrays))
+            return np.column_stack(columns)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise UsageError("takes a number, or an array of one dimension, for each parameter; arrays all of one length")
 
 
 def _leaves(item: Any) -> Iterator[Traced]:

@@ -1,9 +1,10 @@
 """A number of a checked spec that is to be varied: where it stands, its unit, its bounds."""
 
 import operator
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
-from chutecalc.errors import Fault, SpecError
+from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.spec.quantity import Quantity, Table
 from chutecalc.tape import Traced
@@ -58,7 +59,7 @@ class Parameter(NamedTuple):
         return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
 
     def asks(self, value: Traced) -> bool:
-        """Whether limits, the spec's bounds and the rules of its table let a converted value be; each is asked."""
+        """Whether the spec's bounds, and the rules of its table, let a converted value be; asked on its tape."""
         table = {key: item for key, item in self.table.__dict__.items() if item is not None}
         table |= {} if self.places else {self.key: value}
         finite = bool(value - value == 0.0)
@@ -66,8 +67,48 @@ class Parameter(NamedTuple):
         return finite and all(within) and not any(True for rule in self.table.rules for _ in rule(table))
 
 
+def names_of(given: Any, what: str) -> tuple[str, ...]:
+    """Names that somebody asks for.
+
+    Raises:
+        UsageError: they are none.
+    """
+    names = () if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
+    if not names or not all(isinstance(name, str) for name in names):
+        raise UsageError(f"{what} has to be a list of names, not {given!r}")
+    return names
+
+
+def check_once(parameters: Sequence[Parameter]) -> None:
+    """That no number is given twice.
+
+    Raises:
+        SpecError: some are.
+    """
+    seen: dict[tuple[int, str, tuple[int, ...]], str] = {}
+    faults = []
+    for each in parameters:
+        place = id(each.table), each.key, each.places
+        if place in seen:
+            faults.append(Fault(each.path, f"is given twice, as {seen[place]} and as {each.path}", "keep one of them"))
+        seen.setdefault(place, each.path)
+    if faults:
+        raise SpecError(faults)
+
+
 def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter:
-    """Where a path leads in a checked spec."""
+    """Where a path leads in a checked spec.
+
+    Raises:
+        SpecError: to no number.
+        UsageError: limits that are none.
+    """
+    try:
+        wrong = limits is not None and not float(limits[0]) <= float(limits[1])
+    except (TypeError, ValueError, IndexError):
+        wrong = True
+    if wrong:
+        raise UsageError(f"limits of {path} have to be two numbers, the lower one first, not {limits!r}")
     here: Any = spec
     parts = path.split(".")
     try:
@@ -77,7 +118,8 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
                 if name in type(here).quantities():
                     places = tuple(int(place) - 1 for place in parts[number + 1 :])
                     found = Parameter(path, here, name, places, unit, limits)
-                    if isinstance(found.value, float | int) and all(place >= 0 for place in places):
+                    listed = not places or unit == first_unit(found.quantity.dimension)  # as changes take it
+                    if isinstance(found.value, float | int) and all(place >= 0 for place in places) and listed:
                         return found
                     break
                 part = name
@@ -93,5 +135,9 @@ def _below(here: Any, part: str) -> Any:
     if isinstance(here, dict):
         return here[part]
     if isinstance(here, list):
-        return here[int(part) - 1] if part.isdecimal() else next(item for item in here if item.name == part)
+        if not part.isdecimal():
+            return next(item for item in here if item.name == part)
+        if int(part) == 0:
+            raise IndexError("they are counted from 1")
+        return here[int(part) - 1]
     return getattr(here, part)

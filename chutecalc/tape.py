@@ -5,6 +5,7 @@ goes through is written down. Where a program asks whether something holds, the 
 numbers that give another answer the record is of no use, and says so.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -23,10 +24,12 @@ class Tape:
     def __init__(self) -> None:
         self.values: list[float] = []
         self.steps: list[int] = []
-        self._constants: dict[float, Place] = {}
+        self.varied = 0
+        self._constants: dict[tuple[float, float], Place] = {}
 
     def number(self, value: float) -> "Traced":
         """The next number that is varied; all before anything else."""
+        self.varied += 1
         return Traced(self, np.array([value], dtype=float), self.room(float(value)))
 
     def room(self, value: float = np.nan) -> Place:
@@ -45,9 +48,10 @@ class Tape:
         if np.size(item) != 1:
             raise TypeError("more than one number")
         value = float(item if np.ndim(item) == 0 else np.ravel(item)[0])
-        if value not in self._constants:  # −0 is 0 here, which no operation of a spec minds
-            self._constants[value] = self.room(value)
-        return self._constants[value]
+        key = value, math.copysign(1.0, value)  # −0 is another
+        if key not in self._constants:
+            self._constants[key] = self.room(value)
+        return self._constants[key]
 
     def do(self, name: str, *places: Place) -> Place:
         """An operation; tells where its result goes."""
@@ -57,16 +61,19 @@ class Tape:
 
     def check(self, place: Place, answer: bool) -> None:
         """An answer that has to stay what it is."""
-        self.steps += [CODE["check"], place, self.place(answer), 0, 0]
+        holds = self.do("not", self.do("not", place))  # whatever is not 0 is true
+        self.steps += [CODE["check"], holds, self.place(answer), 0, 0]
 
     def recipe(self, taken: Sequence[Any]) -> replay.Recipe:
         """What to do, and the numbers to tell of it, varied or not."""
         places = [self.place(item) for item in taken]
-        return replay.Recipe(self.steps, self.values, places)
+        return replay.Recipe(self.steps, self.values, places, self.varied)
 
 
 def again(recipe: replay.Recipe, numbers: Array) -> Array | None:
     """What is asked for, a row for each row of varied numbers; None where an answer changes."""
+    if numbers.shape[1] != recipe.varied:  # the compiled loop does not look
+        raise TypeError(f"takes {recipe.varied} numbers, not {numbers.shape[1]}")
     out = np.empty((len(numbers), len(recipe.taken)))
     return out if replay.replay(recipe, numbers, out) == len(numbers) else None
 
@@ -78,12 +85,12 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         self.tape, self.value, self.place = tape, value, place
 
     def __array_ufunc__(self, function: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        if method != "__call__" or function not in _OPERATIONS:
+        if method != "__call__" or options or function not in _OPERATIONS:
             return NotImplemented
         return self._made(function, _OPERATIONS[function], inputs)
 
     def __array_function__(self, function: Any, types: Any, arguments: Any, options: Any) -> Any:
-        if function is np.where:
+        if function is np.where and len(arguments) == 3 and not options:
             return self._made(np.where, lambda tape, *places: tape.do("choose", *places), arguments)
         if function in (np.any, np.all, np.atleast_1d) and not options:
             return self._same(function(self.value))
@@ -140,19 +147,26 @@ def _negative(tape: Tape, one: Place) -> Place:
 
 
 def _absolute(tape: Tape, one: Place) -> Place:
-    return tape.do("choose", tape.do("less", one, tape.place(0.0)), _negative(tape, one), one)
+    size = tape.do("choose", tape.do("less", one, tape.place(0.0)), _negative(tape, one), one)
+    return tape.do("add", size, tape.place(0.0))  # −0 is 0
 
 
 def _least(tape: Tape, one: Place, other: Place) -> Place:
-    return tape.do("choose", tape.do("less", one, other), one, other)
+    return _first(tape, tape.do("less", one, other), one, other)
 
 
 def _largest(tape: Tape, one: Place, other: Place) -> Place:
-    return tape.do("choose", tape.do("less", other, one), one, other)
+    return _first(tape, tape.do("less", other, one), one, other)
+
+
+def _first(tape: Tape, better: Place, one: Place, other: Place) -> Place:
+    """The one that is better, or no number."""
+    none = tape.do("not", tape.do("equal", one, one))
+    return tape.do("choose", tape.do("or", better, none), one, other)
 
 
 def _power(tape: Tape, one: Place, exponent: Place) -> Place:
-    if tape.values[exponent] != 2.0:
+    if exponent != tape.place(2.0):
         raise TypeError("a power that is no square")
     return tape.do("multiply", one, one)
 

@@ -4,6 +4,7 @@ from chutecalc.core cimport floats, gauss, panel, slide
 
 @cython.locals(sound=bint)
 cdef void by_place(panel.Panel own, slide.Slide way, double start, double width, double y0, gauss.Pair pair, int kind) noexcept nogil
+cdef double stopped(panel.Panel own, gauss.Rule rule) noexcept nogil
 cdef void forces(panel.Panel own, slide.Slide way, gauss.Rule rule, panel.Angles angles) noexcept nogil
 cdef void freeze(panel.Panel own, slide.Slide way, gauss.Rule rule, double first, double flow, double bend) noexcept nogil
 cdef void linearise(panel.Panel own, slide.Slide way, gauss.Rule rule, gauss.Curve iterate, double flow, double bend) noexcept nogil

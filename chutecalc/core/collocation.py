@@ -26,10 +26,7 @@ def by_place(
             iterations, refinements = 2, 2
         freeze(own, way, pair.coarse, first, flow, bend)
     step(own, pair.coarse, first, kind, own.coarse)
-    own.stop = 1.0
-    for j in range(pair.coarse.last):
-        if own.stop == 1.0 and own.coarse.knots[j + 1] <= 0.0:
-            own.stop = pair.coarse.knots[j + 1]
+    own.stop = stopped(own, pair.coarse)
     for _ in range(iterations):
         linearise(own, way, pair.coarse, own.coarse, flow, bend)
         step(own, pair.coarse, first, kind, own.coarse)
@@ -67,6 +64,14 @@ def by_place(
         kept = math.fabs(floats.quotient(own.coarse.knots[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
         own.error += max(kept - noise, 0.0)
         own.rounding += noise
+
+
+def stopped(own: "panel.Panel", rule: "gauss.Rule") -> float:
+    """The first knot at which the stream would have stopped by now, as a share of the panel; 1 where there is none."""
+    for j in range(rule.last):
+        if own.coarse.knots[j + 1] <= 0.0:
+            return float(rule.knots[j + 1])
+    return 1.0
 
 
 def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", angles: "panel.Angles") -> None:

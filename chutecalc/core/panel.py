@@ -60,8 +60,9 @@ class Panel:
         self.sine, self.press, self.values = (floats.zeros(gauss.MOST) for _ in range(3))
         self.coarse_angles, self.angles = Angles(), Angles()
         self.left = 0.0
-        self.stop = floats.INFINITY
-        """Where friction as at its start would have stopped the stream, as a share of the width; from 1 on, nowhere."""
+        self.stop = 1.0
+        """Where the first iterate would have stopped the stream, with friction as at the panel's start, as a share of
+        the width; 1 where it would not."""
         self.smooth = 1.0
         """ρ of the ellipse around the panel in which the solution is smooth."""
 

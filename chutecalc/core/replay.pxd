@@ -6,7 +6,7 @@ cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT,
 
 @cython.final
 cdef class Recipe:
-    cdef public int count
+    cdef public int count, varied
     cdef public int[::1] steps, taken
     cdef public double[::1] values
 

@@ -23,9 +23,10 @@ STEP = 5
 class Recipe:
     """Steps, and a place for each number that they take and make."""
 
-    def __init__(self, steps: list[int], values: list[float], taken: list[int]) -> None:
+    def __init__(self, steps: list[int], values: list[float], taken: list[int], varied: int) -> None:
         self.steps = array("i", steps or [0])
         self.count = len(steps) // STEP
+        self.varied = varied
         self.values = array("d", values)
         """The numbers that are varied come first; among the others stand those that never change."""
         self.taken = array("i", taken)
@@ -35,11 +36,13 @@ class Recipe:
 def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
     """Does the steps for a row of varied numbers each, and writes down what is asked for.
 
+    A recipe is of one thread at a time: compiled, the interpreter's lock is held meanwhile.
+
     Returns:
         How many rows are done: fewer than there are where the next gives a check another answer.
     """
     for row in range(numbers.shape[0]):
-        for k in range(numbers.shape[1]):
+        for k in range(recipe.varied):
             recipe.values[k] = numbers[row, k]
         if not follow(recipe, recipe.values):
             return row

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
-from unicodedata import combining, east_asian_width
+from unicodedata import category, east_asian_width
 
 if TYPE_CHECKING:
     from rich.table import Table
 
 GAP = "  "
+NO_ROOM = ("Mn", "Me", "Cf")  # marks on the letter before, and what is not seen
 
 
 class Grid:
@@ -67,14 +68,14 @@ class Grid:
 
 
 def width(text: str) -> int:
-    """How many columns of a terminal it takes.
+    """How many columns of a terminal it takes; of an emoji that several make up, more.
 
     >>> width("μ_e"), width("石炭")
     (3, 4)
     """
     if text.isascii():
         return len(text)
-    return sum(0 if combining(letter) else 2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+    return sum(0 if category(letter) in NO_ROOM else 2 if east_asian_width(letter) in "WF" else 1 for letter in text)
 
 
 def _filled(cell: str, size: int, to_left: bool) -> str:

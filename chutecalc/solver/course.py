@@ -28,7 +28,7 @@ class Kind(NamedTuple):
 
 
 Kinds = tuple[Kind, ...]
-_NO_ROOM = floats.zeros(1)
+_NO_ROOM, _NO_ENDS, _NO_TABLES = floats.zeros(1), np.empty((1, 1)), np.empty((1, 1, 1))
 _FREE: defaultdict[Kinds, list[records.Course]] = defaultdict(list)
 """Records that nobody uses now: making them takes longer than a solution."""
 
@@ -54,7 +54,8 @@ def take(kinds: Kinds) -> records.Course:
 
 
 def give_back(kinds: Kinds, course: records.Course) -> None:
-    """Has another solution use them."""
+    """Has another solution use them; what this one's user was given goes with the user."""
+    course.ends, course.lying, course.pressing = _NO_ENDS, _NO_TABLES, _NO_TABLES
     _FREE[kinds].append(course)
 
 

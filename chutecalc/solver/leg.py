@@ -74,6 +74,14 @@ class ContactLeg:
         """Of a leg's table; ``panels`` are those taken, as far as they are kept."""
         self.segment, self.table, self.way, self.panels = segment, table, way, panels
 
+    def widened(self, count: int) -> "ContactLeg":
+        """The same of so many designs, where one has gone for all of them."""
+        way, panels = self.way.widened(count), self.panels
+        first, counts = np.repeat(panels.first, count), np.repeat(panels.count, count)
+        return ContactLeg(
+            self.segment, np.repeat(self.table, count, axis=1), way, Panels(way, panels.kept, first, counts)
+        )
+
     @cached_property
     def surface(self) -> Surface:
         """The segment as it stands."""
@@ -141,7 +149,7 @@ class Leg:
 
     @property
     def flight_time(self) -> Array:
-        """S, 0 where the stream does not fly."""
+        """Of the flight, s; 0 where there is none."""
         time: Array = self.table[AT["flight_time"]]
         return time
 
@@ -150,6 +158,11 @@ class Leg:
         """How far it flies, m."""
         flown: Array = self.table[AT["distance"]]
         return flown
+
+    def widened(self, count: int) -> "Leg":
+        """The same of so many designs, where one has gone for all of them."""
+        contact = self.contact and self.contact.widened(count)
+        return Leg(self.number, self.segment, np.repeat(self.table, count, axis=1), contact)
 
     def _point(self, at: str) -> Point:
         return Point._make(columns(self.table, f"{at}_distance", 9))

@@ -23,6 +23,11 @@ class Way(NamedTuple):
     surfaces: Array
     """Entry slope, turn and length of the segment, a row each."""
 
+    def widened(self, count: int) -> "Way":
+        """The same of so many designs, where one has gone for all of them."""
+        numbers, surfaces = np.repeat(self.numbers, count, axis=0), np.repeat(self.surfaces, count, axis=0)
+        return self._replace(numbers=numbers, surfaces=surfaces)
+
     @property
     def slide(self) -> Slide:
         """A record of its kind."""

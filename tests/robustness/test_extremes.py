@@ -177,3 +177,16 @@ def test_an_extreme_between_an_end_and_the_next_sample_is_found(top):
     most = extremes(part, sampled, shares, [("depth_m", LARGEST)])["depth_m", LARGEST]
     assert most.value[0] == pytest.approx(3.0, abs=1e-15)
     assert most.share[0] == pytest.approx(top, abs=1e-8)  # √ε of what is flat there
+
+
+def test_designs_that_differ_in_what_the_stream_does_not_feel():
+    """One stream for all of them, and wear for each."""
+    base = chutecalc.parse(chutecalc.STARTER)
+    slip = "liners.ceramic.slip_ratio"
+    together = chutecalc.solve(base.vary({slip: [0.5, 1.0]}))
+    for k, ratio in enumerate((0.5, 1.0)):
+        alone = chutecalc.solve(base.vary({slip: ratio}))
+        for part, single in zip(together.segments, alone.segments, strict=True):
+            for name, values in part.maximum.items():
+                assert values[k] == pytest.approx(single.maximum[name][0], rel=1e-12, nan_ok=True)
+    assert len(together.findings()) == len(alone.findings())

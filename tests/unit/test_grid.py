@@ -8,7 +8,7 @@ from rich.console import Console
 
 from chutecalc.output.grid import GAP, Grid, width
 
-WORDS = ("", "s", "velocity", "μ_e\nW/m²", "depth\nm", "石炭", "e\u0301tage", "0.1", "-12.345")
+WORDS = ("", "s", "velocity", "μ_e\nW/m²", "depth\nm", "石炭", "e\u0301tage", "ที่", "a\u200bb", "0.1", "-12.345")
 
 
 def drawn(grid):
@@ -32,4 +32,4 @@ def test_as_rich_draws_it(seed):
 
 
 def test_how_wide_letters_are():
-    assert [width(text) for text in WORDS] == [0, 1, 8, 8, 7, 4, 5, 3, 7]
+    assert [width(text) for text in WORDS] == [0, 1, 8, 8, 7, 4, 5, 1, 2, 3, 7]
