@@ -9,13 +9,12 @@ import numpy as np
 from chutecalc.chute import Chute, check_tolerance
 from chutecalc.columns import COLUMNS
 from chutecalc.design import select
-from chutecalc.ends import Exits, at_ends
+from chutecalc.ends import NOT_AT_EXIT, Exits, at_ends
 from chutecalc.errors import SpecError, UsageError
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
 USUAL = ("velocity_m_s", "depth_m", "slope_deg")
-NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
 
 
 def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, jobs: int | None = None) -> Exits:
@@ -48,12 +47,11 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
     if jobs is not None and jobs < 1:
         raise UsageError(f"jobs has to be 1 or more, not {jobs}")
     edges = range(0, chute.count, CHUNK)
-    wanted = names if chute.design.receiver is None else list(dict.fromkeys([*names, "velocity_m_s", "slope_deg"]))
 
     def solved(first: int) -> Exits:
         count = min(CHUNK, chute.count - first)
         design = select(chute.design, slice(first, first + count)) if len(edges) > 1 else chute.design
-        return at_ends(design, rtol, wanted, count)
+        return at_ends(design, rtol, names, count)
 
     try:
         if len(edges) == 1:
@@ -63,8 +61,7 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
                 chunks = list(pool.map(solved, edges))
     except SpecError as error:
         raise SpecError(error.faults, chute.source, error.designs if len(edges) == 1 else None) from None
-    whole = chunks[0] if len(chunks) == 1 else _joined(chunks)
-    return whole._replace(exit={name: whole.exit[name] for name in names})
+    return chunks[0] if len(chunks) == 1 else _joined(chunks)
 
 
 def _joined(chunks: list[Exits]) -> Exits:

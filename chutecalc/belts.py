@@ -3,8 +3,7 @@
 import numpy as np
 
 from chutecalc.along import Numbers
-from chutecalc.design import Design, Receiver
-from chutecalc.physics.arrays import Array
+from chutecalc.design import Design
 from chutecalc.physics.belt import discharge, loading
 
 SQUARE = 1e-9
@@ -30,8 +29,15 @@ def entering(design: Design) -> Numbers:
     return numbers
 
 
-def received(belt: Receiver, design: Design, velocity: Array, slope: Array) -> Numbers:
-    """What the stream of a design, with that velocity and slope, rad, at its exit, does to the belt there."""
+TAKEN = ("velocity_m_s", "slope_deg")
+"""Columns at the exit that this takes."""
+
+
+def received(design: Design, end: Numbers) -> Numbers:
+    """What the stream does to the belt, by its columns at the exit; empty where there is no belt."""
+    if design.receiver is None:
+        return {}
+    belt, velocity, slope = design.receiver, end["velocity_m_s"], np.radians(end["slope_deg"])
     onto = loading(velocity, slope, *belt, design.density, design.mass_rate, design.gravity)
     aside = np.cos(slope - belt.slope)
     with np.errstate(all="ignore"):

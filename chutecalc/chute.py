@@ -97,7 +97,7 @@ class Chute:
     ) -> "Function":
         """This chute as a function of some of its numbers: for optimisers, root finders and many designs.
 
-        What follows from the parameters is found out once; a call takes no more than the solution itself.
+        What follows from the parameters is found out once; a call works that out with other numbers, and solves.
 
         Args:
             parameters: paths of numbers that the spec has, in the order of the arguments; with limits for each, where

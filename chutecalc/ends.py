@@ -3,10 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from chutecalc.along import Numbers, asked, at_exit
-from chutecalc.belts import received
+from chutecalc.belts import TAKEN, received
 from chutecalc.design import Design, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.solution import Solution
@@ -27,24 +25,41 @@ class Exits(NamedTuple):
     """What it does to the belt there, as :attr:`chutecalc.solution.Solution.receiver`."""
 
 
+NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
+"""Columns that there are not at an exit."""
+
+
+def asked_of(design: Design, names: Sequence[str]) -> list[str]:
+    """Columns at the exit that some take, and what the belt does."""
+    return [*dict.fromkeys([*names, *(TAKEN if design.receiver else ())])]
+
+
 def at_ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
     """Those of designs.
 
     Args:
         design: of so many designs as ``count`` says.
         rtol: as of :func:`chutecalc.solve`.
-        names: of columns, without time; velocity and slope among them where there is a receiver.
+        names: of columns, without time.
         count: how many.
     """
+    taken = asked_of(design, names)
     if design.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
         legs, ends = run_chain(design, rtol, complete=False)
-        found = Solution(design, tuple(legs), ends, rtol, count).exit_columns(names)
+        found = Solution(design, tuple(legs), ends, rtol, count).exit_columns(taken)
     else:
-        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *asked(names))
-        found = at_exit(design, ends, names)
-    belt: Numbers = {}
-    if design.receiver is not None:
-        belt = received(design.receiver, design, found["velocity_m_s"], np.radians(found["slope_deg"]))
-    whole = [stretched(values, (count,)) for values in (ends.status, ends.error)]
-    both = ({name: stretched(values, (count,)) for name, values in numbers.items()} for numbers in (found, belt))
-    return Exits(*whole, *both)
+        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *asked(taken))
+        found = at_exit(design, ends, taken)
+    belt = received(design, found)
+
+    def whole(numbers: Numbers) -> Numbers:
+        return {name: stretched(values, (count,)) for name, values in numbers.items()}
+
+    codes, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
+    return Exits(codes, error, whole({name: found[name] for name in names}), whole(belt))
+
+
+def named(exit_: Numbers, belt: Numbers, error: Array) -> Numbers:
+    """The same by the names that columns of sweeps and outputs of functions have."""
+    numbers = {f"exit_{name}": values for name, values in exit_.items()}
+    return numbers | {f"receiver_{name}": values for name, values in belt.items()} | {"error_estimate": error}

@@ -13,9 +13,6 @@ ROUNDS, SIDE = 2, np.linspace(0.0, 1.0, 9)  # each round leaves an eighth of the
 NEAR = 1.0 / 16.0, 1.0 / 1024.0  # of the bracket: as near, by three places around the top of the last parabola
 
 
-Look = Callable[[Array], Array]
-
-
 class Extreme(NamedTuple):
     """Where a quantity is least or largest along a part, shape (designs,)."""
 
@@ -27,6 +24,10 @@ class Extreme(NamedTuple):
 LEAST, LARGEST = -1.0, 1.0
 Wanted = tuple[str, float]
 """A column's name, and ``LEAST`` or ``LARGEST``."""
+Look = Callable[[Array], Array]
+Search = Callable[[Look, Array, Array, Array, Array, Array], tuple[Extreme, Mask]]
+"""Nearer and nearer to an extreme: how to look, where its parabola has its top, three places around it, the value at
+the middle one. Gives the extreme, and where it is to be believed."""
 
 
 def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
@@ -51,27 +52,19 @@ def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wante
     return found | _present(part, sampled, limits, shares, there) if there else found
 
 
-Search = Callable[[Look, Array, Array, Array, Array, Array], tuple[Extreme, Mask]]
-"""Nearer and nearer to an extreme: how to look, where its parabola has its top, three places around it, the value at
-the middle one. Gives the extreme, and where it is to be believed."""
-
-
 def _present(
     part: Part, sampled: Numbers, limits: Numbers, shares: Array, wanted: Sequence[Wanted]
 ) -> dict[Wanted, Extreme]:
     """The same of quantities that there are; ``limits`` as of :meth:`chutecalc.along.Part.limits`."""
     signs = np.array([sign for _, sign in wanted])[:, None]
 
-    def columns(items: Sequence[int], at: Array, known: Numbers) -> Array:
-        """Of the shape of ``at``: places, items, designs; larger is more wanted."""
+    def look(items: Sequence[int], at: Array) -> Array:
+        """Columns of the shape of ``at``, places, items, designs; larger is more wanted."""
+        known = part.at(at.reshape(-1, at.shape[2]), {wanted[item][0] for item in items})
         found = [known[wanted[item][0]].reshape(at.shape)[:, k] for k, item in enumerate(items)]
         found = [np.where(at[:, k] == 1.0, limits[wanted[item][0]], found[k]) for k, item in enumerate(items)]
         stacked: Array = np.stack(found, axis=1) * signs[items]
         return stacked
-
-    def look(items: Sequence[int], at: Array) -> Array:
-        """The same where nobody has looked yet."""
-        return columns(items, at, part.at(at.reshape(-1, at.shape[2]), {wanted[item][0] for item in items}))
 
     each = shares[:, None] if shares.ndim == 1 else shares
     values = np.stack([np.where(each == 1.0, limits[name], sampled[name]) for name, _ in wanted], axis=1)

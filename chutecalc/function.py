@@ -9,11 +9,11 @@ from chutecalc.along import asked, at_exit
 from chutecalc.belts import received
 from chutecalc.columns import COLUMNS, RECEIVER_COLUMNS
 from chutecalc.core.replay import Recipe
-from chutecalc.design import Contact, Design, Status
-from chutecalc.ends import at_ends
+from chutecalc.design import Design, Status
+from chutecalc.ends import NOT_AT_EXIT, asked_of, at_ends, named
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.parameter import Limits, check_once, names_of, parameter_at
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, Index
 from chutecalc.solver.chain import run_ends
 from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of
 from chutecalc.solver.leg import Ends
@@ -21,9 +21,16 @@ from chutecalc.spec.build import build
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.tape import Tape, Traced, again
 
-NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
-PLAIN = {"exit_velocity_m_s": 1, "error_estimate": 2, "exit_s_m": 3, "exit_x_m": 4, "exit_z_m": 5}
-"""Outputs that stand among the ends as they are, and where."""
+PLAIN: dict[str, Callable[[Ends], Array]] = {
+    "exit_velocity_m_s": lambda ends: ends.velocity,
+    "error_estimate": lambda ends: ends.error,
+    "exit_s_m": lambda ends: ends.distance,
+    "exit_x_m": lambda ends: ends.x,
+    "exit_z_m": lambda ends: ends.z,
+    "exit_slope_deg": lambda ends: np.degrees(ends.slope),
+    "exit_depth_m": lambda ends: ends.lying[0][0],
+}
+"""Outputs that stand among the ends, without a profile of the stream there."""
 
 
 class Function:
@@ -59,7 +66,7 @@ class Function:
         check_once(self.parameters)
         self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
-        self._plain = {*PLAIN, "exit_slope_deg", "exit_depth_m"}.issuperset(self.outputs)
+        self._plain = PLAIN.keys() >= set(self.outputs)
         self._check_outputs(spec)
         self._trace(spec, drawn_slopes)
 
@@ -118,54 +125,39 @@ class Function:
             rows = waiting.pop()
             try:
                 design = self._vary(dict(zip(self.paths, np.ascontiguousarray(values[rows].T), strict=True))).design
-                found = at_ends(design, self.rtol, self._names(design), len(rows))
+                found = at_ends(design, self.rtol, self.exit_names, len(rows))
             except SpecError as error:
                 if error.designs is None:
                     raise
                 rest = rows[~np.broadcast_to(error.designs, len(rows))]
                 waiting += [rest] if rest.size else []
             else:
-                known = {f"exit_{name}": values for name, values in found.exit.items()} | {
-                    f"receiver_{name}": values for name, values in found.receiver.items()
-                }
-                known["error_estimate"] = found.error_estimate
-                for column, name in zip(told, self.outputs, strict=True):
-                    column[rows] = np.where(found.codes == Status.OK, known[name], np.nan)
+                known = named(found.exit, found.receiver, found.error_estimate)
+                for column, numbers in zip(told, self._chosen(known, found.codes), strict=True):
+                    column[rows] = numbers
         return told
 
     def _told(self, design: Design, ends: Ends) -> list[Array]:
         """The outputs of designs from their ends."""
-        well = ends.status == Status.OK
-        exits, belt = {}, {}
-        if not self._plain:
-            exits = at_exit(design, ends, self._names(design))
-            if design.receiver is not None:
-                belt = received(design.receiver, design, exits["velocity_m_s"], np.radians(exits["slope_deg"]))
-        told = []
-        for name in self.outputs:
-            if name in PLAIN:
-                values = ends[PLAIN[name]]
-            elif name == "exit_slope_deg":
-                values = np.degrees(ends.slope)
-            elif name == "exit_depth_m":
-                values = ends.lying[0][0] if self._guided else np.full(well.shape, np.nan)
-            else:
-                way, _, own = name.partition("_")
-                values = exits[own] if way == "exit" else belt[own]
-            told.append(np.where(well, values, np.nan))
-        return told
+        if self._plain:
+            known = {name: PLAIN[name](ends) for name in self.outputs}
+        else:
+            found = at_exit(design, ends, asked_of(design, self.exit_names))
+            known = named(found, received(design, found), ends.error)
+        return self._chosen(known, ends.status)
 
-    def _names(self, design: Design) -> list[str]:
-        """Columns at the exit that the outputs take."""
-        return [*dict.fromkeys([*self.exit_names, *(("velocity_m_s", "slope_deg") if design.receiver else ())])]
+    def _chosen(self, known: Mapping[str, Array], status: Index) -> list[Array]:
+        """The outputs among numbers by their names."""
+        well = status == Status.OK
+        return [np.where(well, known[name], np.nan) for name in self.outputs]
 
     def _check_outputs(self, spec: ChuteSpec) -> None:
         known = {"error_estimate", *(f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT)}
         known |= {f"receiver_{name}" for name in RECEIVER_COLUMNS} if spec.receiver else set()
         unknown = [name for name in self.outputs if name not in known]
-        if unknown or not self.outputs:
+        if unknown:
             raise UsageError(
-                f"there is no output {', '.join(unknown) or 'asked for'}: known are exit_ before a station's columns,"
+                f"there is no output {', '.join(unknown)}: known are exit_ before a station's columns,"
                 " receiver_ before those of the belt, and error_estimate"
             )
 
@@ -173,17 +165,16 @@ class Function:
         """Builds the chute once and writes down what follows from the parameters."""
         base = build(spec, drawn_slopes)
         self._kinds, self._again = kinds_of(base), 0
-        self._guided = isinstance(base.segments[-1], Contact)
         self._asked = asked(self.exit_names)
         self._recipe: Recipe | None = None
         self._design, self._leaves = base, dict[int, int]()
-        before, tape = [parameter.value for parameter in self.parameters], Tape()
         if base.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
             return
+        before = [parameter.value for parameter in self.parameters]
         try:
-            self._write(tape, spec, drawn_slopes)
-        except (AttributeError, TypeError, ValueError):  # something that a tape does not hold
-            self._recipe, self._design = None, base
+            self._write(Tape(), spec, drawn_slopes)
+        except (AttributeError, TypeError, ValueError):
+            pass  # something that a tape does not hold
         finally:
             for parameter, value in zip(self.parameters, before, strict=True):
                 parameter.put(value)

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.spec.model import ChuteSpec
+from chutecalc.spec.paths import is_number
 from chutecalc.spec.quantity import Quantity, Table
 from chutecalc.tape import Traced
 from chutecalc.units import convert, first_unit
@@ -116,10 +117,10 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
             if isinstance(here, Table):
                 name, unit = here.keys()[part]
                 if name in type(here).quantities():
-                    places = tuple(int(place) - 1 for place in parts[number + 1 :])
+                    places = tuple(map(_index, parts[number + 1 :]))
                     found = Parameter(path, here, name, places, unit, limits)
                     listed = not places or unit == first_unit(found.quantity.dimension)  # as changes take it
-                    if isinstance(found.value, float | int) and all(place >= 0 for place in places) and listed:
+                    if isinstance(found.value, float | int) and listed:
                         return found
                     break
                 part = name
@@ -131,13 +132,18 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
     )
 
 
+def _index(part: str) -> int:
+    """Where in a list a number of a path leads."""
+    if not is_number(part) or int(part) == 0:
+        raise IndexError("they are counted from 1")
+    return int(part) - 1
+
+
 def _below(here: Any, part: str) -> Any:
     if isinstance(here, dict):
         return here[part]
     if isinstance(here, list):
-        if not part.isdecimal():
+        if not is_number(part):
             return next(item for item in here if item.name == part)
-        if int(part) == 0:
-            raise IndexError("they are counted from 1")
-        return here[int(part) - 1]
+        return here[_index(part)]
     return getattr(here, part)

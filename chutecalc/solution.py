@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from chutecalc.along import Numbers, Part
-from chutecalc.belts import entering, received
+from chutecalc.belts import TAKEN, entering, received
 from chutecalc.columns import COLUMNS
 from chutecalc.design import Design, Status, stretched
 from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
@@ -128,8 +128,7 @@ class Solution:
         """
         if self.design.receiver is None:
             return {}
-        end = self.exit_columns(("velocity_m_s", "slope_deg"))
-        return received(self.design.receiver, self.design, end["velocity_m_s"], np.radians(end["slope_deg"]))
+        return received(self.design, self.exit_columns(TAKEN))
 
     @cached_property
     def inlet(self) -> Numbers:

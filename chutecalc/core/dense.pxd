@@ -4,8 +4,9 @@ from chutecalc.core cimport batch, floats, gauss, section, slide, state
 
 cdef double SLACK, STEEP
 
-@cython.locals(design=int, number=int, here=int, row=int, rule=gauss.Rule, share=double, place=double)
+@cython.locals(design=int, number=int, here=int, row=int, rule=gauss.Rule, share=double)
 cpdef velocities(double[::1] kept, Py_ssize_t[::1] first, Py_ssize_t[::1] count, dict rules, double[:, :] ends, double[:, :] places, double[:, :] out)
+cdef double at_ends(double[:, :] ends, int design, double place) noexcept nogil
 cdef double locate(gauss.Rule rule, double[::1] kept, int at, double place) noexcept nogil
 cdef double squared(gauss.Rule rule, double[::1] kept, int at, double share) noexcept nogil
 @cython.locals(design=int, number=int, at=int, row=int, rule=gauss.Rule, share=double, elapsed=double, begin=double, width=double)

@@ -29,11 +29,7 @@ def velocities(
     """
     for design in range(len(first)):
         for row in range(len(places)):
-            place, out[row, design] = places[row, design], floats.NAN
-            if place == ends[0, design]:
-                out[row, design] = ends[1, design] * ends[1, design]
-            elif place == ends[2, design]:
-                out[row, design] = ends[3, design]
+            out[row, design] = at_ends(ends, design, places[row, design])
         for number in range(first[design], first[design] + count[design]):
             here = state.KEPT * number
             rule = rules[int(kept[here + 1])]
@@ -42,6 +38,13 @@ def velocities(
                     share = locate(rule, kept, here, places[row, design])
                     if share == share:
                         out[row, design] = squared(rule, kept, here, share)
+
+
+def at_ends(ends: Any, design: int, place: float) -> float:
+    """v² at an end of the way; not a number between them."""
+    if place == ends[0, design]:
+        return float(ends[1, design] * ends[1, design])
+    return float(ends[3, design]) if place == ends[2, design] else floats.NAN
 
 
 def locate(rule: "gauss.Rule", kept: Any, at: int, place: float) -> float:

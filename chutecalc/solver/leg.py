@@ -74,13 +74,11 @@ class ContactLeg:
         """Of a leg's table; ``panels`` are those taken, as far as they are kept."""
         self.segment, self.table, self.way, self.panels = segment, table, way, panels
 
-    def widened(self, count: int) -> "ContactLeg":
-        """The same of so many designs, where one has gone for all of them."""
-        way, panels = self.way.widened(count), self.panels
-        first, counts = np.repeat(panels.first, count), np.repeat(panels.count, count)
-        return ContactLeg(
-            self.segment, np.repeat(self.table, count, axis=1), way, Panels(way, panels.kept, first, counts)
-        )
+    def widened(self, table: Array) -> "ContactLeg":
+        """The same of the designs of a table, where one has gone for all of them."""
+        count, panels = table.shape[1], self.panels
+        way, first = self.way.widened(count), np.repeat(panels.first, count)
+        return ContactLeg(self.segment, table, way, Panels(way, panels.kept, first, np.repeat(panels.count, count)))
 
     @cached_property
     def surface(self) -> Surface:
@@ -161,8 +159,8 @@ class Leg:
 
     def widened(self, count: int) -> "Leg":
         """The same of so many designs, where one has gone for all of them."""
-        contact = self.contact and self.contact.widened(count)
-        return Leg(self.number, self.segment, np.repeat(self.table, count, axis=1), contact)
+        table = np.repeat(self.table, count, axis=1)
+        return Leg(self.number, self.segment, table, self.contact and self.contact.widened(table))
 
     def _point(self, at: str) -> Point:
         return Point._make(columns(self.table, f"{at}_distance", 9))

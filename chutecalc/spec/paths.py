@@ -47,7 +47,7 @@ def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str],
     if quantity in put:
         return Fault(path, f"is given twice, as {put[quantity]} too", "keep one of them", value_text(value))
     put[quantity] = path
-    if isinstance(here, list) and _is_number(key) and 1 <= int(key) <= len(here):
+    if isinstance(here, list) and is_number(key) and 1 <= int(key) <= len(here):
         here[int(key) - 1] = value
         return None
     if not isinstance(here, dict | list):
@@ -71,11 +71,12 @@ def _step(here: Any, item: str) -> tuple[Any, list[str]]:
         given = [table.get("name") if isinstance(table, dict) else None for table in here]
         named = [name if isinstance(name, str) else None for name in given]
         names = [name or str(number) for number, name in enumerate(named, 1)]
-        if _is_number(item) and 1 <= int(item) <= len(here):
+        if is_number(item) and 1 <= int(item) <= len(here):
             return here[int(item) - 1], names
         return (here[named.index(item)] if item in named else None), names
     return None, []
 
 
-def _is_number(item: str) -> bool:
+def is_number(item: str) -> bool:
+    """Whether part of a path counts in a list, from 1."""
     return item.isascii() and item.isdecimal()

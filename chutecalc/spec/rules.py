@@ -109,7 +109,7 @@ def _reference(
 def downhill(table: dict[str, Any]) -> Iterator[Rule]:
     """A straight floor does not rise."""
     slope: Any = table.get("slope_deg")
-    # the last but one is what stands for a number while what is done with it is written down
+    # of NumPy's mixin is a number of which a function writes down what is done with it (chutecalc.tape)
     number = isinstance(slope, int | float | np.lib.mixins.NDArrayOperatorsMixin | np.ndarray)
     if table.get("kind") == "straight" and number and np.any(np.less(slope, 0.0)):
         yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")

@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 
 from chutecalc import __version__
-from chutecalc.batch import CHUNK, NOT_AT_EXIT, exits
+from chutecalc.batch import CHUNK, exits
 from chutecalc.chute import Chute, check_tolerance, solve
 from chutecalc.columns import COLUMNS, WAYS, row_columns
 from chutecalc.design import Status
+from chutecalc.ends import NOT_AT_EXIT, named
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.extremes import LARGEST, LEAST
 from chutecalc.physics.arrays import Index
@@ -201,8 +202,7 @@ class Sweep:
             wanted = [(name, EXTREME[way]) for way in EXTREME for name in ways[way]]
             keys = [f"{way}_{name}" for way in EXTREME for name in ways[way]]
             numbers = dict(zip(keys, run.extreme_columns(wanted).values(), strict=True))
-        numbers |= {f"exit_{name}": values for name, values in exit_.items()}
-        numbers |= {f"receiver_{name}": values for name, values in belt.items()} | {"error_estimate": error}
+        numbers |= named(exit_, belt, error)
         well = codes == Status.OK
         block: Block = {"status": np.array(Status.LABELS)[codes]}
         for name in self.columns:
