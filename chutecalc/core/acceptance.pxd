@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport events, floats, gauss, panel, section, slide, state
+from chutecalc.core cimport events, floats, friction, gauss, panel, section, slide, state
 
 cdef double TIRED, AGAIN, CLEAR, AT_END, ROUNDING, CLOSE, BEYOND, WELL_WITHIN, LEAST_SHARE, MOST_SHARE
 

@@ -2,7 +2,7 @@
 
 import math
 
-from chutecalc.core import events, floats, gauss, panel, section, slide, state
+from chutecalc.core import events, floats, friction, gauss, panel, section, slide, state
 
 TIRED, AGAIN = 0.1, 0.15  # of the way to its goal: the least that a panel in r tries, and the first after one in c
 CLEAR = 4e-13  # beyond an event by more than it is found within
@@ -195,7 +195,7 @@ def happen(stream: "state.Stream", effort: "state.Effort", event: int) -> None:
             stream.facet = beyond(stream.facet, there, side)
         else:
             side = 1 if event == events.FIRMER else -1
-            pressure = slide.stress(stream.way, stream.facet, stream.place, stream.y) * (1.0 + side * CLEAR)
+            pressure = friction.stress(stream.way, stream.facet, stream.place, stream.y) * (1.0 + side * CLEAR)
             stream.piece = beyond(stream.piece, slide.piece_of(stream.way, pressure), side)
 
 

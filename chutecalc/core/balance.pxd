@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport batch, floats, slide
+from chutecalc.core cimport batch, floats, friction, slide
 
 cdef double SLOWEST, STEP
 cdef double LAST

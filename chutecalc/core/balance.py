@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from chutecalc.core import batch, floats, slide
+from chutecalc.core import batch, floats, friction, slide
 
 SLOWEST, STEP, LAST = 1e-9, 0.1518, 320
 """m/s; logarithm of the ratio between velocities that are tried, and how many there are: up to 1e12 m/s."""
@@ -33,7 +33,7 @@ def balance(way: "slide.Slide", place: float, velocity: float) -> float:
     """The same at one place."""
     if velocity != velocity:
         return floats.INFINITY
-    faster = slide.pull_at(way, place, velocity * velocity) > 0.0
+    faster = friction.pull_at(way, place, velocity * velocity) > 0.0
     k = 0.0
     if velocity > SLOWEST:
         k = min(math.floor(math.log(velocity / SLOWEST) / STEP), LAST - 1.0)
@@ -59,7 +59,7 @@ def balance(way: "slide.Slide", place: float, velocity: float) -> float:
 def surplus(way: "slide.Slide", place: float, number: float) -> float:
     """What friction leaves of gravity's pull, times something positive, at one of the velocities tried."""
     velocity = SLOWEST * math.exp(STEP * number)
-    return slide.pull_at(way, place, velocity * velocity)
+    return friction.pull_at(way, place, velocity * velocity)
 
 
 def between(way: "slide.Slide", place: float, number: float, f_low: float, f_high: float) -> float:

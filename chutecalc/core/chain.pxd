@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport flight, floats, joint, march, records, slide, state, surface
+from chutecalc.core cimport flight, floats, friction, joint, march, records, slide, state, surface
 
 cdef int STRIKES
 cdef double FARTHEST

@@ -7,7 +7,7 @@ more.
 
 import math
 
-from chutecalc.core import flight, floats, joint, march, records, slide, state, surface
+from chutecalc.core import flight, floats, friction, joint, march, records, slide, state, surface
 
 STRIKES = 50  # on one segment; a bound, so that no input can hang
 FARTHEST = 1e5  # m, as of every length: what falls further has missed what it falls to
@@ -36,8 +36,9 @@ def run(course: "records.Course", effort: "state.Effort", segment: "records.Segm
         along(course, effort, segment, segment.own, 0)
         strike_again(course, effort, segment)
         course.strikes = 0
-        course.drawn_x, course.drawn_z = surface.x_at(segment.own.way, 1.0), surface.z_at(segment.own.way, 1.0)
-        course.drawn_off_x, course.drawn_off_z = segment.sign * segment.aside_x, segment.sign * segment.aside_z
+        if not segment.final:
+            course.drawn_x, course.drawn_z = surface.point(segment.own.way, 1.0)
+            course.drawn_off_x, course.drawn_off_z = segment.sign * segment.aside_x, segment.sign * segment.aside_z
     if not segment.final and course.status >= state.OK:
         run(course, effort, segment.next)
 
@@ -156,7 +157,7 @@ def settle(
     point: "records.Point", segment: "records.Segment", way: "slide.Slide", place: float, error: float, shift: float
 ) -> None:
     """Puts a point on a segment: errors are of the velocity, and of the place as a share of the length."""
-    point.x, point.z = surface.x_at(way, place), surface.z_at(way, place)
+    point.x, point.z = surface.point(way, place)
     point.slope = way.entry_slope + way.turn * place
     point.error, point.slope_error = error, way.turn * shift
     point.x_error = segment.sign * segment.aside_x + way.length * shift * math.cos(point.slope)
@@ -189,7 +190,7 @@ def leave(course: "records.Course", segment: "records.Segment", own: "state.Stre
 def loss_error(way: "slide.Slide", place: float, y: float, error: float) -> tuple[float, float]:
     """Where contact is lost, n(c, y) = 0: relative error of the velocity there, and that of the place."""
     slope = way.entry_slope + way.turn * place
-    rise = slide.pull_at(way, place, y)
+    rise = friction.pull_at(way, place, y)
     turned = -way.side * way.gravity * math.sin(slope) * way.turn
     shift = flight.share(-2.0 * error * y * way.bend, turned + way.bend * rise)
     return error + 0.5 * rise / y * shift, shift

@@ -2,11 +2,22 @@
 
 import math
 
-from chutecalc.core import floats, gauss, panel, slide
+from chutecalc.core import floats, friction, gauss, panel, section, slide
+
+
+ENOUGH = 0.1
+"""Of the tolerance: what Newton may leave without being asked again."""
 
 
 def by_place(
-    own: "panel.Panel", way: "slide.Slide", start: float, width: float, y0: float, pair: "gauss.Pair", kind: int
+    own: "panel.Panel",
+    way: "slide.Slide",
+    start: float,
+    width: float,
+    y0: float,
+    pair: "gauss.Pair",
+    kind: int,
+    tolerance: float,
 ) -> None:
     """Solves y = v² over a panel in c, in one of three ways: ``panel.WHOLE``, ``panel.PLACE`` or ``panel.CLINGING``."""
     own.start, own.width, own.by_root = start, width, False
@@ -30,9 +41,9 @@ def by_place(
     for _ in range(iterations):
         linearise(own, way, pair.coarse, own.coarse, flow, bend)
         step(own, pair.coarse, first, kind, own.coarse)
-    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse.knots, own.guess.knots, 1)
+    gauss.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
     forces(own, way, pair.fine, own.angles)
-    update, latest, last = 0.0, 0.0, pair.fine.last
+    update, latest, newton, last = 0.0, 0.0, 0.0, pair.fine.last
     for number in range(refinements):
         linearise(own, way, pair.fine, own.guess, flow, bend)
         step(own, pair.fine, first, kind, own.fine)
@@ -43,8 +54,11 @@ def by_place(
         end = own.knots[last]
         # What is small at the last node may not be so at a slow end.
         latest *= max(floats.quotient(own.knots[last - 1], end), 1.0)
+        newton = panel.NEWTON_SAFETY * latest * latest * own.left
         if number == 0:
             update = latest
+        if newton <= ENOUGH * tolerance:
+            break
     end = own.knots[last]
     sound = latest < 1.0 and end > 0.0  # then it is positive all along, as what it was worked out from
     noise = 0.0
@@ -55,7 +69,6 @@ def by_place(
     for j in range(last + 1):
         own.knots[j] *= unit
     own.knots[0] = y0
-    newton = panel.NEWTON_SAFETY * latest * latest * own.left
     smooth = panel.smoothness_by_place(own, way, pair.fine)
     panel.estimate(own, sound, update, newton, smooth, floats.quotient(panel.ROUNDING, end), pair, kind)
     if kind == panel.CLINGING:
@@ -92,12 +105,13 @@ def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", angles: "
 
 def freeze(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:
     """The equation with μ_e as at the panel's start: near enough to start from, right where friction is constant."""
-    area = floats.quotient(flow, math.sqrt(first))
+    way.facets.loads.area[0] = floats.quotient(flow, math.sqrt(first))
     drag, stuck = 1.0, 0.0
     for j in range(rule.count):
         if j == 0 or way.taper:
             slide.draw(way, own.start + own.width * rule.knots[j + 1])
-            drag, stuck = slide.drag_of(way, own.facet, own.piece, area)
+            friction.resist(way, own.facet, own.piece, 0, 1)
+            drag, stuck = 1.0 + way.facets.loads.excess[0], way.facets.loads.stuck[0]
         own.equation.forcing[j] = own.sine[j] - drag * own.press[j] - stuck
         own.equation.rate[j] = -drag * bend
 
@@ -115,20 +129,38 @@ def linearise(
     That is at most A χ'/Y times 3/8 of the load from gravity and 1/4 of that from the bend; on a crest and under a hood
     the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
     """
+    for j in range(rule.count):
+        way.facets.loads.area[j] = floats.quotient(flow, floats.root(iterate.knots[j + 1]))
+    if way.taper:
+        for j in range(rule.count):
+            slide.draw(way, own.start + own.width * rule.knots[j + 1])
+            friction.resist(way, own.facet, own.piece, j, j + 1)
+    else:
+        friction.resist(way, own.facet, own.piece, 0, rule.count)
+    insert(own, way.facets.loads, own.equation, iterate, rule.count, bend, 2.0 if way.turn > 0.0 else 0.0)
     own.left = 0.0
     for j in range(rule.count):
-        y = iterate.knots[j + 1]
-        area = floats.quotient(flow, floats.root(y))
-        if way.taper:
-            slide.draw(way, own.start + own.width * rule.knots[j + 1])
-        forcing, rate, bending, held = slide.linearised(
-            way, own.facet, own.piece, area, y, own.sine[j], own.press[j], bend
-        )
-        own.equation.forcing[j], own.equation.rate[j] = forcing, rate
-        weight = math.fabs(bending) + 2.0 * math.fabs(held)
-        if way.turn > 0.0:
-            weight += 2.0 * (math.fabs(bending - rate) - math.fabs(bend))
-        own.left = max(own.left, weight)
+        own.left = max(own.left, own.values[j])
+
+
+def insert(
+    own: "panel.Panel",
+    at: "section.Loads",
+    equation: "gauss.Equation",
+    iterate: "gauss.Curve",
+    nodes: int,
+    bend: float,
+    turned: float,
+) -> None:
+    """Puts resistance into the equation."""
+    for j in range(nodes):
+        y, drag, press = iterate.knots[j + 1], 1.0 + at.excess[j], own.press[j]
+        bending = at.growth[j] * (press + bend * y) + (at.climb[j] - at.fall[j])
+        equation.forcing[j] = own.sine[j] - drag * press - at.stuck[j] - bending
+        bending = floats.quotient(bending, y)
+        held = floats.quotient(at.fall[j] - 0.5 * (at.climb[j] - math.fabs(at.climb[j])), y)
+        equation.rate[j] = bending - drag * bend
+        own.values[j] = math.fabs(bending) + 2.0 * math.fabs(held) + turned * (math.fabs(drag * bend) - math.fabs(bend))
 
 
 def step(own: "panel.Panel", rule: "gauss.Rule", first: float, kind: int, curve: "gauss.Curve") -> None:
@@ -145,10 +177,11 @@ def by_root(
     """Solves c over a panel in r = √v, from a place. Only where v rises or falls throughout."""
     own.start, own.width, own.by_root = start, width, True
     facet, piece = own.facet, own.piece
-    first, _, pulled = slide.place_rate(way, facet, piece, start, width, place)
+    first, _, pulled = friction.place_rate(way, facet, piece, start, width, place)
     for j in range(pair.coarse.count):
         r = start + width * pair.coarse.knots[j + 1]
         own.coarse.knots[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
+    roots(own, way, pair.coarse)
     for _iteration in range(4):
         for j in range(pair.coarse.count):
             own.guess.knots[j + 1] = own.coarse.knots[j + 1]
@@ -159,7 +192,8 @@ def by_root(
             moved = max(moved, math.fabs(own.coarse.knots[j + 1] - own.guess.knots[j + 1]))
         if moved <= panel.SETTLED * math.fabs(own.coarse.knots[pair.coarse.last] - place):
             break
-    gauss.multiply(pair.transfer, pair.fine.count, pair.coarse.last + 1, own.coarse.knots, own.guess.knots, 1)
+    gauss.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
+    roots(own, way, pair.fine)
     least = rates(own, way, pair.fine, own.guess)
     gauss.integrate(pair.fine, own.equation, place, own.fine)
     # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
@@ -173,12 +207,27 @@ def by_root(
     panel.estimate(own, sound, update, panel.NEWTON_SAFETY * update * update, smooth, 0.0, pair, panel.ROOT)
 
 
+def roots(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule") -> None:
+    """What resists the streams at the nodes; but of a taper, where that depends on the place."""
+    for j in range(rule.count):
+        r = own.start + own.width * rule.knots[j + 1]
+        own.values[j] = r * r * r * r
+        way.facets.loads.area[j] = floats.quotient(way.flow, r * r)
+    if not way.taper:
+        friction.resist(way, own.facet, own.piece, 0, rule.count)
+
+
 def rates(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", iterate: "gauss.Curve") -> float:
     """The equation in r, linearised at the nodes, with dc/dr in ``sine``; the least of that."""
     least = floats.INFINITY
     for j in range(rule.count):
         r, c = own.start + own.width * rule.knots[j + 1], iterate.knots[j + 1]
-        rate, growth, _ = slide.place_rate(way, own.facet, own.piece, r, own.width, c)
+        if way.taper:
+            rate, growth, _ = friction.place_rate(way, own.facet, own.piece, r, own.width, c)
+        else:
+            change, bent = friction.pull(way, own.piece, c, own.values[j], j)
+            rate = floats.quotient(4.0 * own.width * r * r * r, change)
+            growth = floats.quotient(-rate * bent, change)
         own.sine[j], own.equation.forcing[j], own.equation.rate[j] = rate, rate - growth * c, growth
         if not rate >= least:
             least = rate

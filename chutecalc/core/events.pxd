@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, gauss, section, slide
+from chutecalc.core cimport floats, friction, gauss, section, slide
 
 cdef int CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END
 cdef double LEVEL, ASIDE

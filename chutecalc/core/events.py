@@ -2,7 +2,7 @@
 
 from array import array
 
-from chutecalc.core import floats, gauss, slide
+from chutecalc.core import floats, friction, gauss, slide
 
 CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
 """What can happen; of two at once the first counts."""
@@ -29,7 +29,7 @@ def margin(way: "slide.Slide", facet: int, piece: int, event: int, place: float,
     if event == SHALLOWER:
         slide.draw(way, place)
         return 1.0 - floats.root(y) * way.facets.area[facet] / way.flow
-    stress = slide.stress(way, facet, place, y)
+    stress = friction.stress(way, facet, place, y)
     press, pull = max(stress, 0.0), min(stress, 0.0)  # pull: beyond a loss of contact
     if event == FIRMER:
         if piece + 1 >= way.pieces:

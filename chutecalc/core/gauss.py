@@ -8,21 +8,32 @@ from array import array
 
 from chutecalc.core import floats
 
-MOST = 26
+MOST = 32
+"""Room for a panel: 26 knots of the finest rule, in fours from the second on."""
+
+
+class Matrix:
+    """A matrix held column after column, with rows and columns filled up to an even number of them."""
+
+    def __init__(self, rows: list[list[float]]) -> None:
+        even = [[*row, *[0.0] * (len(row) % 2)] for row in rows]
+        even += [[0.0] * len(even[0])] * (len(even) % 2)
+        self.rows, self.columns = len(even), len(even[0])
+        self.values = array("d", [row[j] for j in range(self.columns) for row in even])
 
 
 class Rule:
     """A rule of N nodes: knots are the panel's start, its nodes and its end."""
 
-    def __init__(self, count: int, knots: list[float], weights: list[float], integral: list[float]) -> None:
+    def __init__(self, count: int, knots: list[float], weights: list[float], integral: list[list[float]]) -> None:
         self.count = count
         self.last = count + 1
         """The number of the last knot."""
         self.knots = array("d", knots)
         self.weights = array("d", weights)
         """Barycentric, of the knots."""
-        self.integral = array("d", integral)
-        """From values at the nodes to integrals up to each node and the end: column after column, N of N + 1."""
+        self.integral = Matrix(integral)
+        """From values at the nodes to integrals up to each node and the end."""
         half = [0, 1, *range(3, count // 2 + 1, 2)]
         chords = sorted({*half, *(count + 1 - number for number in half)})
         self.chords = len(chords)
@@ -34,10 +45,10 @@ class Rule:
 class Pair:
     """Two rules, the coarser for the start and the error of the finer."""
 
-    def __init__(self, coarse: Rule, fine: Rule, transfer: list[float]) -> None:
+    def __init__(self, coarse: Rule, fine: Rule, transfer: list[list[float]]) -> None:
         self.coarse, self.fine = coarse, fine
-        self.transfer = array("d", transfer)
-        """From values at the coarse knots to those at the fine nodes, column after column."""
+        self.transfer = Matrix(transfer)
+        """From values at the coarse knots to those at the fine nodes."""
 
 
 class Equation:
@@ -58,40 +69,41 @@ class Curve:
         """What a small change at the start has become at nodes and end."""
 
 
-def multiply(
-    matrix: "array[float]", rows: int, columns: int, x: "array[float]", out: "array[float]", first: int
-) -> None:
-    """A matrix, held column after column, times x; written from ``first`` on."""
+def multiply(matrix: Matrix, x: "array[float]", out: "array[float]", first: int) -> None:
+    """A matrix times x, written from ``first`` on: two columns at a time."""
+    for i in range(matrix.rows):
+        out[first + i] = matrix.values[i] * x[0] + matrix.values[matrix.rows + i] * x[1]
+    for j in range(2, matrix.columns, 2):
+        add(matrix.values, matrix.rows, matrix.rows * j, x[j], x[j + 1], out, first)
+
+
+def add(values: "array[float]", rows: int, at: int, one: float, two: float, out: "array[float]", first: int) -> None:
+    """Adds two columns times their factors."""
     for i in range(rows):
-        out[first + i] = 0.0
-    for j in range(columns):
-        for i in range(rows):
-            out[first + i] += matrix[j * rows + i] * x[j]
+        out[first + i] = out[first + i] + values[at + i] * one + values[at + rows + i] * two
+
+
+def entry(matrix: Matrix, i: int, j: int) -> float:
+    """One of its numbers."""
+    return float(matrix.values[matrix.rows * j + i])
 
 
 def integrate(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
     """Solves an equation by its integrating factor, exp ∫ rate."""
-    nodes, rows = rule.count, rule.count + 1
-    for i in range(rows):
-        curve.growth[i] = 0.0
-    for j in range(nodes):
-        for i in range(rows):
-            curve.growth[i] += rule.integral[j * rows + i] * equation.rate[j]
-    for i in range(rows):
+    multiply(rule.integral, equation.rate, curve.growth, 0)
+    for i in range(rule.last):
         curve.growth[i] = floats.power(curve.growth[i])
-        curve.knots[i + 1] = 0.0
-    for j in range(nodes):
-        scaled = floats.quotient(equation.forcing[j], curve.growth[j])
-        for i in range(rows):
-            curve.knots[i + 1] += rule.integral[j * rows + i] * scaled
+    for j in range(rule.count):
+        equation.rises[j] = floats.quotient(equation.forcing[j], curve.growth[j])
+    multiply(rule.integral, equation.rises, curve.knots, 1)
     curve.knots[0] = start
-    for i in range(rows):
+    for i in range(rule.last):
         curve.knots[i + 1] = (curve.knots[i + 1] + start) * curve.growth[i]
 
 
 def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
     """The same with the equation collocated: any step through a stream that clings to a balance, Gauss is A-stable."""
-    nodes, rows = rule.count, rule.count + 1
+    nodes = rule.count
     width = nodes + 2  # the matrix, with the rise wanted and with ones beside it
     for i in range(nodes):
         curve.knots[i + 1] = 0.0
@@ -100,23 +112,23 @@ def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Curve) 
         for i in range(nodes):
             rise = 0.0
             for j in range(nodes):
-                entry = rule.integral[j * rows + i]
-                rise += entry * equation.rises[j]
-                equation.system[i * width + j] = (1.0 if i == j else 0.0) - entry * equation.rate[j]
+                share = entry(rule.integral, i, j)
+                rise += share * equation.rises[j]
+                equation.system[i * width + j] = (1.0 if i == j else 0.0) - share * equation.rate[j]
             equation.system[i * width + nodes] = rise + start - curve.knots[i + 1]
             equation.system[i * width + nodes + 1] = 1.0
         eliminate(equation.system, nodes)
         rise = start
         for j in range(nodes):
-            rise += rule.integral[j * rows + nodes] * equation.rises[j]
+            rise += entry(rule.integral, nodes, j) * equation.rises[j]
         spread = 1.0
         for j in range(nodes):
             update, one = equation.system[j * width + nodes], equation.system[j * width + nodes + 1]
             curve.knots[j + 1] += update
             equation.rises[j] = equation.forcing[j] + equation.rate[j] * curve.knots[j + 1]
-            entry = rule.integral[j * rows + nodes] * equation.rate[j]
-            rise += entry * update
-            spread += entry * one
+            share = entry(rule.integral, nodes, j) * equation.rate[j]
+            rise += share * update
+            spread += share * one
             curve.growth[j] = one
     curve.knots[0] = start
     curve.knots[nodes + 1] = rise

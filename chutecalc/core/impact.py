@@ -2,7 +2,7 @@
 
 import math
 
-from chutecalc.core import floats, records, section, slide
+from chutecalc.core import floats, friction, records, section, slide
 
 
 def strike(hit: "records.Impact", way: "slide.Slide", place: float, velocity: float, incidence: float) -> None:
@@ -29,7 +29,7 @@ def strike(hit: "records.Impact", way: "slide.Slide", place: float, velocity: fl
     area = floats.quotient(way.flow, velocity)
     slide.draw(way, place)
     facet = section.facet_of(way.facets, area)
-    excess, factor = slide.law_and_factor(way, facet, area)
+    excess, factor = friction.law_and_factor(way, facet, area)
     depth, _ = section.depth_and_width(way.facets, facet, area)
     sine, along = math.sin(incidence), max(velocity * math.cos(incidence), 0.0)
     hit.footprint = min(floats.quotient(depth, sine), way.length)

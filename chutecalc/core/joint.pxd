@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport flight, floats, impact, records, slide, state, surface
+from chutecalc.core cimport flight, floats, friction, impact, records, slide, state, surface
 
 cdef double TANGENT, NEARBY
 

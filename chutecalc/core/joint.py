@@ -6,7 +6,7 @@ another slope, and may strike harder or less hard. On the surface they are one, 
 
 import math
 
-from chutecalc.core import flight, floats, impact, records, slide, state, surface
+from chutecalc.core import flight, floats, friction, impact, records, slide, state, surface
 
 TANGENT = SAME = 1e-6 * math.pi / 180.0  # SAME as Python sees it
 """Directions closer than this are one: the state passes on unchanged."""
@@ -120,5 +120,5 @@ def entry_error(course: "records.Course", way: "slide.Slide") -> float:
     if course.arrival.place_error == 0.0:
         return course.arrival.error
     y = course.impact.after * course.impact.after
-    rise = 0.5 * slide.pull_at(way, course.arrival.place, y) / y
+    rise = 0.5 * friction.pull_at(way, course.arrival.place, y) / y
     return course.arrival.error - rise * course.arrival.place_error

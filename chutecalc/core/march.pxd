@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport acceptance, collocation, events, floats, gauss, panel, section, slide, state
+from chutecalc.core cimport acceptance, collocation, events, floats, friction, gauss, panel, section, slide, state
 
 cdef int PASSES, PATIENCE
 cdef double STOPPING, STARTING, SHY, AWAY, STIFF, CREEP

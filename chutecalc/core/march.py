@@ -7,7 +7,7 @@ law (the top of a facet, a row of a yield locus): it is cut there, as where the 
 
 import math
 
-from chutecalc.core import acceptance, collocation, events, floats, gauss, panel, section, slide, state
+from chutecalc.core import acceptance, collocation, events, floats, friction, gauss, panel, section, slide, state
 
 STOPPING, STARTING = 0.8, 0.02  # of the way that is left: rest nearer than that ahead or behind takes a panel in r
 SHY, AWAY = 0.667, 2.0  # of the distance to rest ahead or behind: as far as a panel in c may reach
@@ -44,7 +44,7 @@ def begin(stream: "state.Stream", effort: "state.Effort") -> None:
     )
     stream.piece = 0
     if stream.way.pieces > 1:
-        stream.piece = slide.piece_of(stream.way, slide.stress(stream.way, stream.facet, stream.place, stream.y))
+        stream.piece = slide.piece_of(stream.way, friction.stress(stream.way, stream.facet, stream.place, stream.y))
     stream.limit = first_limit(stream.way, stream.place)
     stream.reach = stream.limit - stream.place
     stream.watched[events.CONTACT] = (
@@ -79,21 +79,7 @@ def first_limit(way: "slide.Slide", place: float) -> float:
 
 def pull_here(stream: "state.Stream") -> tuple[float, float]:
     """dy/dc where the stream stands, and its derivative to y."""
-    slope = stream.way.entry_slope + stream.way.turn * stream.place
-    unit = 2.0 * stream.way.length * stream.way.gravity
-    friction = stream.way.slopes[stream.piece]
-    slide.draw(stream.way, stream.place)
-    forcing, growth, _, _ = slide.linearised(
-        stream.way,
-        stream.facet,
-        stream.piece,
-        slide.flow_area(stream.way, stream.y),
-        stream.y / unit,
-        math.sin(slope),
-        friction * stream.way.side * math.cos(slope),
-        -2.0 * stream.way.side * stream.way.turn * friction,
-    )
-    return forcing * unit + growth * stream.y, growth
+    return friction.pull_and_growth(stream.way, stream.facet, stream.piece, stream.place, stream.y)
 
 
 def stops(stream: "state.Stream", change: float) -> bool:
@@ -196,7 +182,7 @@ def advance(
         if target != start:
             collocation.by_root(stream.panel, stream.way, start, target - start, stream.place, pair)
     elif target > start:
-        collocation.by_place(stream.panel, stream.way, start, target - start, stream.y, pair, kind)
+        collocation.by_place(stream.panel, stream.way, start, target - start, stream.y, pair, kind, tolerance)
     good = stream.panel.error <= tolerance
     if effort.complete:
         good = good and stream.panel.inner_error <= effort.tolerance

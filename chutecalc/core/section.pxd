@@ -2,7 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats
 
-cdef int TERMS
+cdef int TERMS, MOST
 cdef double LARGEST
 
 @cython.final
@@ -13,6 +13,10 @@ cdef class Section:
     cdef public double[::1] lengths, inclinations
 
 @cython.final
+cdef class Loads:
+    cdef public double[::1] area, excess, growth, missing, missing_growth, stuck, fall, climb
+
+@cython.final
 cdef class Facets:
     cdef public int count
     cdef public bint circle
@@ -20,6 +24,7 @@ cdef class Facets:
     cdef public double[::1] series
     cdef public double[::1] sine, cosine, area, width, height
     cdef public double[::1] excess, excess_rise, own_excess, shortfall, shortfall_rise, own_shortfall
+    cdef public Loads loads
     cdef public double[::1] twice, spread, apex, bend_excess, bend_shortfall
 
 cdef void blend(Section first, Section last, double share, Section here) noexcept nogil
@@ -28,9 +33,6 @@ cdef void stack(Section section, double vertical_ratio, Facets facets) noexcept 
 cdef void stack_circle(Section section, double vertical_ratio, Facets facets) noexcept nogil
 cdef void prepare(Facets facets, int k) noexcept nogil
 cdef int facet_of(Facets facets, double area) noexcept nogil
-cdef (double, double, double, double) loads(Facets facets, int k, double area) noexcept nogil
-cdef (double, double) load(double share, double foot, double rise, Facets facets, int k, double area, double wetted, double narrow, double hollow) noexcept nogil
-cdef (double, double) law(bint equilibrium, double excess, double growth, double missing, double missing_growth) noexcept nogil
 cdef (double, double) depth_and_width(Facets facets, int k, double area) noexcept nogil
 cdef double wetted_below(Section section, Facets facets, int k, double area) noexcept nogil
 cdef double floor_width(Section section) noexcept nogil

@@ -10,6 +10,8 @@ from array import array
 from chutecalc.core import floats
 
 TERMS = 26
+MOST = 32
+"""Streams at once."""
 LARGEST = 7.082731016000907
 """(6 π)^(2/3), u of the half circle; written out, for compilers round such a power in their own way."""
 
@@ -26,6 +28,20 @@ class Section:
         self.inclinations = floats.zeros(max(walls, 1))
 
 
+class Loads:
+    """What the walls bear of the streams at a panel's nodes, or of one: room for :mod:`chutecalc.core.friction`."""
+
+    def __init__(self) -> None:
+        self.area = floats.zeros(MOST)
+        """Flow areas, m²; all else is asked of them."""
+        self.excess, self.growth = floats.zeros(MOST), floats.zeros(MOST)
+        """χ, hydrostatic or of the friction law, and half its logarithmic growth with the area."""
+        self.missing, self.missing_growth = floats.zeros(MOST), floats.zeros(MOST)
+        """m, and likewise."""
+        self.stuck, self.fall, self.climb = (floats.zeros(MOST) for _ in range(3))
+        """What adhesion adds to friction, over g, and half of its fall and of its rise with the logarithm of the area."""
+
+
 class Facets:
     """What each facet of a section starts from at its foot, and what follows from that for any flow area."""
 
@@ -36,6 +52,7 @@ class Facets:
         """The innermost facet is the arc of a half circle."""
         self.radius = self.lack = 0.0
         self.series = series
+        self.loads = Loads()
         self.sine, self.cosine, self.area, self.width, self.height = (floats.zeros(count) for _ in range(5))
         self.excess, self.excess_rise, self.own_excess = (floats.zeros(count) for _ in range(3))
         self.shortfall, self.shortfall_rise, self.own_shortfall = (floats.zeros(count) for _ in range(3))
@@ -74,11 +91,12 @@ def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
             length, psi = section.lengths[k], section.inclinations[k]
         else:
             length, psi = floats.INFINITY, 0.5 * math.pi
-        sine = math.sin(psi)
-        cosine = 0.0 if psi == 0.5 * math.pi else math.cos(psi)  # 6e-17 there would open a deep stream
-        half = math.sin(0.5 * psi)
+        sine, cosine, raised = 1.0, 0.0, 1.0  # a vertical wall's: a cosine of 6e-17 would open a deep stream
+        if psi != 0.5 * math.pi:
+            half = math.sin(0.5 * psi)
+            sine, cosine, raised = math.sin(psi), math.cos(psi), 2.0 * half * half  # 1 - cos ψ without cancellation
         lacking = (1.0 - vertical_ratio) * sine * sine
-        own_excess = (1.0 - lacking) * 2.0 * half * half  # 1 - cos ψ, without its cancellation
+        own_excess = (1.0 - lacking) * raised
         own_shortfall = lacking * cosine
         facets.sine[k], facets.cosine[k] = sine, cosine
         facets.area[k], facets.width[k], facets.height[k] = area, width, height
@@ -133,68 +151,6 @@ def facet_of(facets: Facets, area: float) -> int:
     while k > 0 and area < facets.area[k]:
         k -= 1
     return k
-
-
-def loads(facets: Facets, k: int, area: float) -> tuple[float, float, float, float]:
-    """The hydrostatic χ and the missing m, each with half its logarithmic growth with the area."""
-    if not area > 0.0:
-        return floats.NAN, floats.NAN, floats.NAN, floats.NAN
-    if facets.circle and k == 0:
-        _, excess, growth, missing, missing_growth = arc(facets, area)
-        return excess, 0.5 * growth, missing, 0.5 * missing_growth
-    width = floats.root(facets.spread[k] * area + facets.apex[k])
-    climb = floats.quotient(facets.twice[k], width + facets.width[k])  # C/(A - A_foot)
-    narrow = floats.quotient(0.5 * facets.width[k], width)
-    if k == 0:  # what stands on no other facet
-        climb *= climb * area
-        excess, missing = climb * facets.bend_excess[0], climb * facets.bend_shortfall[0]
-        return excess, excess * narrow, missing, missing * narrow
-    above = area - facets.area[k]
-    wetted = climb * above
-    climb *= wetted
-    hollow = facets.area[k] / area
-    excess, growth = load(
-        climb * facets.bend_excess[k], facets.excess[k], facets.excess_rise[k], facets, k, area, wetted, narrow, hollow
-    )
-    missing, missing_growth = load(
-        climb * facets.bend_shortfall[k],
-        facets.shortfall[k],
-        facets.shortfall_rise[k],
-        facets,
-        k,
-        area,
-        wetted,
-        narrow,
-        hollow,
-    )
-    return excess, growth, missing, missing_growth
-
-
-def load(
-    share: float,
-    foot: float,
-    rise: float,
-    facets: Facets,
-    k: int,
-    area: float,
-    wetted: float,
-    narrow: float,
-    hollow: float,
-) -> tuple[float, float]:
-    """A load of a facet that stands on others, over the area, and half its logarithmic growth with it."""
-    below = (foot + facets.sine[k] * rise * wetted) / area
-    steep = narrow * rise * (2.0 / facets.width[k] if facets.width[k] > 0.0 else 1.0)
-    growth = share * narrow + 0.5 * (share * hollow + (steep - below))
-    return share * (1.0 - hollow) + below, growth
-
-
-def law(equilibrium: bool, excess: float, growth: float, missing: float, missing_growth: float) -> tuple[float, float]:
-    """χ of the friction law, and half its logarithmic growth with the area."""
-    if not equilibrium:
-        return excess, growth
-    carried = 1.0 - missing
-    share = floats.quotient(excess, carried)
-    return share, floats.quotient(growth + share * missing_growth, carried)
 
 
 def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:

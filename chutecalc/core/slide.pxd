@@ -19,13 +19,5 @@ cdef double wall_height(Slide slide, double place) noexcept nogil
 cdef double choke_area(Slide slide, double place) noexcept nogil
 cdef double flow_area(Slide slide, double y) noexcept nogil
 cdef double normal(Slide slide, double place, double y) noexcept nogil
-cdef double stress(Slide slide, int facet, double place, double y) noexcept nogil
-cdef (double, double) law_and_factor(Slide slide, int facet, double area) noexcept nogil
 cdef int piece_of(Slide slide, double pressure) noexcept nogil
 cdef double wall_friction(Slide slide, double pressure) noexcept nogil
-cdef (double, double, double) sticking(Slide slide, int facet, int piece, double area, double total, double rise) noexcept nogil
-cdef (double, double, double, double) linearised(Slide slide, int facet, int piece, double area, double y, double sine, double press, double bend) noexcept nogil
-cdef (double, double) drag_of(Slide slide, int facet, int piece, double area) noexcept nogil
-cdef (double, double) pull(Slide slide, int facet, int piece, double place, double y) noexcept nogil
-cdef double pull_at(Slide slide, double place, double y) noexcept nogil
-cdef (double, double, double) place_rate(Slide slide, int facet, int piece, double r, double width, double place) noexcept nogil

@@ -3,10 +3,7 @@ from chutecalc.core cimport flight, floats, quartic, records, slide
 
 cdef double ON_IT
 
-cdef double middle(slide.Slide way, double place) noexcept nogil
-cdef double chord(slide.Slide way, double place) noexcept nogil
-cdef double x_at(slide.Slide way, double place) noexcept nogil
-cdef double z_at(slide.Slide way, double place) noexcept nogil
+cdef (double, double) point(slide.Slide way, double place) noexcept nogil
 cdef (double, double, double) land(slide.Slide way, records.Flight path, quartic.Quartic curve, int known) noexcept nogil
 cdef void clearance(slide.Slide way, records.Flight path, quartic.Quartic curve) noexcept nogil
 cdef (double, double) foot(slide.Slide way, records.Flight path, double time) noexcept nogil

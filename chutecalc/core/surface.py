@@ -7,29 +7,16 @@ from chutecalc.core import flight, floats, quartic, records, slide
 ON_IT = 1e-12  # of its length: so far beyond its ends a flight still meets a segment
 
 
-def middle(way: "slide.Slide", place: float) -> float:
-    """Slope halfway between a segment's start and a share of its length; that of the chord there."""
-    return way.entry_slope + 0.5 * way.turn * place
-
-
-def chord(way: "slide.Slide", place: float) -> float:
-    """Distance of a point at a share of the length from the start.
+def point(way: "slide.Slide", place: float) -> tuple[float, float]:
+    """x and z at a share of the length, m.
 
     The chord of an arc that turns by b over a length s is s sin(b/2)/(b/2) long and lies halfway between the end
     slopes; unlike (sin a0 - sin a)/κ this holds its digits down to a straight.
     """
     half = 0.5 * way.turn * place
-    return way.length * place * (math.sin(half) / half if half != 0.0 else 1.0)
-
-
-def x_at(way: "slide.Slide", place: float) -> float:
-    """M."""
-    return way.x + chord(way, place) * math.cos(middle(way, place))
-
-
-def z_at(way: "slide.Slide", place: float) -> float:
-    """M."""
-    return way.z - chord(way, place) * math.sin(middle(way, place))
+    chord = way.length * place * (math.sin(half) / half if half != 0.0 else 1.0)
+    middle = way.entry_slope + half
+    return way.x + chord * math.cos(middle), way.z - chord * math.sin(middle)
 
 
 def land(
@@ -86,7 +73,7 @@ def foot(way: "slide.Slide", path: "records.Flight", time: float) -> tuple[float
 def gap_at_end(way: "slide.Slide", path: "records.Flight") -> float:
     """How far from the surface's end the flight crosses the normal through it, m, positive on the stream's side."""
     slope = way.entry_slope + way.turn
-    x_end, z_end = x_at(way, 1.0), z_at(way, 1.0)
+    x_end, z_end = point(way, 1.0)
     sine, cosine = math.sin(slope), math.cos(slope)
     start = (path.x - x_end) * cosine - (path.z - z_end) * sine  # along the surface, from its end
     speed = path.forward * cosine + path.downward * sine

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, section, slide
+from chutecalc.core cimport floats, friction, section, slide
 
 cdef int LYING, PRESSING
 

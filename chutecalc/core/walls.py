@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.core import floats, section, slide
+from chutecalc.core import floats, friction, section, slide
 
 LYING, PRESSING = 5, 8
 """How many tables come out of each."""
@@ -27,13 +27,13 @@ def lie(way: "slide.Slide", place: float, y: float, row: int, design: int, out: 
     area = slide.flow_area(way, y)
     k = section.facet_of(way.facets, area)
     depth, width = section.depth_and_width(way.facets, k, area)
-    _, _, missing, _ = section.loads(way.facets, k, area)
+    friction.loads_at(way.facets, k, area)
     if way.taper:
         chamfer = section.wetted_below(way.here, way.facets, k, area)
     else:
         chamfer = section.wetted_below(way.first, way.facets, k, area)
     out[0, row, design], out[1, row, design], out[2, row, design] = depth, width, chamfer
-    out[3, row, design] = missing
+    out[3, row, design] = way.facets.loads.missing[0]
     last = way.facets.count - 1
     if last > 0 and (way.facets.circle or last >= way.first.walls):
         out[4, row, design] = way.facets.height[last]
@@ -59,8 +59,9 @@ def press(way: "slide.Slide", place: float, y: float, row: int, design: int, out
     area, normal = slide.flow_area(way, y), slide.normal(way, place, y)
     k = section.facet_of(way.facets, area)
     depth, _ = section.depth_and_width(way.facets, k, area)
-    hydrostatic, _, missing, _ = section.loads(way.facets, k, area)
-    excess, factor = slide.law_and_factor(way, k, area)
+    friction.loads_at(way.facets, k, area)
+    hydrostatic, missing = way.facets.loads.excess[0], way.facets.loads.missing[0]
+    excess, factor = friction.law_and_factor(way, k, area)
     weight = way.density * max(normal, 0.0)
     stress = weight * factor * depth if y > 0.0 else floats.INFINITY
     wall = slide.wall_friction(way, stress)

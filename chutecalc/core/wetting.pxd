@@ -1,5 +1,5 @@
 cimport cython
-from chutecalc.core cimport batch, floats, section
+from chutecalc.core cimport batch, floats, friction, section
 
 cdef int WETTING
 

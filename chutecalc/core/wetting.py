@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.core import batch, floats, section
+from chutecalc.core import batch, floats, friction, section
 
 WETTING = 7
 TABLES = WETTING  # as Python sees it
@@ -26,8 +26,9 @@ def wet(
         area = float(areas[row])
         k = section.facet_of(facets, area)
         depth, width = section.depth_and_width(facets, k, area)
-        excess, growth, missing, missing_growth = section.loads(facets, k, area)
-        excess, growth = section.law(equilibrium, excess, growth, missing, missing_growth)
+        friction.loads_at(facets, k, area)
+        friction.law(equilibrium, facets.loads, 0, 1)
+        excess, growth, missing = facets.loads.excess[0], facets.loads.growth[0], facets.loads.missing[0]
         carried = 1.0 if equilibrium else 1.0 + excess
         out[0, row], out[1, row], out[2, row] = depth, section.wetted_below(own, facets, k, area), width
         out[3, row], out[4, row], out[5, row] = excess, 2.0 * growth, missing

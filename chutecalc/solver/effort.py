@@ -2,8 +2,6 @@
 
 from functools import cache
 
-import numpy as np
-
 from chutecalc.core import gauss, state
 from chutecalc.solver.collocation import rule, transfer
 
@@ -35,11 +33,9 @@ def effort_with(first: Pair, later: Pair, rtol: float, complete: bool) -> state.
 def compiled_rule(count: int) -> gauss.Rule:
     """The rule of so many nodes as the compiled solver holds it."""
     own = rule(count)
-    columns = np.ascontiguousarray(own.integral.T).ravel().tolist()
-    return gauss.Rule(count, own.knots.tolist(), own.weights.tolist(), columns)
+    return gauss.Rule(count, own.knots.tolist(), own.weights.tolist(), own.integral.tolist())
 
 
 @cache
 def _pair(coarse: int, fine: int) -> gauss.Pair:
-    columns = np.ascontiguousarray(transfer(coarse, fine).T).ravel().tolist()
-    return gauss.Pair(compiled_rule(coarse), compiled_rule(fine), columns)
+    return gauss.Pair(compiled_rule(coarse), compiled_rule(fine), transfer(coarse, fine).tolist())
