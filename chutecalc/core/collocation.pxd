@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, friction, gauss, panel, section, slide
+from chutecalc.core cimport floats, friction, gauss, matrix, panel, section, slide
 
 cdef double ENOUGH
 

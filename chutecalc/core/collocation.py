@@ -2,8 +2,7 @@
 
 import math
 
-from chutecalc.core import floats, friction, gauss, panel, section, slide
-
+from chutecalc.core import floats, friction, gauss, matrix, panel, section, slide
 
 ENOUGH = 0.1
 """Of the tolerance: what Newton may leave without being asked again."""
@@ -41,7 +40,7 @@ def by_place(
     for _ in range(iterations):
         linearise(own, way, pair.coarse, own.coarse, flow, bend)
         step(own, pair.coarse, first, kind, own.coarse)
-    gauss.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
+    matrix.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
     forces(own, way, pair.fine, own.angles)
     update, latest, newton, last = 0.0, 0.0, 0.0, pair.fine.last
     for number in range(refinements):
@@ -192,7 +191,7 @@ def by_root(
             moved = max(moved, math.fabs(own.coarse.knots[j + 1] - own.guess.knots[j + 1]))
         if moved <= panel.SETTLED * math.fabs(own.coarse.knots[pair.coarse.last] - place):
             break
-    gauss.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
+    matrix.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
     roots(own, way, pair.fine)
     least = rates(own, way, pair.fine, own.guess)
     gauss.integrate(pair.fine, own.equation, place, own.fine)

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport batch, floats, friction, gauss, section, slide, state
+from chutecalc.core cimport batch, floats, friction, gauss, matrix, section, slide, state
 
 cdef double SLACK, STEEP
 

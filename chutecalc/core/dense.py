@@ -5,7 +5,7 @@ Panels stand as :class:`chutecalc.core.state.Stream` keeps them, those of a desi
 
 from typing import Any
 
-from chutecalc.core import batch, floats, friction, gauss, slide, state
+from chutecalc.core import batch, floats, friction, gauss, matrix, state
 
 SLACK = 1e-12
 """Places are products of shares: their last digits are not the panels'."""
@@ -140,7 +140,7 @@ def clock(stream: "state.Stream", rule: "gauss.Rule", kept: Any, at: int, width:
             stream.panel.equation.forcing[j] = stream.way.length * rate / (r * r)
         else:
             stream.panel.equation.forcing[j] = stream.way.length * width / floats.root(stream.values[j + 1])
-    gauss.multiply(rule.integral, stream.panel.equation.forcing, stream.panel.press, 0)
+    matrix.multiply(rule.integral, stream.panel.equation.forcing, stream.panel.press, 0)
     stream.margins[0] = elapsed
     for k in range(rule.last):
         stream.margins[k + 1] = elapsed + stream.panel.press[k]

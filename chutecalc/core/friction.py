@@ -13,7 +13,8 @@ def loads(facets: "section.Facets", k: int, at: "section.Loads", first: int, las
     """The hydrostatic χ and the missing m of flow areas, each with half its logarithmic growth with the area.
 
     On a facet that begins at the area A_k under the width B_k, with its wetted length C: χ A and m A are there what
-    they are at its foot, and grow by C sin β (rise + own C). 2 C/(A - A_k) = 4/(sin β (B + B_k)), B the surface's width.
+    they are at its foot, and grow by C sin β (rise + own C), with C = 2 (A - A_k)/(sin β (B + B_k)) and B the width of
+    the free surface. The innermost stands on none: all that is 0.
     """
     if facets.circle and k == 0:
         for j in range(first, last):

@@ -1,25 +1,20 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, section
+from chutecalc.core cimport floats, matrix
 
 cdef int MOST
-
-@cython.final
-cdef class Matrix:
-    cdef public int rows, columns
-    cdef public double[::1] values
 
 @cython.final
 cdef class Rule:
     cdef public int count, last, chords
     cdef public double[::1] knots, weights
-    cdef public Matrix integral
+    cdef public matrix.Matrix integral
     cdef public int[::1] chord
 
 @cython.final
 cdef class Pair:
     cdef public Rule coarse, fine
-    cdef public Matrix transfer
+    cdef public matrix.Matrix transfer
 
 @cython.final
 cdef class Equation:
@@ -29,9 +24,6 @@ cdef class Equation:
 cdef class Curve:
     cdef public double[::1] knots, growth
 
-cdef void multiply(Matrix matrix, double[::1] x, double[::1] out, int first) noexcept nogil
-cdef void add(double[::1] values, int rows, int at, double one, double two, double[::1] out, int first) noexcept nogil
-cdef double entry(Matrix matrix, int i, int j) noexcept nogil
 cpdef void integrate(Rule rule, Equation equation, double start, Curve curve) noexcept nogil
 cdef void integrate_stiff(Rule rule, Equation equation, double start, Curve curve) noexcept nogil
 cdef void eliminate(double[::1] system, int nodes) noexcept nogil

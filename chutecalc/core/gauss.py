@@ -6,20 +6,10 @@ The numbers come from :mod:`chutecalc.solver.collocation`.
 import math
 from array import array
 
-from chutecalc.core import floats
+from chutecalc.core import floats, matrix
 
 MOST = 32
 """Room for a panel: 26 knots of the finest rule, in fours from the second on."""
-
-
-class Matrix:
-    """A matrix held column after column, with rows and columns filled up to an even number of them."""
-
-    def __init__(self, rows: list[list[float]]) -> None:
-        even = [[*row, *[0.0] * (len(row) % 2)] for row in rows]
-        even += [[0.0] * len(even[0])] * (len(even) % 2)
-        self.rows, self.columns = len(even), len(even[0])
-        self.values = array("d", [row[j] for j in range(self.columns) for row in even])
 
 
 class Rule:
@@ -32,7 +22,7 @@ class Rule:
         self.knots = array("d", knots)
         self.weights = array("d", weights)
         """Barycentric, of the knots."""
-        self.integral = Matrix(integral)
+        self.integral = matrix.Matrix(integral)
         """From values at the nodes to integrals up to each node and the end."""
         half = [0, 1, *range(3, count // 2 + 1, 2)]
         chords = sorted({*half, *(count + 1 - number for number in half)})
@@ -47,7 +37,7 @@ class Pair:
 
     def __init__(self, coarse: Rule, fine: Rule, transfer: list[list[float]]) -> None:
         self.coarse, self.fine = coarse, fine
-        self.transfer = Matrix(transfer)
+        self.transfer = matrix.Matrix(transfer)
         """From values at the coarse knots to those at the fine nodes."""
 
 
@@ -69,33 +59,14 @@ class Curve:
         """What a small change at the start has become at nodes and end."""
 
 
-def multiply(matrix: Matrix, x: "array[float]", out: "array[float]", first: int) -> None:
-    """A matrix times x, written from ``first`` on: two columns at a time."""
-    for i in range(matrix.rows):
-        out[first + i] = matrix.values[i] * x[0] + matrix.values[matrix.rows + i] * x[1]
-    for j in range(2, matrix.columns, 2):
-        add(matrix.values, matrix.rows, matrix.rows * j, x[j], x[j + 1], out, first)
-
-
-def add(values: "array[float]", rows: int, at: int, one: float, two: float, out: "array[float]", first: int) -> None:
-    """Adds two columns times their factors."""
-    for i in range(rows):
-        out[first + i] = out[first + i] + values[at + i] * one + values[at + rows + i] * two
-
-
-def entry(matrix: Matrix, i: int, j: int) -> float:
-    """One of its numbers."""
-    return float(matrix.values[matrix.rows * j + i])
-
-
 def integrate(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
     """Solves an equation by its integrating factor, exp ∫ rate."""
-    multiply(rule.integral, equation.rate, curve.growth, 0)
+    matrix.multiply(rule.integral, equation.rate, curve.growth, 0)
     for i in range(rule.last):
         curve.growth[i] = floats.power(curve.growth[i])
     for j in range(rule.count):
         equation.rises[j] = floats.quotient(equation.forcing[j], curve.growth[j])
-    multiply(rule.integral, equation.rises, curve.knots, 1)
+    matrix.multiply(rule.integral, equation.rises, curve.knots, 1)
     curve.knots[0] = start
     for i in range(rule.last):
         curve.knots[i + 1] = (curve.knots[i + 1] + start) * curve.growth[i]
@@ -112,7 +83,7 @@ def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Curve) 
         for i in range(nodes):
             rise = 0.0
             for j in range(nodes):
-                share = entry(rule.integral, i, j)
+                share = matrix.entry(rule.integral, i, j)
                 rise += share * equation.rises[j]
                 equation.system[i * width + j] = (1.0 if i == j else 0.0) - share * equation.rate[j]
             equation.system[i * width + nodes] = rise + start - curve.knots[i + 1]
@@ -120,13 +91,13 @@ def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Curve) 
         eliminate(equation.system, nodes)
         rise = start
         for j in range(nodes):
-            rise += entry(rule.integral, nodes, j) * equation.rises[j]
+            rise += matrix.entry(rule.integral, nodes, j) * equation.rises[j]
         spread = 1.0
         for j in range(nodes):
             update, one = equation.system[j * width + nodes], equation.system[j * width + nodes + 1]
             curve.knots[j + 1] += update
             equation.rises[j] = equation.forcing[j] + equation.rate[j] * curve.knots[j + 1]
-            share = entry(rule.integral, nodes, j) * equation.rate[j]
+            share = matrix.entry(rule.integral, nodes, j) * equation.rate[j]
             rise += share * update
             spread += share * one
             curve.growth[j] = one

@@ -2,7 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats
 
-cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP
+cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP, WIDTH
 
 @cython.final
 cdef class Recipe:
@@ -10,10 +10,10 @@ cdef class Recipe:
     cdef public int[::1] steps, taken
     cdef public double[::1] values
 
+@cython.locals(rows=int, first=int, row=int)
 cpdef int replay(Recipe recipe, double[:, ::1] numbers, double[:, ::1] out) noexcept nogil
-@cython.locals(what=int, at=int)
-cdef bint follow(Recipe recipe, double[::1] values) noexcept nogil
-cdef double result(int what, double one, double other, double third) noexcept nogil
+@cython.locals(what=int, to=int, one=int, other=int, third=int)
+cdef bint follow(Recipe recipe, double[::1] values, int at, int rows) noexcept nogil
 @cython.locals(yes=bint)
 cdef double truth(int what, double one, double other) noexcept nogil
-cdef double trigonometric(int what, double one) noexcept nogil
+cdef double function(int what, double one) noexcept nogil

@@ -16,8 +16,8 @@ NAMES = (
     *("root", "sine", "cosine", "tangent", "arccosine", "check"),
 )
 """Operations as Python sees them, by their number."""
-STEP = 5
-"""Numbers of a step: the operation, where its three arguments stand, and where its result goes."""
+STEP, WIDTH = 5, 64
+"""Numbers of a step: the operation, where its three arguments stand, and where its result goes. Designs at once."""
 
 
 class Recipe:
@@ -27,8 +27,9 @@ class Recipe:
         self.steps = array("i", steps or [0])
         self.count = len(steps) // STEP
         self.varied = varied
-        self.values = array("d", values)
-        """The numbers that are varied come first; among the others stand those that never change."""
+        self.values = array("d", [value for value in values for _ in range(WIDTH)])
+        """The numbers that are varied come first; among the others stand those that never change. Of each as many as
+        there are designs at once."""
         self.taken = array("i", taken)
         """Places of what is asked for."""
 
@@ -39,49 +40,58 @@ def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
     A recipe is of one thread at a time: compiled, the interpreter's lock is held meanwhile.
 
     Returns:
-        How many rows are done: fewer than there are where the next gives a check another answer.
+        How many rows are done: fewer than there are where one of the next gives a check another answer.
     """
-    for row in range(numbers.shape[0]):
+    first = 0
+    while first < numbers.shape[0]:
+        rows = min(WIDTH, numbers.shape[0] - first)
         for k in range(recipe.varied):
-            recipe.values[k] = numbers[row, k]
-        if not follow(recipe, recipe.values):
-            return row
+            for row in range(rows):
+                recipe.values[WIDTH * k + row] = numbers[first + row, k]
+        for number in range(recipe.count):
+            if not follow(recipe, recipe.values, STEP * number, rows):
+                return first
         for k in range(out.shape[1]):
-            out[row, k] = recipe.values[recipe.taken[k]]
+            for row in range(rows):
+                out[first + row, k] = recipe.values[WIDTH * recipe.taken[k] + row]
+        first += rows
     return int(numbers.shape[0])
 
 
-def follow(recipe: Recipe, values: "array[float]") -> bool:
-    """Does the steps; whether every check has the answer that it has to have."""
-    for number in range(recipe.count):
-        at = STEP * number
-        what = recipe.steps[at]
-        one, other = values[recipe.steps[at + 1]], values[recipe.steps[at + 2]]
-        if what == CHECK:
-            if one != other:
+def follow(recipe: Recipe, values: "array[float]", at: int, rows: int) -> bool:
+    """Does a step; whether it is no check, or one that has the answer that it has to have."""
+    what, to = recipe.steps[at], WIDTH * recipe.steps[at + 4]
+    one, other, third = (
+        WIDTH * recipe.steps[at + 1],
+        WIDTH * recipe.steps[at + 2],
+        WIDTH * recipe.steps[at + 3],
+    )
+    if what == CHECK:
+        for row in range(rows):
+            if values[one + row] != values[other + row]:
                 return False
-        else:
-            values[recipe.steps[at + 4]] = result(what, one, other, values[recipe.steps[at + 3]])
+    elif what == MULTIPLY:
+        for row in range(rows):
+            values[to + row] = values[one + row] * values[other + row]
+    elif what == DIVIDE:
+        for row in range(rows):
+            values[to + row] = floats.quotient(values[one + row], values[other + row])
+    elif what == ADD:
+        for row in range(rows):
+            values[to + row] = values[one + row] + values[other + row]
+    elif what == SUBTRACT:
+        for row in range(rows):
+            values[to + row] = values[one + row] - values[other + row]
+    elif what == CHOOSE:
+        for row in range(rows):
+            values[to + row] = values[other + row] if values[one + row] != 0.0 else values[third + row]
+    elif what < ROOT:
+        for row in range(rows):
+            values[to + row] = truth(what, values[one + row], values[other + row])
+    else:
+        for row in range(rows):
+            values[to + row] = function(what, values[one + row])
     return True
-
-
-def result(what: int, one: float, other: float, third: float) -> float:
-    """One operation; what is true is 1, what is not is 0."""
-    if what == MULTIPLY:
-        return one * other
-    if what == DIVIDE:
-        return floats.quotient(one, other)
-    if what == ADD:
-        return one + other
-    if what == SUBTRACT:
-        return one - other
-    if what == CHOOSE:
-        return other if one != 0.0 else third
-    if what == ROOT:
-        return floats.root(one)
-    if what < ROOT:
-        return truth(what, one, other)
-    return trigonometric(what, one)
 
 
 def truth(what: int, one: float, other: float) -> float:
@@ -100,8 +110,10 @@ def truth(what: int, one: float, other: float) -> float:
     return 1.0 if yes else 0.0
 
 
-def trigonometric(what: int, one: float) -> float:
-    """A function of an angle, or the angle of a cosine."""
+def function(what: int, one: float) -> float:
+    """A root, a function of an angle, or the angle of a cosine."""
+    if what == ROOT:
+        return floats.root(one)
     if not math.fabs(one) < floats.INFINITY or (what == ARCCOSINE and math.fabs(one) > 1.0):
         return floats.NAN
     if what == SINE:

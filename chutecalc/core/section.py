@@ -39,7 +39,7 @@ class Loads:
         self.missing, self.missing_growth = floats.zeros(MOST), floats.zeros(MOST)
         """m, and likewise."""
         self.stuck, self.fall, self.climb = (floats.zeros(MOST) for _ in range(3))
-        """What adhesion adds to friction, over g, and half of its fall and of its rise with the logarithm of the area."""
+        """What adhesion adds to friction, over g, and half of its fall and of its rise with the area's logarithm."""
 
 
 class Facets:

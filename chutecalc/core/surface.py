@@ -8,7 +8,7 @@ ON_IT = 1e-12  # of its length: so far beyond its ends a flight still meets a se
 
 
 def point(way: "slide.Slide", place: float) -> tuple[float, float]:
-    """x and z at a share of the length, m.
+    """X and z at a share of the length, m.
 
     The chord of an arc that turns by b over a length s is s sin(b/2)/(b/2) long and lies halfway between the end
     slopes; unlike (sin a0 - sin a)/κ this holds its digits down to a straight.

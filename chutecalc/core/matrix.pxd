@@ -1,0 +1,10 @@
+cimport cython
+
+@cython.final
+cdef class Matrix:
+    cdef public int groups, columns
+    cdef public double[::1] values
+
+@cython.locals(a=double, b=double, c=double, d=double, to=int)
+cdef void multiply(Matrix own, double[::1] x, double[::1] out, int first) noexcept nogil
+cdef double entry(Matrix own, int i, int j) noexcept nogil
