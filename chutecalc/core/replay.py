@@ -49,7 +49,7 @@ def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
             for row in range(rows):
                 recipe.values[WIDTH * k + row] = numbers[first + row, k]
         for number in range(recipe.count):
-            if not follow(recipe, recipe.values, STEP * number, rows):
+            if not follow(recipe, STEP * number, rows):
                 return first
         for k in range(out.shape[1]):
             for row in range(rows):
@@ -58,7 +58,7 @@ def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
     return int(numbers.shape[0])
 
 
-def follow(recipe: Recipe, values: "array[float]", at: int, rows: int) -> bool:
+def follow(recipe: Recipe, at: int, rows: int) -> bool:
     """Does a step; whether it is no check, or one that has the answer that it has to have."""
     what, to = recipe.steps[at], WIDTH * recipe.steps[at + 4]
     one, other, third = (
@@ -68,29 +68,31 @@ def follow(recipe: Recipe, values: "array[float]", at: int, rows: int) -> bool:
     )
     if what == CHECK:
         for row in range(rows):
-            if values[one + row] != values[other + row]:
+            if recipe.values[one + row] != recipe.values[other + row]:
                 return False
     elif what == MULTIPLY:
         for row in range(rows):
-            values[to + row] = values[one + row] * values[other + row]
+            recipe.values[to + row] = recipe.values[one + row] * recipe.values[other + row]
     elif what == DIVIDE:
         for row in range(rows):
-            values[to + row] = floats.quotient(values[one + row], values[other + row])
+            recipe.values[to + row] = floats.quotient(recipe.values[one + row], recipe.values[other + row])
     elif what == ADD:
         for row in range(rows):
-            values[to + row] = values[one + row] + values[other + row]
+            recipe.values[to + row] = recipe.values[one + row] + recipe.values[other + row]
     elif what == SUBTRACT:
         for row in range(rows):
-            values[to + row] = values[one + row] - values[other + row]
+            recipe.values[to + row] = recipe.values[one + row] - recipe.values[other + row]
     elif what == CHOOSE:
         for row in range(rows):
-            values[to + row] = values[other + row] if values[one + row] != 0.0 else values[third + row]
+            recipe.values[to + row] = (
+                recipe.values[other + row] if recipe.values[one + row] != 0.0 else recipe.values[third + row]
+            )
     elif what < ROOT:
         for row in range(rows):
-            values[to + row] = truth(what, values[one + row], values[other + row])
+            recipe.values[to + row] = truth(what, recipe.values[one + row], recipe.values[other + row])
     else:
         for row in range(rows):
-            values[to + row] = function(what, values[one + row])
+            recipe.values[to + row] = function(what, recipe.values[one + row])
     return True
 
 

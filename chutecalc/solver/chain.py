@@ -3,6 +3,8 @@
 import numpy as np
 
 from chutecalc.core import designs, march, records, state, walls
+from chutecalc.core.answer import Answer
+from chutecalc.core.replay import Recipe
 from chutecalc.design import Contact, Design, Status
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index
@@ -52,6 +54,14 @@ def run_ends(kinds: Kinds, numbers: Numbers, rtol: float, lying: bool = False, p
     faults = course.faults
     give_back(kinds, course)
     return told(kinds, faults, *tables)
+
+
+def answer_of(kinds: Kinds, recipe: Recipe, work: state.Effort, lying: bool, pressing: bool) -> Answer:
+    """What answers for one design after the other, with records of its own."""
+    numbers, course = np.empty((1, len(recipe.taken))), take(kinds)
+    begin(course, Numbers(numbers, [], 0), lying, pressing)
+    course.ends_only = True
+    return Answer(recipe, course, work, np.empty((1, recipe.varied)), numbers)
 
 
 NOT_SOLVED = f"a contact segment was not solved in {march.MOST} panels"

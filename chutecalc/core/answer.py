@@ -1,0 +1,42 @@
+"""From varied numbers to the stream at the end, for one design, without a table in between."""
+
+import math
+from typing import Any
+
+from chutecalc.core import batch, floats, records, replay, state
+
+
+class Answer:
+    """What it takes to answer: a recipe, records of the chute, and room for one row."""
+
+    def __init__(
+        self, recipe: "replay.Recipe", course: "records.Course", effort: "state.Effort", given: Any, numbers: Any
+    ) -> None:
+        """``given`` and ``numbers`` are tables of a row each: of what is varied, and of what the recipe makes of it.
+
+        The records are this answer's own from now on; they tell the ends and, where that is asked for, how the stream
+        lies there.
+        """
+        self.recipe, self.course, self.effort = recipe, course, effort
+        self.given, self.numbers = given, numbers
+
+
+def ask(own: Answer, values: tuple[Any, ...]) -> list[float] | None:
+    """Velocity, its error, distance, x, z, slope in degrees and depth at the end, for as many values as are varied.
+
+    None where a value is no Python float, where a check of the recipe has another answer, or where the stream does not
+    come to the end: others find out what to say of that.
+    """
+    for k in range(own.recipe.varied):
+        value = values[k]
+        if not isinstance(value, float):
+            return None
+        own.given[0, k] = value
+    if replay.replay(own.recipe, own.given, own.numbers) != 1:
+        return None
+    if batch.solve_rows(own.course, own.effort, own.numbers, 0, 1) != 1 or own.course.status != state.OK:
+        return None
+    here = own.course.here
+    depth = own.course.lying[0, 0, 0] if own.course.tells_lying else floats.NAN
+    slope = here.slope * (180.0 / math.pi)
+    return [here.velocity, own.course.error, here.distance, here.x, here.z, slope, depth]
