@@ -22,6 +22,7 @@ FLAGS = (
 )
 # Four rows side by side are faster than a row's columns side by side, which the compiler takes for better.
 OWN_FLAGS = {} if sys.platform == "win32" else {"matrix": ["-fno-tree-loop-vectorize"]}
+SHARED = "chutecalc.core._views"  # what every module that looks at arrays takes: compiled once
 DIRECTIVES = {
     "language_level": 3,
     "infer_types": True,  # what follows from the C types beside each module
@@ -75,8 +76,14 @@ def extensions() -> list[Extension]:
         )
         for path in modules
     ]
+    found.append(Extension(SHARED, [str(Path(*SHARED.split(".")).with_suffix(".c"))], extra_compile_args=FLAGS))
     compiled: list[Extension] = cythonize(
-        found, build_dir="build/c", compiler_directives=DIRECTIVES, force=True, quiet=True
+        found,
+        build_dir="build/c",
+        compiler_directives=DIRECTIVES,
+        shared_utility_qualified_name=SHARED,
+        force=True,
+        quiet=True,
     )
     return compiled
 

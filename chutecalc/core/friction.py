@@ -61,13 +61,18 @@ def law(equilibrium: bool, at: "section.Loads", first: int, last: int) -> None:
 
 
 def law_and_factor(way: "slide.Slide", facet: int, area: float) -> tuple[float, float]:
-    """χ of the friction law, and by how much that raises the hydrostatic pressures of all walls, f.
+    """χ of the friction law, and by how much that raises the hydrostatic pressures of all walls, f."""
+    loads_at(way.facets, facet, area)
+    return raised(way)
+
+
+def raised(way: "slide.Slide") -> tuple[float, float]:
+    """The same of the flow area whose hydrostatic loads stand first.
 
     Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
     (1 + χ) N of them. One factor for all walls closes the books: f = (1 + χ)/(1 + χ - m) with the paper's law, and
     1/(1 - m) with the equilibrium law, whose χ is already divided by 1 - m.
     """
-    loads_at(way.facets, facet, area)
     law(way.equilibrium, way.facets.loads, 0, 1)
     excess = way.facets.loads.excess[0]
     carried = 1.0 if way.equilibrium else 1.0 + excess
