@@ -5,9 +5,10 @@
 The spoons are random: radius, rate, density, base, friction, chamfers and entry vary; each turns from vertical to
 level. Errors are the largest relative ones of the exit velocity, to chutecalc's own complete solution at 1e-13, which
 tests/verification holds against the reference, and which is checked here against DOP853 at 1e-13 on some. The rivals
-integrate v², as chutecalc does, in which they take half the time; heyoka has `fast_math`. One thread,
-unless a row says otherwise; rivals that take too long solve fewer and say how many. Ratios are of the time of chutecalc
-to theirs in the same round: at the same tolerance, and at ten times that where its largest error is still below it.
+integrate v², as chutecalc does, in which they take half the time; heyoka has `fast_math`. What turns the numbers of
+spoons into a solver's counts for all; what is parsed or compiled once does not. One thread, unless a row says
+otherwise; rivals that take too long solve fewer and say how many. Ratios are of the time of `chute.function` to theirs
+in the same round: at the same tolerance, and at ten times that where its largest error is still below it.
 """
 
 import os
@@ -69,11 +70,20 @@ def batch(count: int, stalls: bool = False) -> Batch:
     return BASE | {name: random.uniform(*ends, count) for name, ends in ranges.items()}
 
 
+def base() -> chutecalc.Chute:
+    """The chute whose variants they are."""
+    return chutecalc.parse(spec(BASE))
+
+
+def changes(spoons: Batch) -> dict[str, np.ndarray]:
+    """What varies, by its path."""
+    velocity = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"])
+    return {path: spoons[name] for name, path in PATHS.items()} | {"inlet.velocity_m_s": velocity}
+
+
 def chute(spoons: Batch) -> chutecalc.Chute:
     """The same as variants of one chute."""
-    velocity = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"])
-    changes = {path: spoons[name] for name, path in PATHS.items()}
-    return chutecalc.parse(spec(BASE)).vary(changes | {"inlet.velocity_m_s": velocity})
+    return base().vary(changes(spoons))
 
 
 def one(spoons: Batch, k: int) -> dict[str, float]:
@@ -150,14 +160,21 @@ def with_numba(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
     return run
 
 
-def exits(variants: chutecalc.Chute, rtol: float) -> np.ndarray:
+def exits(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> np.ndarray:
     """Exit velocities, on one core."""
-    return run_chain(variants.design, rtol, complete=False)[1].velocity
+    variants = parsed.vary(changes(spoons))
+    return chutecalc.exits(variants, rtol, columns=["velocity_m_s"], jobs=1).exit["velocity_m_s"]
 
 
-def solved(variants: chutecalc.Chute, rtol: float) -> np.ndarray:
+def as_function(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
+    """The same by way of a function; made beforehand."""
+    velocity = parsed.function(list(changes(spoons)), rtol=rtol)
+    return lambda: velocity(*changes(spoons).values())
+
+
+def solved(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> np.ndarray:
     """The same from what can be asked for every place too."""
-    return chutecalc.solve(variants, rtol).exit_velocity
+    return chutecalc.solve(parsed.vary(changes(spoons)), rtol).exit_velocity
 
 
 def races(report: Report) -> list[Row]:
@@ -165,17 +182,18 @@ def races(report: Report) -> list[Row]:
     count = 1024 if report.quick else 8192
     rounds, few = (1, 4) if report.quick else (7, 24)
     spoons = batch(count)
-    variants = chute(spoons)
-    exact = chutecalc.solve(variants, 1e-13).exit_velocity
+    parsed = base()
+    exact = solved(parsed, spoons, 1e-13)
     own = max(abs(_alone(one(spoons, k), 1e-13).y[0, -1] ** 0.5 / exact[k] - 1.0) for k in range(few))
     print(f"DOP853 at 1e-13 differs from the solution that errors are measured from by {own:.1e} at most\n")
     rows = []
     for rtol in (1e-10,) if report.quick else (1e-6, 1e-10, 1e-13):
-        alike, loose = "chutecalc exits", f"chutecalc exits, rtol {10 * rtol:.0e}"
+        alike, loose = "chutecalc function", f"chutecalc function, rtol {10 * rtol:.0e}"
         tasks: dict[str, tuple[int, Callable[[], np.ndarray]]] = {
-            alike: (count, partial(exits, variants, rtol)),
-            loose: (count, partial(exits, variants, 10 * rtol)),
-            "chutecalc solve": (count, partial(solved, variants, rtol)),
+            alike: (count, as_function(parsed, spoons, rtol)),
+            loose: (count, as_function(parsed, spoons, 10 * rtol)),
+            "chutecalc exits": (count, partial(exits, parsed, spoons, rtol)),
+            "chutecalc solve": (count, partial(solved, parsed, spoons, rtol)),
             "solve_ivp stacked": (count, partial(stacked, spoons, rtol)),
             f"solve_ivp looped, {few}": (few, partial(looped, spoons, rtol, few)),
         }
@@ -237,17 +255,15 @@ def stalls(report: Report) -> list[Row]:
     """A batch of which some 40 % stall; the error is that of the stall's place, in rad."""
     count, few = (512, 8) if report.quick else (8192, 100)
     spoons = batch(count, stalls=True)
-    variants = chute(spoons)
+    parsed = base()
 
     def theirs() -> np.ndarray:
         return np.array([_alone(one(spoons, k), 1e-10, stopped).t[-1] for k in range(few)])
 
-    def ours() -> Any:
-        return run_chain(variants.design, 1e-10, complete=False)[1]
-
     name = "chutecalc exits"
+    ours = partial(exits, parsed, spoons, 1e-10)
     spent = in_turn({name: ours, f"solve_ivp looped, {few}": theirs}, 1 if report.quick else 5)
-    ends = ours()
+    ends = run_chain(parsed.vary(changes(spoons)).design, 1e-10, complete=False)[1]
     share = float(np.mean(ends.status == Status.STALL))
     places = np.where(ends.status == Status.STALL, ends.distance / spoons["radius_m"], turn(BASE))
     error = float(np.abs(places[:few] - theirs()).max())

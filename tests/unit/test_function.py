@@ -216,3 +216,59 @@ def test_arrays_of_any_length():
 def test_a_function_is_of_one_design():
     with pytest.raises(chutecalc.UsageError, match="one design"):
         starter().vary({SPOON: [2.0, 3.0]}).function(["flow.rate_t_h"])
+
+
+ENDS = [*(f"exit_{name}" for name in ("velocity_m_s", "s_m", "x_m", "z_m", "slope_deg", "depth_m")), "error_estimate"]
+
+
+def long_spoon():
+    return chute(
+        inlet={"velocity_m_s": 4.0, "slope_deg": 80.0},
+        segments=[{"name": "spoon", "kind": "curve", "radius_m": 3.0, "to_slope_deg": 5.0}],
+    )
+
+
+def test_each_of_many_is_what_it_is_alone():
+    """More than are worked out at once; with steep friction the last of them stall."""
+    f = long_spoon().function([SPOON, "liners.wall.friction_deg"], ENDS)
+    radii, frictions = np.linspace(1.5, 4.0, 200), np.linspace(15.0, 50.0, 200)
+    many = np.array(f(radii, frictions))
+    alone = np.array([f(float(radius), float(friction)) for radius, friction in zip(radii, frictions, strict=True)])
+    assert f.traced
+    assert 20 < np.isnan(many[0]).sum() < 180
+    assert np.array_equal(many.T, alone, equal_nan=True)
+
+
+def test_one_that_cannot_be_built_among_many_is_not_a_number():
+    f = long_spoon().function(["segments.spoon.to_slope_deg"], ENDS)
+    slopes = np.linspace(5.0, 60.0, 150)
+    slopes[130] = 80.0  # the slope it begins with
+    many = np.array(f(slopes))
+    assert np.isnan(many[:, 130]).all()
+    assert np.isfinite(np.delete(many[0], 130)).any()
+    assert np.array_equal(many[:, 3], f(float(slopes[3])), equal_nan=True)
+
+
+def test_a_failure_leaves_nothing_behind():
+    f = long_spoon().function(["liners.wall.friction_deg"], ENDS)
+    well = f(20.0)
+    assert np.isfinite(well).all()
+    assert np.isnan(f(50.0)).all()
+    assert f(20.0) == well
+
+
+@pytest.mark.parametrize("value", [20, np.float64(20.0), np.float32(20.0), np.int64(20), np.array(20.0)])
+def test_any_kind_of_number_is_one(value):
+    f = long_spoon().function(["liners.wall.friction_deg"])
+    assert type(f(value)) is float
+    assert f(value) == f(20.0)
+
+
+def test_limits_hold_for_one_as_for_many():
+    f = long_spoon().function({SPOON: (2.0, 3.0), "liners.wall.friction_deg": None})
+    assert f(2.0, 20.0) == f([2.0], 20.0)[0]
+    for radius in (1.9999, 3.0001, np.nan):
+        with pytest.raises(chutecalc.UsageError, match=r"from 2\.0 to 3\.0"):
+            f(radius, 20.0)
+        with pytest.raises(chutecalc.UsageError, match=r"from 2\.0 to 3\.0"):
+            f([radius], 20.0)

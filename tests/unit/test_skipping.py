@@ -5,6 +5,7 @@ import pytest
 
 import chutecalc
 from chutecalc.core.records import FIELDS
+from chutecalc.design import Status
 from chutecalc.solver import chain, profile
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.panels import Panels
@@ -45,6 +46,14 @@ def test_a_design_whose_first_pair_agrees_is_not_refined(panels):
     radii = np.linspace(2.0, 4.0, 500)
     run_chain(chutecalc.parse(CHAIN).vary({"segments.3.radius_m": radii}).design, 1e-10, complete=False)
     assert panels == [1] * (1 + 500)  # the straight once for all, the curve once for each
+
+
+def test_a_stall_takes_few_panels(panels):
+    """The way whole, some in c as long as the ellipses of those refused say, one in r; by halves it is one more."""
+    stalls = CHAIN | {"inlet": {"velocity_m_s": 2.0, "slope_deg": 60.0}, "segments": [CHAIN["segments"][2]]}
+    many = chutecalc.parse(stalls).vary({"liners.steel.friction_deg": np.linspace(45.0, 60.0, 50)})
+    assert (run_chain(many.design, 1e-10, complete=False)[1].status == Status.STALL).all()
+    assert np.mean(panels) < 5.2
 
 
 def test_what_comes_before_the_varied_segment_is_solved_once(panels):
