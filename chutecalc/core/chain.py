@@ -81,8 +81,10 @@ def lay(course: "records.Course", segment: "records.Segment", way: "slide.Slide"
     segment.off_slope = course.here.slope_error if tangent else 0.0
     # Points of the same slope are off as its start, and by the arc that it begins later.
     longer = segment.off_slope * way.length / -way.turn if way.turn != 0.0 else 0.0
-    segment.aside_x = segment.off_x + longer * math.cos(way.entry_slope)
-    segment.aside_z = segment.off_z - longer * math.sin(way.entry_slope)
+    segment.aside_x, segment.aside_z = segment.off_x, segment.off_z
+    if longer != 0.0:
+        segment.aside_x += longer * math.cos(way.entry_slope)
+        segment.aside_z -= longer * math.sin(way.entry_slope)
     if course.status == state.OK:
         if tangent and (way.turn <= 0.0 if way.side < 0.0 else way.turn == 0.0):
             course.status = state.FAULT
@@ -160,8 +162,10 @@ def settle(
     point.x, point.z = surface.point(way, place)
     point.slope = way.entry_slope + way.turn * place
     point.error, point.slope_error = error, way.turn * shift
-    point.x_error = segment.sign * segment.aside_x + way.length * shift * math.cos(point.slope)
-    point.z_error = segment.sign * segment.aside_z - way.length * shift * math.sin(point.slope)
+    point.x_error, point.z_error = segment.sign * segment.aside_x, segment.sign * segment.aside_z
+    if shift != 0.0:
+        point.x_error += way.length * shift * math.cos(point.slope)
+        point.z_error -= way.length * shift * math.sin(point.slope)
 
 
 def leave(course: "records.Course", segment: "records.Segment", own: "state.Stream") -> None:

@@ -13,6 +13,8 @@ def point(way: "slide.Slide", place: float) -> tuple[float, float]:
     The chord of an arc that turns by b over a length s is s sin(b/2)/(b/2) long and lies halfway between the end
     slopes; unlike (sin a0 - sin a)/κ this holds its digits down to a straight.
     """
+    if place == 0.0:
+        return way.x, way.z
     half = 0.5 * way.turn * place
     chord = way.length * place * (math.sin(half) / half if half != 0.0 else 1.0)
     middle = way.entry_slope + half

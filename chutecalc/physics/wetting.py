@@ -89,7 +89,7 @@ def kind_of(drawn: Section) -> Kind:
     if isinstance(drawn, Circle):
         return Kind(True, 0, 2)
     walls = len(drawn.lengths)
-    return Kind(False, walls, walls if walls and np.isinf(drawn.lengths[-1]).any() else walls + 1)
+    return Kind(False, walls, walls if walls and np.inf in drawn.lengths[-1].tolist() else walls + 1)
 
 
 def records_of(kind: Kind) -> tuple[section.Section, section.Facets]:
