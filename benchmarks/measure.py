@@ -42,11 +42,13 @@ class Report:
     def plot(self, panels: dict[str, dict[str, list[tuple[float, float]]]], x: str, y: str) -> None:
         """A picture with a panel for each name, and in it a line for each label; both axes logarithmic."""
         if plt := _pyplot():
+            labels = list(dict.fromkeys(label for lines in panels.values() for label in lines))
             figure, axes = plt.subplots(1, len(panels), figsize=(4.2 * len(panels), 4.2), sharey=True, squeeze=False)
             for axis, (name, lines) in zip(axes[0], panels.items(), strict=True):
-                for number, (label, points) in enumerate(lines.items()):
-                    marker = "osv^Dx+*P<>"[number % 11] + "-"
-                    axis.loglog(*zip(*points, strict=True), marker, label=label, markersize=5)
+                for number, label in enumerate(labels):
+                    style = {"color": f"C{number % 10}", "marker": "osv^Dx+*P<>"[number % 11], "markersize": 5}
+                    points = sorted(lines.get(label, []), key=lambda point: point[1])
+                    axis.loglog([x for x, _ in points], [y for _, y in points], label=label, **style)
                 axis.set(title=name, xlabel=x)
                 axis.grid(alpha=0.3)
             axes[0][0].set_ylabel(y)

@@ -37,6 +37,9 @@ def by_place(
         freeze(own, way, pair.coarse, first, flow, bend)
     step(own, pair.coarse, first, kind, own.coarse)
     own.stop = stopped(own, pair.coarse)
+    if own.stop < 1.0:  # no iterate comes back from there
+        own.error = floats.INFINITY
+        return
     for _ in range(iterations):
         linearise(own, way, pair.coarse, own.coarse, flow, bend)
         step(own, pair.coarse, first, kind, own.coarse)
