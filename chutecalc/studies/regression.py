@@ -90,7 +90,8 @@ def compare(
     """Differences between what a baseline holds and what comes out now; ``said`` is what the findings say now.
 
     A number has drifted where |a − b| > tolerance · max(|a|, |b|, scale), with the scale of its column in this chute,
-    as :meth:`Baseline.scales` has it. Numbers of segments that only one of both has are not listed.
+    as :meth:`Baseline.scales` has it. Numbers of segments that only one of both has are not listed, and no columns that
+    the baseline does not know: see :func:`unknown`.
     """
     then, today = was.visits(), now.visits()
     changes = []
@@ -122,14 +123,22 @@ def _findings(was: Baseline, now: Baseline, said: Mapping[KeptFinding, str]) -> 
         yield Change("finding", item.segment, f"finding gone: {item.severity} {item.code} in {item.segment}")
 
 
+def unknown(was: Baseline, now: Baseline) -> list[str]:
+    """Columns that come out now and stand nowhere in the baseline: newer versions tell more than older ones."""
+    then = dict(was.rows())
+    known = {name for row in then.values() for name in row}
+    return list(dict.fromkeys(name for at, row in now.rows() if at in then for name in row if name not in known))
+
+
 def _drifts(was: Baseline, now: Baseline, common: set[tuple[str, int]]) -> Iterator[Drift]:
     """Numbers that are off, along the way."""
     then, today, scales = dict(was.rows()), dict(now.rows()), was.scales()
+    new = {*unknown(was, now)}
     for place in dict.fromkeys([*today, *then]):
         if place.row and (place.segment, place.visit) not in common:
             continue
         before, after = then.get(place, {}), today.get(place, {})
-        for column in {**after, **before}:
+        for column in (name for name in {**after, **before} if name not in new):
             a, b = before.get(column), after.get(column)
             off = 1.0 if a is None or b is None else abs(a - b) / max(abs(a), abs(b), scales[column_of(column)])
             if off > was.tolerance:
@@ -162,6 +171,8 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
         changes, drifts = compare(was, now, said)
         if was.chutecalc != now.chutecalc:
             notes.append(f"the baseline is of chutecalc {was.chutecalc}, this is {now.chutecalc}")
+        if new := unknown(was, now):
+            notes.append(f"not in the baseline, and not compared until --update adds it: {', '.join(new)}")
         if was.rtol != now.rtol:
             notes.append(f"solved to an rtol of {now.rtol:g}, the baseline to {was.rtol:g}")
     outcome = _outcome(changes, drifts, path)

@@ -134,6 +134,29 @@ def test_a_number_that_came_to_be_or_ceased_to_has_drifted(folder, capsys):
     assert rows["depth_m"][6] == "none"
 
 
+def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone_fails(folder, capsys):
+    """As after an update of chutecalc that tells more."""
+    document = baseline()
+    rows = [row for segment in document["segments"] for row in segment["stations"]]
+    for row in rows:
+        row.pop("depth_m", None)
+    for segment in document["segments"]:
+        for extremes in ("minimum", "maximum"):
+            segment.get(extremes, {}).pop("depth_m", None)
+    rewrite(document)
+    note = "not in the baseline, and not compared until --update adds it: depth_m"
+    assert outcome(capsys) == (0, "ok", [note])
+    assert main(["check"]) == 0
+    assert f"{note}: 1 design as before" in capsys.readouterr().out
+    assert main(["check", "--update"]) == 0
+    assert any("depth_m" in row for segment in baseline()["segments"] for row in segment["stations"])
+    document = baseline()
+    document["segments"][1]["stations"][4]["older_m"] = 1.0
+    rewrite(document)
+    capsys.readouterr()
+    assert outcome(capsys) == (1, "drifted", [])
+
+
 def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_begins(folder):
     chute = chutecalc.load(ROOT / "specs" / "impact_plate.toml")
     solution = chutecalc.solve(chute)
