@@ -4,7 +4,10 @@ Without one, or with CHUTECALC_COMPILE=0, chutecalc is installed as plain Python
 """
 
 import os
+import shlex
+import subprocess
 import sys
+import sysconfig
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -18,10 +21,11 @@ CORE = Path("chutecalc", "core")
 FLAGS = (
     []
     if sys.platform == "win32"
-    else ["-O3", "-g0", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-funroll-loops"]
+    else ["-O3", "-g0", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fno-wrapv", "-funroll-loops"]
 )
-# Four rows side by side are faster than a row's columns side by side, which the compiler takes for better.
-OWN_FLAGS = {} if sys.platform == "win32" else {"matrix": ["-fno-tree-loop-vectorize"]}
+# Two rows in a register are faster than a row's columns, which GCC takes for better; other compilers do not know this.
+# The steps of a recipe are most often done for one design.
+OWN_FLAGS = {name: ["-fno-tree-loop-vectorize"] for name in ("matrix", "replay")}
 SHARED = "chutecalc.core._views"  # what every module that looks at arrays takes: compiled once
 DIRECTIVES = {
     "language_level": 3,
@@ -58,6 +62,18 @@ def remove(folder: Path) -> None:
         path.unlink()
 
 
+def accepted(flags: list[str]) -> list[str]:
+    """Those of some flags that the compiler knows."""
+    compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
+    asked = ["-Werror", "-x", "c", "-c", os.devnull, "-o", os.devnull]
+    try:
+        return [
+            flag for flag in flags if subprocess.run([*compiler, flag, *asked], capture_output=True).returncode == 0
+        ]
+    except OSError:  # there is none of that name
+        return []
+
+
 def extensions() -> list[Extension]:
     """The core's modules in C, or none."""
     if not wanted():
@@ -72,7 +88,9 @@ def extensions() -> list[Extension]:
     modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats", "unlocked"}]
     found = [
         Extension(
-            ".".join(path.with_suffix("").parts), [str(path)], extra_compile_args=FLAGS + OWN_FLAGS.get(path.stem, [])
+            ".".join(path.with_suffix("").parts),
+            [str(path)],
+            extra_compile_args=FLAGS + accepted(OWN_FLAGS.get(path.stem, [])),
         )
         for path in modules
     ]

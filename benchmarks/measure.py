@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from rich.console import Console
 from rich.table import Table
 
@@ -48,7 +49,7 @@ class Report:
                 for number, label in enumerate(labels):
                     style = {"color": f"C{number % 10}", "marker": "osv^Dx+*P<>"[number % 11], "markersize": 5}
                     points = sorted(lines.get(label, []), key=lambda point: point[1])
-                    axis.loglog([x for x, _ in points], [y for _, y in points], label=label, **style)
+                    axis.loglog(*np.array(points).reshape(-1, 2).T, label=label, **style)
                 axis.set(title=name, xlabel=x)
                 axis.grid(alpha=0.3)
             axes[0][0].set_ylabel(y)

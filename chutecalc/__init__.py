@@ -49,6 +49,10 @@ _ROOMS = {
 }
 
 
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
 def __getattr__(name: str) -> Any:
     """Public names are imported when first asked for, so that ``chutecalc --help`` loads nothing."""
     if name not in _ROOMS:

@@ -59,6 +59,17 @@ class Chute:
         except GeometryError as error:
             raise SpecError(placed(error.faults, data, text), source, error.designs) from None
 
+    def __repr__(self) -> str:
+        """Source, title and segments.
+
+        >>> import chutecalc
+        >>> chutecalc.parse({**chutecalc.parse(chutecalc.STARTER).data, "title": "Spoon"})
+        <Chute 'spec': Spoon; fall, spoon>
+        """
+        title = f"{self.spec.title}; " if self.spec.title else ""
+        designs = f"; {self.count} designs" if self.count > 1 else ""
+        return f"<Chute {self.source!r}: {title}{', '.join(segment.name for segment in self.design.segments)}{designs}>"
+
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
         """Variants of this chute: parallel arrays put at spec paths, design k taking entry k of each.
 

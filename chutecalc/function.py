@@ -1,6 +1,7 @@
 """From a chute's parameters straight to numbers at its end: for optimisers, root finders and sweeps."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy as np
 from chutecalc.along import asked, at_exit
 from chutecalc.belts import received
 from chutecalc.columns import COLUMNS, RECEIVER_COLUMNS
-from chutecalc.core.answer import Answer, ask
+from chutecalc.core.answer import OUTPUTS, Answer, ask
 from chutecalc.core.replay import Recipe
 from chutecalc.design import Design, Status
 from chutecalc.ends import NOT_AT_EXIT, asked_of, at_ends, named
@@ -23,16 +24,8 @@ from chutecalc.spec.build import build
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.tape import Tape, Traced, again
 
-PLAIN = {
-    "exit_velocity_m_s": 0,
-    "error_estimate": 1,
-    "exit_s_m": 2,
-    "exit_x_m": 3,
-    "exit_z_m": 4,
-    "exit_slope_deg": 5,
-    "exit_depth_m": 6,
-}
-"""Outputs that stand among the ends, without a profile of the stream there: see :func:`chutecalc.core.answer.ask`."""
+PLAIN = {name: place for place, name in enumerate(OUTPUTS)}
+"""Outputs that stand among the ends, without a profile of the stream there."""
 
 
 class Function:
@@ -66,10 +59,11 @@ class Function:
             parameter_at(spec, path, limits.get(path)) for path in names_of(parameters, "parameters")
         )
         check_once(self.parameters)
+        self._lock = Lock()  # records and numbers of a recipe are of one thread at a time
         self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
         self._plain = PLAIN.keys() >= set(self.outputs)
-        self._places = [PLAIN[name] for name in self.outputs if self._plain]
+        self._places = [PLAIN[name] for name in self.outputs] if self._plain else []
         self._check_outputs(spec)
         self._trace(spec, drawn_slopes)
 
@@ -93,7 +87,8 @@ class Function:
         if len(values) != len(self.parameters):
             raise UsageError(f"takes {len(self.parameters)} value(s), for {', '.join(self.paths)}, not {len(values)}")
         if self._answer is not None and (not self._limited or self._within(values)):
-            known = ask(self._answer, values)
+            with self._lock:
+                known = ask(self._answer, values)
             if known is not None:
                 return known[self._places[0]] if len(self._places) == 1 else tuple(known[k] for k in self._places)
         rows = _rows(values)
@@ -122,7 +117,8 @@ class Function:
 
     def _shortly(self, rows: Array) -> list[Array] | None:
         """The outputs by what is written down; None where that does not hold for all designs."""
-        known = None if self._recipe is None else again(self._recipe, rows)
+        with self._lock:
+            known = None if self._recipe is None else again(self._recipe, rows)
         if known is None:
             return None
         try:
@@ -154,7 +150,7 @@ class Function:
     def _told(self, design: Design, ends: Ends) -> list[Array]:
         """The outputs of designs from their ends."""
         if self._plain:
-            depth = ends.lying[0][0] if ends.lying.size else ends.velocity
+            depth = ends.lying[0][0] if ends.lying.size else np.full(1, np.nan)
             numbers = (ends.velocity, ends.error, ends.distance, ends.x, ends.z, np.degrees(ends.slope), depth)
             known = {name: numbers[PLAIN[name]] for name in self.outputs}
         else:
@@ -213,7 +209,8 @@ class Function:
         self._recipe = tape.recipe([*columns, *leaves.values()])
         self._design = self._design if self._plain else design
         if self._plain:
-            self._answer = answer_of(self._kinds, self._recipe, effort(self.rtol, complete=False), *self._asked)
+            alone = tape.recipe(columns, width=1)
+            self._answer = answer_of(self._kinds, alone, effort(self.rtol, complete=False), *self._asked)
 
 
 def _rows(values: Sequence[Any]) -> Array:

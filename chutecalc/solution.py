@@ -1,14 +1,15 @@
 """What came out: the stream at every place of every design, by the names of the column catalogue."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 
 from chutecalc.along import Numbers, Part
 from chutecalc.belts import TAKEN, entering, received
 from chutecalc.columns import COLUMNS
+from chutecalc.described import html_table, number, outcomes
 from chutecalc.design import Design, Status, stretched
 from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
 from chutecalc.findings import WORST, Finding, findings, in_order
@@ -53,6 +54,51 @@ class SegmentResult(NamedTuple):
     """Where the stream strikes the segment: the angle of incidence, velocities and pressure; else empty."""
 
 
+class Segments(Sequence[SegmentResult]):
+    """The segments of a chute in order, by number or by name.
+
+    >>> import chutecalc
+    >>> segments = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).segments
+    >>> segments.names, segments["spoon"].kind, segments[-1].name
+    (['fall', 'spoon'], 'curve', 'spoon')
+    """
+
+    def __init__(self, results: Iterable[SegmentResult]) -> None:
+        self._results = list(results)
+
+    @property
+    def names(self) -> list[str]:
+        """In order."""
+        return [result.name for result in self._results]
+
+    @overload
+    def __getitem__(self, key: int | str) -> SegmentResult: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[SegmentResult]: ...
+    def __getitem__(self, key: int | str | slice) -> SegmentResult | list[SegmentResult]:
+        """A segment, or some of them.
+
+        Raises:
+            KeyError: no segment has that name.
+            IndexError: there are fewer.
+        """
+        if not isinstance(key, str):
+            return self._results[key]
+        for result in self._results:
+            if result.name == key:
+                return result
+        raise KeyError(f"no segment is called {key!r}: there are {', '.join(self.names)}")
+
+    def __len__(self) -> int:
+        return len(self._results)
+
+    def __iter__(self) -> Iterator[SegmentResult]:
+        return iter(self._results)
+
+    def __repr__(self) -> str:
+        return f"<Segments {', '.join(f'{result.name} ({result.kind})' for result in self._results)}>"
+
+
 class Solution:
     """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure."""
 
@@ -62,6 +108,40 @@ class Solution:
         """The :class:`~chutecalc.design.Status` of each design, shape (designs,)."""
         self.error_estimate: Array = stretched(ends.error, (count,))
         """Estimated relative error of the last velocity; after a stall, of its place as a share of the segment."""
+
+    def __repr__(self) -> str:
+        """Outcome, and how the stream leaves.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
+        <Solution: ok, leaves spoon at 3.878 m/s, 0.1399 m deep>
+        """
+        return f"<Solution{self._described()}>"
+
+    def _repr_html_(self) -> str:
+        """A row for each segment, for notebooks: of several designs the ranges."""
+        headings = ("segment", "kind", "status", "entry, m/s", "exit, m/s", "exit depth, m")
+        rows = [
+            (
+                segment.name,
+                segment.kind,
+                str(segment.status[0]) if self.count == 1 else outcomes(segment.status),
+                number(segment.entry["velocity_m_s"]),
+                number(segment.exit["velocity_m_s"]),
+                number(segment.exit["depth_m"]),
+            )
+            for segment in self.segments
+        ]
+        return html_table(f"Solution{self._described()}", headings, rows)
+
+    def _described(self) -> str:
+        if self.count > 1:
+            return f" of {self.count} designs: {outcomes(self.status)}"
+        last, status = self.design.segments[-1].name, str(self.status[0])
+        if status != Status.LABELS[Status.OK]:
+            return f": {status}"
+        depth = number(self.exit_depth, "m deep")
+        return f": ok, leaves {last} at {number(self.exit_velocity, 'm/s')}" + ("" if depth == "–" else f", {depth}")
 
     @cached_property
     def status(self) -> Any:
@@ -169,14 +249,14 @@ class Solution:
         return [self._result(*items) for items in zip(self.parts, self.samples, self.extremes, strict=True)]
 
     @property
-    def segments(self) -> list[SegmentResult]:
-        """The segments of the spec, in order; one that was left and struck again as one."""
+    def segments(self) -> Segments:
+        """The segments of the spec, by number or name; one that was left and struck again as one."""
         found: dict[int, SegmentResult] = {}
         for part, way in zip(self.parts, self.ways, strict=True):
             if way.kind != "flight":
                 number = part.leg.number
                 found[number] = _joined(found[number], way) if number in found else way
-        return list(found.values())
+        return Segments(found.values())
 
     @property
     def flights(self) -> list[list[SegmentResult]]:

@@ -64,10 +64,10 @@ class Tape:
         holds = self.do("not", self.do("not", place))  # whatever is not 0 is true
         self.steps += [CODE["check"], holds, self.place(answer), 0, 0]
 
-    def recipe(self, taken: Sequence[Any]) -> replay.Recipe:
-        """What to do, and the numbers to tell of it, varied or not."""
+    def recipe(self, taken: Sequence[Any], width: int = replay.WIDTH) -> replay.Recipe:
+        """What to do for so many designs at once, and the numbers to tell of each, varied or not."""
         places = [self.place(item) for item in taken]
-        return replay.Recipe(self.steps, self.values, places, self.varied)
+        return replay.Recipe(self.steps, self.values, places, self.varied, width)
 
 
 def again(recipe: replay.Recipe, numbers: Array) -> Array | None:

@@ -70,6 +70,7 @@ def accept_part(
     stream: "state.Stream", effort: "state.Effort", rule: "gauss.Rule", start: float, end: float, cut: float
 ) -> None:
     """Takes a panel up to an event inside it, where its polynomial is right too."""
+    off, whole = stream.panel.inner_error, stream.panel.knots[rule.last] - stream.panel.knots[0]
     stream.values[0] = 1.0
     for k in range(rule.last):
         stream.values[k + 1] = stream.panel.growth[k]
@@ -78,7 +79,10 @@ def accept_part(
         stream.values[k] = gauss.evaluate(rule, stream.panel.knots, 0, cut * rule.knots[k])
     for k in range(rule.last + 1):
         stream.panel.knots[k] = stream.values[k]
-    accept(stream, effort, rule, start + cut * (end - start), stream.panel.inner_error)
+    part = stream.panel.knots[rule.last] - stream.panel.knots[0]
+    if stream.panel.by_root and part != 0.0:  # in r it is relative to the way of the panel, of which this is a part
+        off *= math.fabs(whole / part)
+    accept(stream, effort, rule, start + cut * (end - start), off)
 
 
 def accept(stream: "state.Stream", effort: "state.Effort", rule: "gauss.Rule", end: float, off: float) -> None:

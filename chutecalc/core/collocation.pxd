@@ -14,5 +14,5 @@ cdef void insert(panel.Panel own, section.Loads at, gauss.Equation equation, gau
 cdef void step(panel.Panel own, gauss.Rule rule, double first, int kind, gauss.Curve curve) noexcept nogil
 @cython.locals(sound=bint)
 cdef void by_root(panel.Panel own, slide.Slide way, double start, double width, double place, gauss.Pair pair) noexcept nogil
-cdef void roots(panel.Panel own, slide.Slide way, gauss.Rule rule) noexcept nogil
+cdef void resist_in_r(panel.Panel own, slide.Slide way, gauss.Rule rule) noexcept nogil
 cdef double rates(panel.Panel own, slide.Slide way, gauss.Rule rule, gauss.Curve iterate) noexcept nogil

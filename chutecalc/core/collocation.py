@@ -38,7 +38,7 @@ def by_place(
     step(own, pair.coarse, first, kind, own.coarse)
     own.stop = stopped(own, pair.coarse)
     if own.stop < 1.0:  # no iterate comes back from there
-        own.error = floats.INFINITY
+        own.error = own.inner_error = floats.INFINITY
         return
     for _ in range(iterations):
         linearise(own, way, pair.coarse, own.coarse, flow, bend)
@@ -100,9 +100,9 @@ def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", angles: "
             else:
                 slope = start + turn * rule.knots[j + 1]
                 angles.sine[j], angles.cosine[j] = math.sin(slope), math.cos(slope)
-    friction = way.slopes[own.piece] * way.side
+    slope_of_wall = way.slopes[own.piece] * way.side
     for j in range(rule.count):
-        own.sine[j], own.press[j] = angles.sine[j], friction * angles.cosine[j]
+        own.sine[j], own.press[j] = angles.sine[j], slope_of_wall * angles.cosine[j]
 
 
 def freeze(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:
@@ -154,7 +154,19 @@ def insert(
     bend: float,
     turned: float,
 ) -> None:
-    """Puts resistance into the equation."""
+    """Puts resistance into the equation in Y, the unit 2 g h of v²; Newton's weights at the nodes go to ``own.values``.
+
+    With f = sin a - (1 + χ) (p + b Y) the derivative to Y is h/Y - (1 + χ) b, where h = A χ' (p + b Y)/2, and what it
+    leaves of f is sin a - (1 + χ) p - h. What adhesion holds back is taken off f too, and changes h by its own change.
+    Arrays are named by their records here, so that compilers see which they are.
+
+    Args:
+        own, at, equation: sine and pressing force, resistance, and where the equation stands.
+        iterate: Y at the knots.
+        nodes: how many.
+        bend: b, 2 h μ σ κ.
+        turned: 2 where (1 + χ) b less b counts among the weights, else 0.
+    """
     for j in range(nodes):
         y, drag, press = iterate.knots[j + 1], 1.0 + at.excess[j], own.press[j]
         bending = at.growth[j] * (press + bend * y) + (at.climb[j] - at.fall[j])
@@ -183,7 +195,7 @@ def by_root(
     for j in range(pair.coarse.count):
         r = start + width * pair.coarse.knots[j + 1]
         own.coarse.knots[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
-    roots(own, way, pair.coarse)
+    resist_in_r(own, way, pair.coarse)
     for _iteration in range(4):
         for j in range(pair.coarse.count):
             own.guess.knots[j + 1] = own.coarse.knots[j + 1]
@@ -195,7 +207,7 @@ def by_root(
         if moved <= panel.SETTLED * math.fabs(own.coarse.knots[pair.coarse.last] - place):
             break
     matrix.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
-    roots(own, way, pair.fine)
+    resist_in_r(own, way, pair.fine)
     least = rates(own, way, pair.fine, own.guess)
     gauss.integrate(pair.fine, own.equation, place, own.fine)
     # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
@@ -209,14 +221,15 @@ def by_root(
     panel.estimate(own, sound, update, panel.NEWTON_SAFETY * update * update, smooth, 0.0, pair, panel.ROOT)
 
 
-def roots(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule") -> None:
-    """What resists the streams at the nodes; but of a taper, where that depends on the place."""
+def resist_in_r(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule") -> None:
+    """What resists the streams at the nodes of a panel in r, and v² there; not of a taper, where place counts too."""
+    if way.taper:
+        return
     for j in range(rule.count):
         r = own.start + own.width * rule.knots[j + 1]
         own.values[j] = r * r * r * r
         way.facets.loads.area[j] = floats.quotient(way.flow, r * r)
-    if not way.taper:
-        friction.resist(way, own.facet, own.piece, 0, rule.count)
+    friction.resist(way, own.facet, own.piece, 0, rule.count)
 
 
 def rates(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", iterate: "gauss.Curve") -> float:

@@ -2,6 +2,8 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats, section, slide
 
+cdef double TAPER_STEP, BEYOND
+
 cdef void loads(section.Facets facets, int k, section.Loads at, int first, int last) noexcept nogil
 cdef void loads_at(section.Facets facets, int k, double area) noexcept nogil
 cdef void law(bint equilibrium, section.Loads at, int first, int last) noexcept nogil

@@ -1,4 +1,4 @@
-"""The friction law: what walls bear of streams of some flow areas, and what that holds them back with.
+"""The friction law, what walls bear of streams of some flow areas, and the equation of motion that it makes.
 
 Several streams go through it at once: those at the nodes of a panel, on one facet of a section and one piece of the
 wall's yield locus. They stand in the section's :class:`chutecalc.core.section.Loads`.
@@ -7,6 +7,11 @@ wall's yield locus. They stand in the section's :class:`chutecalc.core.section.L
 import math
 
 from chutecalc.core import floats, section, slide
+
+BEYOND = 1e6
+"""Segments' lengths: places further off are none."""
+TAPER_STEP = 1e-6
+"""Of the segment's length: over which a taper's own change is taken, for Newton's derivative alone."""
 
 
 def loads(facets: "section.Facets", k: int, at: "section.Loads", first: int, last: int) -> None:
@@ -67,16 +72,16 @@ def law_and_factor(way: "slide.Slide", facet: int, area: float) -> tuple[float, 
 
 
 def raised(way: "slide.Slide") -> tuple[float, float]:
-    """The same of the flow area whose hydrostatic loads stand first.
+    """The same of the flow area whose hydrostatic loads stand first, and stay there.
 
     Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
     (1 + χ) N of them. One factor for all walls closes the books: f = (1 + χ)/(1 + χ - m) with the paper's law, and
     1/(1 - m) with the equilibrium law, whose χ is already divided by 1 - m.
     """
-    law(way.equilibrium, way.facets.loads, 0, 1)
-    excess = way.facets.loads.excess[0]
-    carried = 1.0 if way.equilibrium else 1.0 + excess
-    return excess, floats.quotient(carried, carried - way.facets.loads.missing[0])
+    excess, missing = way.facets.loads.excess[0], way.facets.loads.missing[0]
+    if way.equilibrium:
+        return floats.quotient(excess, 1.0 - missing), floats.quotient(1.0, 1.0 - missing)
+    return excess, floats.quotient(1.0 + excess, 1.0 + excess - missing)
 
 
 def stress(way: "slide.Slide", facet: int, place: float, y: float) -> float:
@@ -117,15 +122,15 @@ def stick(way: "slide.Slide", facet: int, piece: int, at: "section.Loads", first
 
 def pull(way: "slide.Slide", piece: int, place: float, y: float, number: int) -> tuple[float, float]:
     """dy/dc of the stream of that number at a place, and its derivative to c where the section stays the same."""
-    if not (place > -slide.BEYOND and place < slide.BEYOND):  # an iterate that leads nowhere
+    if not (place > -BEYOND and place < BEYOND):  # an iterate that leads nowhere
         return floats.NAN, floats.NAN
     slope = way.entry_slope + way.turn * place
-    drag = way.slopes[piece] * (1.0 + way.facets.loads.excess[number])
+    resistance = way.slopes[piece] * (1.0 + way.facets.loads.excess[number])  # μ_e
     sine, cosine = math.sin(slope), math.cos(slope)
     doubled = 2.0 * way.length * way.gravity
     press = way.side * cosine + way.bend / way.gravity * y
-    change = doubled * (sine - drag * press - way.facets.loads.stuck[number])
-    return change, doubled * way.turn * (cosine + drag * way.side * sine)
+    change = doubled * (sine - resistance * press - way.facets.loads.stuck[number])
+    return change, doubled * way.turn * (cosine + resistance * way.side * sine)
 
 
 def pull_there(way: "slide.Slide", facet: int, piece: int, place: float, y: float) -> tuple[float, float]:
@@ -163,8 +168,8 @@ def place_rate(
     y = r * r * r * r
     change, growth = pull_there(way, facet, piece, place, y)
     if way.taper:
-        ahead, _ = pull_there(way, facet, piece, place + slide.TAPER_STEP, y)
-        behind, _ = pull_there(way, facet, piece, place - slide.TAPER_STEP, y)
-        growth = (ahead - behind) / (2.0 * slide.TAPER_STEP)
+        ahead, _ = pull_there(way, facet, piece, place + TAPER_STEP, y)
+        behind, _ = pull_there(way, facet, piece, place - TAPER_STEP, y)
+        growth = (ahead - behind) / (2.0 * TAPER_STEP)
     rate = floats.quotient(4.0 * width * r * r * r, change)
     return rate, floats.quotient(-rate * growth, change), change

@@ -2,8 +2,6 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats, matrix
 
-cdef int MOST
-
 @cython.final
 cdef class Rule:
     cdef public int count, last, chords

@@ -8,14 +8,13 @@ from array import array
 
 from chutecalc.core import floats, matrix
 
-MOST = 32
-"""Room for a panel: 26 knots of the finest rule, in fours from the second on."""
-
 
 class Rule:
     """A rule of N nodes: knots are the panel's start, its nodes and its end."""
 
     def __init__(self, count: int, knots: list[float], weights: list[float], integral: list[list[float]]) -> None:
+        if count + 5 > matrix.MOST:
+            raise ValueError(f"there is no room for a rule of {count} nodes")
         self.count = count
         self.last = count + 1
         """The number of the last knot."""
@@ -45,17 +44,17 @@ class Equation:
     """A linear equation u' = forcing + rate u over a panel of width 1, at the nodes of a rule; and room to solve it."""
 
     def __init__(self) -> None:
-        self.forcing, self.rate = floats.zeros(MOST), floats.zeros(MOST)
-        self.rises, self.system = floats.zeros(MOST), floats.zeros(MOST * MOST)
+        self.forcing, self.rate = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
+        self.rises, self.system = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST * matrix.MOST)
 
 
 class Curve:
     """A solution over a panel."""
 
     def __init__(self) -> None:
-        self.knots = floats.zeros(MOST)
+        self.knots = floats.zeros(matrix.MOST)
         """At the rule's start, nodes and end."""
-        self.growth = floats.zeros(MOST)
+        self.growth = floats.zeros(matrix.MOST)
         """What a small change at the start has become at nodes and end."""
 
 

@@ -8,7 +8,6 @@ cdef double STOPPING, STARTING, SHY, AWAY, STIFF, CREEP
 cdef void run(state.Stream stream, state.Effort effort) noexcept nogil
 cdef void begin(state.Stream stream, state.Effort effort) noexcept nogil
 cdef double first_limit(slide.Slide way, double place) noexcept nogil
-cdef (double, double) pull_here(state.Stream stream) noexcept nogil
 cdef bint stops(state.Stream stream, double change) noexcept nogil
 cdef bint crosses(state.Stream stream, state.Effort effort, double change) noexcept nogil
 cdef void go_on(state.Stream stream, state.Effort effort, double change, double growth) noexcept nogil

@@ -27,7 +27,7 @@ def run(stream: "state.Stream", effort: "state.Effort") -> None:
     for _ in range(PASSES):
         if stream.status != state.RUNNING:
             return
-        change, growth = pull_here(stream)
+        change, growth = friction.pull_and_growth(stream.way, stream.facet, stream.piece, stream.place, stream.y)
         if not (stops(stream, change) or crosses(stream, effort, change)):
             go_on(stream, effort, change, growth)
     stream.status = state.UNSOLVED
@@ -75,11 +75,6 @@ def first_limit(way: "slide.Slide", place: float) -> float:
         return 1.0
     level = -way.entry_slope / way.turn
     return level if place < level < 1.0 else 1.0
-
-
-def pull_here(stream: "state.Stream") -> tuple[float, float]:
-    """dy/dc where the stream stands, and its derivative to y."""
-    return friction.pull_and_growth(stream.way, stream.facet, stream.piece, stream.place, stream.y)
 
 
 def stops(stream: "state.Stream", change: float) -> bool:

@@ -2,6 +2,9 @@
 
 from array import array
 
+MOST = 32
+"""Room for what stands at the knots of a panel: those of the finest rule, 26, and three numbers more, see below."""
+
 
 class Matrix:
     """A matrix held in groups of four rows, column after column; the last group is filled up with zeros."""
@@ -15,7 +18,10 @@ class Matrix:
 
 
 def multiply(own: Matrix, x: "array[float]", out: "array[float]", first: int) -> None:
-    """A matrix times x, written from ``first`` on: four rows at a time, so that compiled they stay in registers."""
+    """A matrix times x, written from ``first`` on: four rows at a time, so that compiled they stay in registers.
+
+    Writes up to three zeros more than there are rows: ``out``, which is not ``x``, needs room for them.
+    """
     at = 0
     for group in range(own.groups):
         a, b, c, d = 0.0, 0.0, 0.0, 0.0

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, gauss, slide
+from chutecalc.core cimport floats, gauss, matrix, slide
 
 cdef double SAFETY, NEWTON_SAFETY, ROOT_SAFETY, ROUNDING, CANCELLED, PLACE_ROUNDING, SETTLED, CHORD
 cdef int WHOLE, PLACE, CLINGING, ROOT

@@ -13,7 +13,7 @@ what rounding adds, against a solver that shares nothing with this one.
 import math
 from array import array
 
-from chutecalc.core import floats, gauss, slide
+from chutecalc.core import floats, gauss, matrix, slide
 
 # Of 19,270 random segments up to the edges and seven pairs of rules one panel is worse than with these it says, by 1.2:
 # benchmarks/estimates.py.
@@ -38,7 +38,7 @@ class Angles:
         self.count = 0
         self.start = self.turn = 0.0
         """Slope at the panel's start, and what it turns by."""
-        self.sine, self.cosine = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
+        self.sine, self.cosine = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
 
 
 class Panel:
@@ -57,7 +57,7 @@ class Panel:
         self.error = self.inner_error = self.rounding = 0.0
         """Estimated, of the end: relative in y, in r relative to the way; infinite where the panel is no solution.
         The same of the polynomial through the knots. What rounding may add to both."""
-        self.sine, self.press, self.values = (floats.zeros(gauss.MOST) for _ in range(3))
+        self.sine, self.press, self.values = (floats.zeros(matrix.MOST) for _ in range(3))
         self.coarse_angles, self.angles = Angles(), Angles()
         self.left = 0.0
         self.stop = 1.0

@@ -2,11 +2,11 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats
 
-cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP, WIDTH
+cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP, MANY
 
 @cython.final
 cdef class Recipe:
-    cdef public int count, varied
+    cdef public int count, varied, width
     cdef public int[::1] steps, taken
     cdef public double[::1] values
 

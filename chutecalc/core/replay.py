@@ -16,18 +16,19 @@ NAMES = (
     *("root", "sine", "cosine", "tangent", "arccosine", "check"),
 )
 """Operations as Python sees them, by their number."""
-STEP, WIDTH = 5, 64
+STEP, MANY = 5, 64
 """Numbers of a step: the operation, where its three arguments stand, and where its result goes. Designs at once."""
+WIDTH = MANY  # as Python sees it
 
 
 class Recipe:
     """Steps, and a place for each number that they take and make."""
 
-    def __init__(self, steps: list[int], values: list[float], taken: list[int], varied: int) -> None:
+    def __init__(self, steps: list[int], values: list[float], taken: list[int], varied: int, width: int) -> None:
         self.steps = array("i", steps or [0])
         self.count = len(steps) // STEP
-        self.varied = varied
-        self.values = array("d", [value for value in values for _ in range(WIDTH)])
+        self.varied, self.width = varied, width
+        self.values = array("d", [value for value in values for _ in range(width)])
         """The numbers that are varied come first; among the others stand those that never change. Of each as many as
         there are designs at once."""
         self.taken = array("i", taken)
@@ -40,31 +41,31 @@ def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
     A recipe is of one thread at a time: compiled, the interpreter's lock is held meanwhile.
 
     Returns:
-        How many rows are done: fewer than there are where one of the next gives a check another answer.
+        How many rows are done: fewer than there are where one of the next group gives a check another answer.
     """
     first = 0
     while first < numbers.shape[0]:
-        rows = min(WIDTH, numbers.shape[0] - first)
+        rows = min(recipe.width, numbers.shape[0] - first)
         for k in range(recipe.varied):
             for row in range(rows):
-                recipe.values[WIDTH * k + row] = numbers[first + row, k]
+                recipe.values[recipe.width * k + row] = numbers[first + row, k]
         for number in range(recipe.count):
             if not follow(recipe, STEP * number, rows):
                 return first
         for k in range(out.shape[1]):
             for row in range(rows):
-                out[first + row, k] = recipe.values[WIDTH * recipe.taken[k] + row]
+                out[first + row, k] = recipe.values[recipe.width * recipe.taken[k] + row]
         first += rows
     return int(numbers.shape[0])
 
 
 def follow(recipe: Recipe, at: int, rows: int) -> bool:
-    """Does a step; whether it is no check, or one that has the answer that it has to have."""
-    what, to = recipe.steps[at], WIDTH * recipe.steps[at + 4]
+    """Does one step for a group of rows; false only for a check that has another answer than it has to have."""
+    what, to = recipe.steps[at], recipe.width * recipe.steps[at + 4]
     one, other, third = (
-        WIDTH * recipe.steps[at + 1],
-        WIDTH * recipe.steps[at + 2],
-        WIDTH * recipe.steps[at + 3],
+        recipe.width * recipe.steps[at + 1],
+        recipe.width * recipe.steps[at + 2],
+        recipe.width * recipe.steps[at + 3],
     )
     if what == CHECK:
         for row in range(rows):

@@ -1,8 +1,8 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats
+from chutecalc.core cimport floats, matrix
 
-cdef int TERMS, MOST
+cdef int TERMS
 cdef double LARGEST
 
 @cython.final

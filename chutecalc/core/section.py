@@ -7,11 +7,9 @@ a half circle, and vertical walls above what is drawn.
 import math
 from array import array
 
-from chutecalc.core import floats
+from chutecalc.core import floats, matrix
 
 TERMS = 26
-MOST = 32
-"""Streams at once."""
 LARGEST = 7.082731016000907
 """(6 π)^(2/3), u of the half circle; written out, for compilers round such a power in their own way."""
 
@@ -32,13 +30,13 @@ class Loads:
     """What the walls bear of the streams at a panel's nodes, or of one: room for :mod:`chutecalc.core.friction`."""
 
     def __init__(self) -> None:
-        self.area = floats.zeros(MOST)
+        self.area = floats.zeros(matrix.MOST)
         """Flow areas, m²; all else is asked of them."""
-        self.excess, self.growth = floats.zeros(MOST), floats.zeros(MOST)
+        self.excess, self.growth = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
         """χ, hydrostatic or of the friction law, and half its logarithmic growth with the area."""
-        self.missing, self.missing_growth = floats.zeros(MOST), floats.zeros(MOST)
+        self.missing, self.missing_growth = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
         """m, and likewise."""
-        self.stuck, self.fall, self.climb = (floats.zeros(MOST) for _ in range(3))
+        self.stuck, self.fall, self.climb = (floats.zeros(matrix.MOST) for _ in range(3))
         """What adhesion adds to friction, over g, and half of its fall and of its rise with the area's logarithm."""
 
 

@@ -2,8 +2,6 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats, section
 
-cdef double TAPER_STEP, BEYOND
-
 @cython.final
 cdef class Slide:
     cdef public section.Facets facets

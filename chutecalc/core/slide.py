@@ -11,11 +11,6 @@ import math
 
 from chutecalc.core import floats, section
 
-BEYOND = 1e6
-"""Segments' lengths: places further off are none."""
-TAPER_STEP = 1e-6
-"""Of the segment's length: over which a taper's own change is taken, for Newton's derivative alone."""
-
 
 class Slide:
     """A segment, and the flow on it."""

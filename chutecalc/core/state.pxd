@@ -1,5 +1,5 @@
 cimport cython
-from chutecalc.core cimport events, floats, gauss, panel, slide
+from chutecalc.core cimport events, floats, gauss, matrix, panel, slide
 
 cdef int OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, RUNNING, UNSOLVED, FAULT, KEPT
 cdef double LEAST_STEP

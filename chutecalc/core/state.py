@@ -3,7 +3,7 @@
 from array import array
 from typing import Any
 
-from chutecalc.core import events, floats, gauss, panel, slide
+from chutecalc.core import events, floats, gauss, matrix, panel, slide
 
 OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
 RUNNING, UNSOLVED, FAULT = -1, -2, -3
@@ -32,7 +32,7 @@ class Log:
 
     def __init__(self, room: int) -> None:
         self.panel = panel.Panel()
-        self.margins, self.values = floats.zeros(gauss.MOST), floats.zeros(gauss.MOST)
+        self.margins, self.values = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
         self.kept: Any = floats.zeros(KEPT * max(room, 1))
         """Panels, one after the other: by root, nodes, facet, piece, start, end, knots."""
         self.room = room

@@ -89,7 +89,9 @@ def kind_of(drawn: Section) -> Kind:
     if isinstance(drawn, Circle):
         return Kind(True, 0, 2)
     walls = len(drawn.lengths)
-    return Kind(False, walls, walls if walls and np.inf in drawn.lengths[-1].tolist() else walls + 1)
+    last = drawn.lengths[-1] if walls else np.zeros(1)
+    upright = last.item() == np.inf if last.size == 1 else np.isinf(last).any()  # NumPy takes long for one number
+    return Kind(False, walls, walls if upright else walls + 1)
 
 
 def records_of(kind: Kind) -> tuple[section.Section, section.Facets]:

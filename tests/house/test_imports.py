@@ -9,7 +9,7 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "units", "core"},
+    {"errors", "units", "described", "core"},
     {"physics"},
     {"design", "ranges", "tape"},
     {"columns", "spec"},

@@ -146,3 +146,30 @@ def test_digits_of_a_struck_pipe_do_not_depend_on_the_batch():
         alone = chutecalc.solve(base.vary({path: values[k : k + 1] for path, values in changes.items()}))
         assert alone.exit_velocity[0] == together.exit_velocity[k], k
         assert alone.segments[0].entry["depth_m"][0] == depth[k], k
+
+
+def test_a_panel_in_r_that_is_cut_tells_the_error_of_its_part():
+    """From near rest in a pipe that narrows: the panel along which it gains speed ends at the crown of the arc."""
+    body = {"shape": "circular", "radius_m": 0.26853717228150786}
+    narrows = {
+        "kind": "curve",
+        "radius_m": 9.862475066817206,
+        "to_slope_deg": 30.0,
+        "section": ["body", "other"],
+    }
+    base = chutecalc.parse(
+        {
+            "format": 1,
+            "flow": {"rate_t_h": 12.92926423323508},
+            "material": {"density_kg_m3": 800.0, "internal_friction_deg": 50.0},
+            "liners": {"wall": {"friction_deg": 20.0}},
+            "sections": {"body": body, "other": {**body, "radius_m": 0.18884798702853697}},
+            "inlet": {"velocity_m_s": 0.0010543221262226472, "slope_deg": 60.0},
+            "segments": [narrows],
+        }
+    )
+    right = chutecalc.exits(base, 1e-13).exit["velocity_m_s"][0]
+    for rtol in (1e-3, 1e-5, 1e-7, 1e-9):
+        told = chutecalc.exits(base, rtol)
+        off = abs(told.exit["velocity_m_s"][0] / right - 1.0)
+        assert off <= told.error_estimate[0] + 1e-14  # rounding of both
