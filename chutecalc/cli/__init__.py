@@ -13,8 +13,6 @@ from chutecalc import __version__
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
-ISSUES = "the issue tracker of chutecalc"
-
 COMMANDS = ("run", "sweep", "check", "dem", "new", "schema", "columns")
 HELP = "How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model."
 
@@ -85,7 +83,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             traceback.print_exc()
         return _complain(
             f"a fault of the program, version {__version__}: {error!r}\n"
-            f"Please report it at {ISSUES}, with the command and the spec; --debug shows where it happened.",
+            "Please report it with the command and the spec; --debug shows where it happened.",
             ExitStatus.INTERNAL,
         )
 

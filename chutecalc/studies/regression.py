@@ -23,17 +23,10 @@ from chutecalc.studies.baseline import (
 from chutecalc.studies.processes import cores, in_processes
 
 OK, DRIFTED, CHANGED, EDITED = "ok", "drifted", "changed", "edited"
+"""Outcomes of a check: as the baseline says; numbers are off by more than the tolerance; a segment, an outcome or a
+finding is not what it was; the spec is not the one of the baseline."""
 NO_BASELINE, BROKEN_BASELINE, NO_SPEC = "no_baseline", "broken_baseline", "no_spec"
-MEANINGS = {
-    OK: "as its baseline says",
-    DRIFTED: "numbers are off by more than the tolerance",
-    CHANGED: "a segment, an outcome or a finding is not what it was",
-    EDITED: "the spec is not the one of the baseline",
-    NO_BASELINE: "nothing to hold it to",
-    BROKEN_BASELINE: "the baseline cannot be read",
-    NO_SPEC: "a baseline without its spec",
-}
-"""Outcomes of a check; only the first is well."""
+"""There is nothing to hold the spec to; what there is cannot be read; a baseline stands without its spec."""
 FOR_A_PROCESS = 40  # designs, which take about twice as long to solve as a process to start
 
 
