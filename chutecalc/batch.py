@@ -40,10 +40,13 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
     array([3.578, 3.878])
     """
     check_tolerance(rtol)
-    names = list(columns)
+    names = [columns] if isinstance(columns, str) else list(columns)
     unknown = [name for name in names if name not in COLUMNS or name in NOT_AT_EXIT]
     if unknown:
-        raise UsageError(f"there is no column {', '.join(unknown)} at an exit; chutecalc columns lists what there is")
+        which = ", ".join(unknown)
+        raise UsageError(
+            f"there is no column {which} at an exit; chutecalc columns lists what there is, and time takes a solution"
+        )
     if jobs is not None and jobs < 1:
         raise UsageError(f"jobs has to be 1 or more, not {jobs}")
     edges = range(0, chute.count, CHUNK)

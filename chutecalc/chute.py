@@ -229,6 +229,8 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     >>> solution.status, solution.exit_velocity.round(3)
     (array(['ok'], dtype='<U12'), array([3.878]))
     """
+    if not isinstance(chute, Chute):
+        raise UsageError(f"solve takes a chute, as chutecalc.load gives one, not {chute!r}")
     check_tolerance(rtol)
     try:
         legs, ends = run_chain(chute.design, rtol)

@@ -59,6 +59,7 @@ class Function:
             parameter_at(spec, path, limits.get(path)) for path in names_of(parameters, "parameters")
         )
         check_once(self.parameters)
+        self._made = vary, parameters, list(self.outputs), rtol
         self._lock = Lock()  # records and numbers of a recipe are of one thread at a time
         self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
@@ -66,6 +67,13 @@ class Function:
         self._places = [PLAIN[name] for name in self.outputs] if self._plain else []
         self._check_outputs(spec)
         self._trace(spec, drawn_slopes)
+
+    def __repr__(self) -> str:
+        return f"<Function of {', '.join(self.paths)}: {', '.join(self.outputs)}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For other processes: it is made again there."""
+        return made_again, self._made
 
     @property
     def traced(self) -> bool:
@@ -169,7 +177,7 @@ class Function:
         unknown = [name for name in self.outputs if name not in known]
         if unknown:
             raise UsageError(
-                f"there is no output {', '.join(unknown)}: known are exit_ before a station's columns,"
+                f"there is no output {', '.join(unknown)}: known are exit_ before a station's columns but time,"
                 " receiver_ before those of the belt, and error_estimate"
             )
 
@@ -211,6 +219,12 @@ class Function:
         if self._plain:
             alone = tape.recipe(columns, width=1)
             self._answer = answer_of(self._kinds, alone, effort(self.rtol, complete=False), *self._asked)
+
+
+def made_again(vary: Any, parameters: Any, outputs: Any, rtol: float) -> Function:
+    """The same function of the chute that ``vary`` is of."""
+    function: Function = vary.__self__.function(parameters, outputs, rtol)
+    return function
 
 
 def _rows(values: Sequence[Any]) -> Array:

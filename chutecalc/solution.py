@@ -127,8 +127,8 @@ class Solution:
                 segment.kind,
                 str(segment.status[0]) if self.count == 1 else outcomes(segment.status),
                 number(segment.entry["velocity_m_s"]),
-                number(segment.exit["velocity_m_s"]),
-                number(segment.exit["depth_m"]),
+                number(np.where(segment.status == "ok", segment.exit["velocity_m_s"], np.nan)),
+                number(np.where(segment.status == "ok", segment.exit["depth_m"], np.nan)),
             )
             for segment in self.segments
         ]
@@ -139,7 +139,8 @@ class Solution:
             return f" of {self.count} designs: {outcomes(self.status)}"
         last, status = self.design.segments[-1].name, str(self.status[0])
         if status != Status.LABELS[Status.OK]:
-            return f": {status}"
+            failed = next((leg for leg in self.legs if leg.status[0] == self.codes[0]), self.legs[-1])
+            return f": {status} in {failed.segment.name} at s = {number(failed.exit.distance, 'm')}"
         depth = number(self.exit_depth, "m deep")
         return f": ok, leaves {last} at {number(self.exit_velocity, 'm/s')}" + ("" if depth == "–" else f", {depth}")
 

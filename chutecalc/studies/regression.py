@@ -10,10 +10,13 @@ from typing import Any, NamedTuple
 from chutecalc.chute import Chute, solve
 from chutecalc.errors import SpecError
 from chutecalc.studies.baseline import (
+    BEYOND,
+    STATIONS,
     TOLERANCE,
     Baseline,
     KeptFinding,
     Place,
+    Row,
     baseline_of,
     baseline_path,
     column_of,
@@ -133,11 +136,25 @@ def _drifts(was: Baseline, now: Baseline, common: set[tuple[str, int]]) -> Itera
         before, after = then.get(place, {}), today.get(place, {})
         for column in (name for name in {**after, **before} if name not in new):
             a, b = before.get(column), after.get(column)
+            spare = 0.0
+            if (a is None or b is None) and place.row in ("minimum", "maximum"):  # kept by one where it passes stations
+                a = station_extreme(then, place, column) if a is None else a
+                b = station_extreme(today, place, column) if b is None else b
+                spare = 2.0 * BEYOND
             off = 1.0 if a is None or b is None else abs(a - b) / max(abs(a), abs(b), scales[column_of(column)])
-            if off > was.tolerance:
+            if off > was.tolerance + spare:
                 station = place._replace(row="station 1") if place.row == "impact" else place
                 s = today.get(station, {}).get("s_m", then.get(station, {}).get("s_m"))
                 yield Drift(place, column, s, a, b, off)
+
+
+def station_extreme(rows: Mapping[Place, Row], place: Place, column: str) -> float | None:
+    """The least or largest value of a column at the stations of a segment; None where there is none."""
+    names = [place._replace(row=f"station {number}") for number in range(1, len(STATIONS) + 1)]
+    values = [rows[name][column] for name in names if column in rows.get(name, {})]
+    if not values:
+        return None
+    return min(values) if place.row == "minimum" else max(values)
 
 
 def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:

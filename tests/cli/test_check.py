@@ -134,6 +134,21 @@ def test_a_number_that_came_to_be_or_ceased_to_has_drifted(folder, capsys):
     assert rows["depth_m"][6] == "none"
 
 
+def test_an_extreme_that_only_one_keeps_is_held_to_the_stations_of_the_other(folder):
+    chute = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
+    now = regression.baseline_of(chute, chutecalc.solve(chute), [])
+    number, name = next((k, name) for k, segment in enumerate(now.segments) for name in segment.maximum)
+    was = now.model_copy(deep=True)
+    station = max(row[name] for row in now.segments[number].stations if name in row)
+    del was.segments[number].maximum[name]
+    now.segments[number].maximum[name] = station * (1.0 + 1.5e-6)  # on the border it is kept or not by rounding
+    assert regression.compare(was, now) == ([], [])
+    now.segments[number].maximum[name] = station * 1.1
+    _, (drift,) = regression.compare(was, now)
+    assert (drift.column, drift.was) == (name, station)
+    assert drift.off == pytest.approx(0.1 / 1.1)
+
+
 def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone_fails(folder, capsys):
     """As after an update of chutecalc that tells more."""
     document = baseline()

@@ -44,7 +44,7 @@ def test_a_solution_says_how_designs_end():
     many = chutecalc.solve(base.vary({"liners.wall.friction_deg": np.array([15.0, 50.0, 55.0])}))
     assert repr(many) == "<Solution of 3 designs: 1 ok, 2 stall>"
     stalls = chutecalc.solve(base.vary({"liners.wall.friction_deg": 50.0}))
-    assert repr(stalls) == "<Solution: stall>"
+    assert repr(stalls).startswith("<Solution: stall in chute at s = ")
     table = many._repr_html_()
     assert "<caption>Solution of 3 designs: 1 ok, 2 stall</caption>" in table
     assert "<td>chute</td><td>straight</td><td>1 ok, 2 stall</td><td>3</td>" in table

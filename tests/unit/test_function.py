@@ -1,5 +1,6 @@
 """A chute as a function of its numbers says what the chute itself says, wherever it is asked."""
 
+import pickle
 from concurrent.futures import ThreadPoolExecutor
 from itertools import islice
 
@@ -321,3 +322,12 @@ def test_limits_hold_for_one_as_for_many():
             f(radius, 20.0)
         with pytest.raises(chutecalc.UsageError, match=r"from 2\.0 to 3\.0"):
             f([radius], 20.0)
+
+
+def test_other_processes_can_have_it():
+    f = long_spoon().function({SPOON: (2.0, 4.0), "liners.wall.friction_deg": None}, ENDS[:2])
+    same = pickle.loads(pickle.dumps(f))
+    assert same(3.0, 20.0) == f(3.0, 20.0)
+    assert repr(same) == repr(f) == f"<Function of {SPOON}, liners.wall.friction_deg: exit_velocity_m_s, exit_s_m>"
+    with pytest.raises(chutecalc.UsageError):
+        same(5.0, 20.0)
