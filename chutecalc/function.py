@@ -24,9 +24,6 @@ from chutecalc.spec.build import build
 from chutecalc.spec.model import ChuteSpec
 from chutecalc.tape import Tape, Traced, again
 
-PLAIN = {name: place for place, name in enumerate(OUTPUTS)}
-"""Outputs that stand among the ends, without a profile of the stream there."""
-
 
 class Function:
     """A chute as a function of some of its numbers.
@@ -59,12 +56,11 @@ class Function:
             parameter_at(spec, path, limits.get(path)) for path in names_of(parameters, "parameters")
         )
         check_once(self.parameters)
-        self._made = vary, parameters, list(self.outputs), rtol
         self._lock = Lock()  # records and numbers of a recipe are of one thread at a time
         self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
-        self._plain = PLAIN.keys() >= set(self.outputs)
-        self._places = [PLAIN[name] for name in self.outputs] if self._plain else []
+        self._plain = set(OUTPUTS) >= set(self.outputs)  # without a profile of the stream at the end
+        self._places = [OUTPUTS.index(name) for name in self.outputs] if self._plain else []
         self._check_outputs(spec)
         self._trace(spec, drawn_slopes)
 
@@ -73,7 +69,9 @@ class Function:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """For other processes: it is made again there."""
-        return made_again, self._made
+        vary: Any = self._vary  # of the chute
+        limits = {parameter.path: parameter.limits for parameter in self.parameters}
+        return vary.__self__.function, (limits, self.outputs, self.rtol)
 
     @property
     def traced(self) -> bool:
@@ -111,16 +109,15 @@ class Function:
     def _within(self, values: Sequence[Any]) -> bool:
         """Whether all are floats within the limits that were asked for."""
         return all(
-            isinstance(value, float)
-            and (parameter.limits is None or parameter.limits[0] <= value <= parameter.limits[1])
+            isinstance(value, float) and parameter.within(value)
             for parameter, value in zip(self.parameters, values, strict=True)
         )
 
     def _check_limits(self, rows: Array) -> None:
         for parameter, column in zip(self.parameters, rows.T, strict=True):
-            low, high = parameter.limits or (-np.inf, np.inf)
-            wrong = column[~((column >= low) & (column <= high))]
+            wrong = column[~parameter.within(column)]
             if wrong.size:
+                low, high = parameter.bounds
                 raise UsageError(f"{parameter.path} has to be from {low!r} to {high!r} here, not {float(wrong[0])!r}")
 
     def _shortly(self, rows: Array) -> list[Array] | None:
@@ -160,7 +157,7 @@ class Function:
         if self._plain:
             depth = ends.lying[0][0] if ends.lying.size else np.full(1, np.nan)
             numbers = (ends.velocity, ends.error, ends.distance, ends.x, ends.z, np.degrees(ends.slope), depth)
-            known = {name: numbers[PLAIN[name]] for name in self.outputs}
+            known = dict(zip(OUTPUTS, numbers, strict=True))
         else:
             found = at_exit(design, ends, asked_of(design, self.exit_names))
             known = named(found, received(design, found), ends.error)
@@ -219,12 +216,6 @@ class Function:
         if self._plain:
             alone = tape.recipe(columns, width=1)
             self._answer = answer_of(self._kinds, alone, effort(self.rtol, complete=False), *self._asked)
-
-
-def made_again(vary: Any, parameters: Any, outputs: Any, rtol: float) -> Function:
-    """The same function of the chute that ``vary`` is of."""
-    function: Function = vary.__self__.function(parameters, outputs, rtol)
-    return function
 
 
 def _rows(values: Sequence[Any]) -> Array:

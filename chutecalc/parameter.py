@@ -1,5 +1,6 @@
 """A number of a checked spec that is to be varied: where it stands, its unit, its bounds."""
 
+import math
 import operator
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
@@ -58,6 +59,16 @@ class Parameter(NamedTuple):
     def converted(self, value: Any) -> Any:
         """To the dimension's first unit."""
         return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
+
+    @property
+    def bounds(self) -> Limits:
+        """The limits, infinite where none were asked for."""
+        return self.limits or (-math.inf, math.inf)
+
+    def within(self, value: Any) -> Any:
+        """Whether a number is within them, or which of several are."""
+        low, high = self.bounds
+        return (value >= low) & (value <= high)
 
     def asks(self, value: Traced) -> bool:
         """Whether the spec's bounds, and the rules of its table, let a converted value be; asked on its tape."""

@@ -1,8 +1,8 @@
 """What came out: the stream at every place of every design, by the names of the column catalogue."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, overload
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from chutecalc.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
 from chutecalc.findings import WORST, Finding, findings, in_order
 from chutecalc.findings.warnings import not_accelerated
 from chutecalc.physics.arrays import Array, Index
+from chutecalc.segments import SegmentResult, Segments, joined
 from chutecalc.solver.leg import Ends, Leg
 from chutecalc.stations import at_stations
 
@@ -32,71 +33,6 @@ EXTREMES = (
 )
 """The columns of which a segment's least and largest values are told."""
 TOLD = list(dict.fromkeys([(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)] + [*WORST]))
-
-
-class SegmentResult(NamedTuple):
-    """A segment of the spec, or a flight that leads to one.
-
-    Numbers are by column name, each of shape (designs,), NaN where a design did not get there.
-    """
-
-    name: str
-    kind: str
-    status: Any
-    """``ok``, what ended the stream here, or ``not_reached``, for each design."""
-    entry: Numbers
-    exit: Numbers
-    minimum: Numbers
-    maximum: Numbers
-    duration: Array
-    """s."""
-    impact: Numbers
-    """Where the stream strikes the segment: the angle of incidence, velocities and pressure; else empty."""
-
-
-class Segments(Sequence[SegmentResult]):
-    """The segments of a chute in order, by number or by name.
-
-    >>> import chutecalc
-    >>> segments = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).segments
-    >>> segments.names, segments["spoon"].kind, segments[-1].name
-    (['fall', 'spoon'], 'curve', 'spoon')
-    """
-
-    def __init__(self, results: Iterable[SegmentResult]) -> None:
-        self._results = list(results)
-
-    @property
-    def names(self) -> list[str]:
-        """In order."""
-        return [result.name for result in self._results]
-
-    @overload
-    def __getitem__(self, key: int | str) -> SegmentResult: ...
-    @overload
-    def __getitem__(self, key: slice) -> list[SegmentResult]: ...
-    def __getitem__(self, key: int | str | slice) -> SegmentResult | list[SegmentResult]:
-        """A segment, or some of them.
-
-        Raises:
-            KeyError: no segment has that name.
-            IndexError: there are fewer.
-        """
-        if not isinstance(key, str):
-            return self._results[key]
-        for result in self._results:
-            if result.name == key:
-                return result
-        raise KeyError(f"no segment is called {key!r}: there are {', '.join(self.names)}")
-
-    def __len__(self) -> int:
-        return len(self._results)
-
-    def __iter__(self) -> Iterator[SegmentResult]:
-        return iter(self._results)
-
-    def __repr__(self) -> str:
-        return f"<Segments {', '.join(f'{result.name} ({result.kind})' for result in self._results)}>"
 
 
 class Solution:
@@ -256,7 +192,7 @@ class Solution:
         for part, way in zip(self.parts, self.ways, strict=True):
             if way.kind != "flight":
                 number = part.leg.number
-                found[number] = _joined(found[number], way) if number in found else way
+                found[number] = joined(found[number], way) if number in found else way
         return Segments(found.values())
 
     @property
@@ -319,22 +255,6 @@ class Solution:
             duration=whole(sampled["time_s"][-1] - sampled["time_s"][0]),
             impact={name: whole(values) for name, values in part.impact().items()},
         )
-
-
-def _joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
-    """A segment that some designs left and struck again."""
-    there = again.status != Status.LABELS[Status.NOT_REACHED]
-    return SegmentResult(
-        name=first.name,
-        kind=first.kind,
-        status=np.where(there, again.status, first.status),
-        entry=first.entry,
-        exit={name: np.where(there, again.exit[name], values) for name, values in first.exit.items()},
-        minimum={name: np.fmin(again.minimum[name], values) for name, values in first.minimum.items()},
-        maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
-        duration=first.duration + np.where(there, again.duration, 0.0),
-        impact=first.impact or again.impact,
-    )
 
 
 def _labels(codes: Index) -> Any:

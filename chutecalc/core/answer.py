@@ -6,7 +6,13 @@ from typing import Any
 from chutecalc.core import batch, floats, records, replay, state
 
 OUTPUTS = (
-    *("exit_velocity_m_s", "error_estimate", "exit_s_m", "exit_x_m", "exit_z_m", "exit_slope_deg", "exit_depth_m"),
+    "exit_velocity_m_s",
+    "error_estimate",
+    "exit_s_m",
+    "exit_x_m",
+    "exit_z_m",
+    "exit_slope_deg",
+    "exit_depth_m",
 )
 """What is told, in this order."""
 

@@ -8,7 +8,7 @@ cdef void loads(section.Facets facets, int k, section.Loads at, int first, int l
 cdef void loads_at(section.Facets facets, int k, double area) noexcept nogil
 cdef void law(bint equilibrium, section.Loads at, int first, int last) noexcept nogil
 cdef (double, double) law_and_factor(slide.Slide way, int facet, double area) noexcept nogil
-cdef (double, double) raised(slide.Slide way) noexcept nogil
+cdef (double, double) raised(bint equilibrium, section.Loads at) noexcept nogil
 cdef double stress(slide.Slide way, int facet, double place, double y) noexcept nogil
 cdef void resist(slide.Slide way, int facet, int piece, int first, int last) noexcept nogil
 cdef void stick(slide.Slide way, int facet, int piece, section.Loads at, int first, int last) noexcept nogil

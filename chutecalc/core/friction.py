@@ -1,5 +1,8 @@
 """The friction law, what walls bear of streams of some flow areas, and the equation of motion that it makes.
 
+Along a segment the independent variable is the place c, 0 at its drawn start and 1 at its drawn end, and the unknown
+y = v². Near rest that form is singular, so there r = √v is the independent variable and c the unknown.
+
 Several streams go through it at once: those at the nodes of a panel, on one facet of a section and one piece of the
 wall's yield locus. They stand in the section's :class:`chutecalc.core.section.Loads`.
 """
@@ -68,18 +71,18 @@ def law(equilibrium: bool, at: "section.Loads", first: int, last: int) -> None:
 def law_and_factor(way: "slide.Slide", facet: int, area: float) -> tuple[float, float]:
     """χ of the friction law, and by how much that raises the hydrostatic pressures of all walls, f."""
     loads_at(way.facets, facet, area)
-    return raised(way)
+    return raised(way.equilibrium, way.facets.loads)
 
 
-def raised(way: "slide.Slide") -> tuple[float, float]:
+def raised(equilibrium: bool, at: "section.Loads") -> tuple[float, float]:
     """The same of the flow area whose hydrostatic loads stand first, and stay there.
 
     Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
     (1 + χ) N of them. One factor for all walls closes the books: f = (1 + χ)/(1 + χ - m) with the paper's law, and
     1/(1 - m) with the equilibrium law, whose χ is already divided by 1 - m.
     """
-    excess, missing = way.facets.loads.excess[0], way.facets.loads.missing[0]
-    if way.equilibrium:
+    excess, missing = at.excess[0], at.missing[0]
+    if equilibrium:
         return floats.quotient(excess, 1.0 - missing), floats.quotient(1.0, 1.0 - missing)
     return excess, floats.quotient(1.0 + excess, 1.0 + excess - missing)
 

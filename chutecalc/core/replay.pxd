@@ -2,7 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats
 
-cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP, MANY
+cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP
 
 @cython.final
 cdef class Recipe:
@@ -12,7 +12,7 @@ cdef class Recipe:
 
 @cython.locals(rows=int, first=int, row=int)
 cpdef int replay(Recipe recipe, double[:, ::1] numbers, double[:, ::1] out) noexcept nogil
-@cython.locals(what=int, to=int, one=int, other=int, third=int, chosen=int)
+@cython.locals(what=int, to=int, one=int, other=int, third=int)
 cdef bint follow(Recipe recipe, int at, int rows) noexcept nogil
 @cython.locals(yes=bint)
 cdef double truth(int what, double one, double other) noexcept nogil

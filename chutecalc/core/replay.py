@@ -1,6 +1,6 @@
 """A list of operations on numbers, done again with others: what a spec makes of its numbers before a stream is solved.
 
-:mod:`chutecalc.tape` writes it down; the numbers of many designs go through it one design after the other.
+:mod:`chutecalc.tape` writes it down; the numbers of many designs go through it some designs at a time.
 """
 
 import math
@@ -16,9 +16,10 @@ NAMES = (
     *("root", "sine", "cosine", "tangent", "arccosine", "check"),
 )
 """Operations as Python sees them, by their number."""
-STEP, MANY = 5, 64
-"""Numbers of a step: the operation, where its three arguments stand, and where its result goes. Designs at once."""
-WIDTH = MANY  # as Python sees it
+STEP = 5
+"""Numbers of a step: the operation, where its three arguments stand, and where its result goes."""
+WIDTH = 64
+"""Designs at once, where there are many."""
 
 
 class Recipe:

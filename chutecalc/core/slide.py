@@ -1,10 +1,7 @@
-"""The equation of motion of one stream along one segment, in the two forms that the solver integrates.
+"""A segment and the flow on it, and what follows from their numbers at a place of it.
 
-Along the segment the independent variable is the place c, 0 at its drawn start and 1 at its drawn end, and the unknown
-y = v². Near rest that form is singular, so there r = √v is the independent variable and c the unknown.
-
-The force is smooth as long as the surface stays on one facet of the section and the pressure on one piece of the wall's
-yield locus: a branch.
+The force on a stream is smooth as long as the surface stays on one facet of the section and the pressure on one piece
+of the wall's yield locus: a branch.
 """
 
 import math

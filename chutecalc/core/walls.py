@@ -61,7 +61,7 @@ def press(way: "slide.Slide", place: float, y: float, row: int, design: int, out
     depth, _ = section.depth_and_width(way.facets, k, area)
     friction.loads_at(way.facets, k, area)
     hydrostatic, missing = way.facets.loads.excess[0], way.facets.loads.missing[0]
-    excess, factor = friction.raised(way)
+    excess, factor = friction.raised(way.equilibrium, way.facets.loads)
     weight = way.density * max(normal, 0.0)
     stress = weight * factor * depth if y > 0.0 else floats.INFINITY
     wall = slide.wall_friction(way, stress)

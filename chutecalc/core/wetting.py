@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.core import batch, floats, friction, section
+from chutecalc.core import batch, friction, section
 
 WETTING = 7
 TABLES = WETTING  # as Python sees it
@@ -27,12 +27,11 @@ def wet(
         k = section.facet_of(facets, area)
         depth, width = section.depth_and_width(facets, k, area)
         friction.loads_at(facets, k, area)
+        excess, factor = friction.raised(equilibrium, facets.loads)
         friction.law(equilibrium, facets.loads, 0, 1)
-        excess, growth, missing = facets.loads.excess[0], facets.loads.growth[0], facets.loads.missing[0]
-        carried = 1.0 if equilibrium else 1.0 + excess
         out[0, row], out[1, row], out[2, row] = depth, section.wetted_below(own, facets, k, area), width
-        out[3, row], out[4, row], out[5, row] = excess, 2.0 * growth, missing
-        out[6, row] = floats.quotient(carried, carried - missing)
+        out[3, row], out[4, row], out[5, row] = excess, 2.0 * facets.loads.growth[0], facets.loads.missing[0]
+        out[6, row] = factor
 
 
 def areas_below(own: "section.Section", facets: "section.Facets", numbers: Any, depths: Any, out: Any) -> None:

@@ -8,7 +8,8 @@ from typing import IO, Any
 from chutecalc import __version__
 from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS
-from chutecalc.solution import SegmentResult, Solution
+from chutecalc.segments import SegmentResult
+from chutecalc.solution import Solution
 
 FORMAT = 1
 

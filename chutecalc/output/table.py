@@ -13,7 +13,8 @@ from chutecalc.chute import Chute
 from chutecalc.columns import COLUMNS, quantity_text
 from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
 from chutecalc.output.grid import Grid
-from chutecalc.solution import SegmentResult, Solution
+from chutecalc.segments import SegmentResult
+from chutecalc.solution import Solution
 from chutecalc.units import convert
 
 if TYPE_CHECKING:

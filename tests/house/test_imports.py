@@ -15,7 +15,7 @@ LEVELS = [
     {"columns", "spec"},
     {"solver", "parameter"},
     {"along"},
-    {"extremes", "belts", "stations"},
+    {"extremes", "belts", "stations", "segments"},
     {"findings"},
     {"solution"},
     {"ends"},
