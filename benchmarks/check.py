@@ -28,7 +28,7 @@ SOLVING, START = "solving, the sum", "one start-up"
 COMMAND = [sys.executable, "-m", "chutecalc"]
 SOLVE = """
 import sys, time
-from chutecalc.chute import load, solve
+from chutecalc.api.chute import load, solve
 wall, cpu = time.perf_counter(), time.process_time()
 for file in sys.argv[1:]:
     solution = solve(load(file))
@@ -37,8 +37,8 @@ print(time.perf_counter() - wall, time.process_time() - cpu)
 """
 ALONE = """
 import sys
-from chutecalc.studies.designs import find_designs
-from chutecalc.studies.regression import OK, check
+from chutecalc.studies.regression.designs import find_designs
+from chutecalc.studies.regression.regression import OK, check
 assert all(item.outcome == OK for item in check(find_designs(sys.argv[1:]).chutes, processes=1))
 """
 

@@ -17,8 +17,8 @@ import chutecalc
 from chutecalc.output.csv import write_stations
 from chutecalc.output.table import Printer
 from chutecalc.spec.build import build
-from chutecalc.spec.file import parse_text
-from chutecalc.spec.model import ChuteSpec
+from chutecalc.spec.chute_spec import ChuteSpec
+from chutecalc.spec.parse import parse_text
 
 SPECS = Path(__file__).parents[1] / "specs"
 Tasks = dict[str, Callable[[], Any]]

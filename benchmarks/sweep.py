@@ -21,8 +21,8 @@ import numpy as np
 from measure import Report
 
 import chutecalc
-from chutecalc.studies.grid import Grid
-from chutecalc.studies.parameters import read_parameters
+from chutecalc.studies.sweep.grid import Grid
+from chutecalc.studies.sweep.parameters import read_parameters
 
 SPEC = Path(__file__).parents[1] / "specs" / "paper" / "r3_d55_chamfered.toml"
 BLOCK = 16384

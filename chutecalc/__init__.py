@@ -9,11 +9,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from chutecalc.batch import exits
-    from chutecalc.chute import Chute, load, parse, solve
-    from chutecalc.ends import Exits
+    from chutecalc.api.batch import exits
+    from chutecalc.api.chute import Chute, load, parse, solve
     from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
-    from chutecalc.solution import Solution
+    from chutecalc.results.exits import Exits
+    from chutecalc.results.solution import Solution
     from chutecalc.spec.starter import STARTER
 
 __all__ = [
@@ -35,17 +35,17 @@ __version__ = "0.1.0"
 
 _ROOMS = {
     "STARTER": "chutecalc.spec.starter",
-    "Chute": "chutecalc.chute",
+    "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
-    "Exits": "chutecalc.ends",
+    "Exits": "chutecalc.results.exits",
     "Fault": "chutecalc.errors",
-    "Solution": "chutecalc.solution",
+    "Solution": "chutecalc.results.solution",
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
-    "exits": "chutecalc.batch",
-    "load": "chutecalc.chute",
-    "parse": "chutecalc.chute",
-    "solve": "chutecalc.chute",
+    "exits": "chutecalc.api.batch",
+    "load": "chutecalc.api.chute",
+    "parse": "chutecalc.api.chute",
+    "solve": "chutecalc.api.chute",
 }
 
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from chutecalc.columns import COLUMNS, RECEIVER_COLUMNS
-from chutecalc.spec.model import ChuteSpec
-from chutecalc.units import TEXT, first_unit
+from chutecalc.fields.units import TEXT, first_unit
+from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.spec.chute_spec import ChuteSpec
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "nomenclature.md"
 MARK = "<!-- {} from the code: python -m tests.nomenclature -->"

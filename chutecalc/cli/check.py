@@ -11,8 +11,8 @@ import typer
 from chutecalc.errors import AllSpecsError, ExitStatus, SpecError
 
 if TYPE_CHECKING:
-    from chutecalc.studies.designs import Designs
-    from chutecalc.studies.regression import Verdict
+    from chutecalc.studies.regression.designs import Designs
+    from chutecalc.studies.regression.regression import Verdict
 
 
 def check(
@@ -30,13 +30,13 @@ def check(
     The baseline of spoon.toml is spoon.baseline.toml beside it. Ends with status 0 where all is as it was, 1 where
     anything is not or a design has no baseline, 2 where a spec or the command is wrong.
     """
-    from chutecalc.output.baseline import write_baseline
-    from chutecalc.output.check import check_document, print_verdicts, write_check, write_junit
     from chutecalc.output.files import check_targets, open_whole
     from chutecalc.output.table import Printer
-    from chutecalc.studies.baseline import baseline_path
-    from chutecalc.studies.designs import find_designs
-    from chutecalc.studies.regression import OK
+    from chutecalc.studies.regression.baseline import baseline_path
+    from chutecalc.studies.regression.designs import find_designs
+    from chutecalc.studies.regression.regression import OK
+    from chutecalc.studies.regression.report import check_document, print_verdicts, write_check, write_junit
+    from chutecalc.studies.regression.write import write_baseline
 
     designs = find_designs(paths or ["."])
     specs = [chute.source for chute in designs.chutes]
@@ -59,8 +59,8 @@ def check(
 def _verdicts(designs: Designs, rtol: float, update: bool) -> list[Verdict]:
     """The verdicts on all designs, and on the baselines that have none."""
     from chutecalc.output.progress import with_progress
-    from chutecalc.studies.regression import check as judged
-    from chutecalc.studies.regression import without_spec
+    from chutecalc.studies.regression.regression import check as judged
+    from chutecalc.studies.regression.regression import without_spec
 
     found = list(with_progress(judged(designs.chutes, rtol, update), len(designs.chutes), "designs"))
     if errors := [item for item in found if isinstance(item, SpecError)]:

@@ -97,7 +97,7 @@ def _check_folders(write: str | None, read: str | None, outputs: bool) -> None:
 
 def _beds_of(spec: str, segment: str | None) -> Beds:
     """The bed that a real chute asks for."""
-    from chutecalc.chute import load
+    from chutecalc.api.chute import load
     from chutecalc.dem.chute_section import section_of
 
     return section_of(load(spec), segment)
@@ -105,7 +105,7 @@ def _beds_of(spec: str, segment: str | None) -> Beds:
 
 def _picture_format(plot: str) -> str:
     """The format of a picture, once it is known that it can be drawn."""
-    from chutecalc.output.plot import picture_format
+    from chutecalc.output.plots.save import picture_format
 
     return picture_format(plot)
 
@@ -115,14 +115,14 @@ def _write_files(
 ) -> None:
     """Writes what is asked for."""
     if csv or json:
-        from chutecalc.output.dem_files import write_csv, write_json
+        from chutecalc.dem.export import write_csv, write_json
 
         for stream, writer in ((csv, write_csv), (json, write_json)):
             if stream:
                 writer(stream, study)
     if plot and picture:
-        from chutecalc.output.plot import save
-        from chutecalc.output.plot_dem import draw_study
+        from chutecalc.dem.plot import draw_study
+        from chutecalc.output.plots.save import save
 
         save(draw_study(study), picture, _picture_format(plot))
 
@@ -165,7 +165,7 @@ def _print(study: Study, data: bool) -> None:
     """The tables; where data went to standard output only what failed, on standard error."""
     import sys
 
-    from chutecalc.output.dem_table import failures, print_study
+    from chutecalc.dem.report import failures, print_study
     from chutecalc.output.table import Printer
 
     if not data:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 
 from chutecalc.errors import ExitStatus
-from chutecalc.studies.friction import AREA, BASE, CHAMFERS, INTERNAL_FRICTIONS, WALL_FRICTION
+from chutecalc.studies.friction.study import AREA, BASE, CHAMFERS, INTERNAL_FRICTIONS, WALL_FRICTION
 
 
 def run_friction_study(
@@ -39,11 +39,11 @@ def run_friction_study(
         ExtraMissingError: a picture is asked for without Matplotlib.
     """
     from chutecalc.output.files import check_targets, open_whole
-    from chutecalc.studies.friction import FrictionStudy
+    from chutecalc.studies.friction.study import FrictionStudy
 
     check_targets([csv, json, plot], [])
     if plot:
-        from chutecalc.output.plot import picture_format
+        from chutecalc.output.plots.save import picture_format
 
         picture_format(plot)
     with ExitStack() as outputs:
@@ -52,21 +52,21 @@ def run_friction_study(
         plot_stream = outputs.enter_context(open_whole(plot, "wb"))
         study = FrictionStudy(beta, delta, keep, phi, base, area)
         if csv_stream:
-            from chutecalc.output.friction_table import write_study_csv
+            from chutecalc.studies.friction.report import write_study_csv
 
             write_study_csv(csv_stream, study)
         if json_stream:
-            from chutecalc.output.friction_table import write_study_json
+            from chutecalc.studies.friction.report import write_study_json
 
             write_study_json(json_stream, study)
         if plot and plot_stream:
-            from chutecalc.output.plot import save
-            from chutecalc.output.plot_friction import draw_study
+            from chutecalc.output.plots.save import save
+            from chutecalc.studies.friction.plot import draw_study
 
             save(draw_study(study, units), plot_stream, picture_format(plot))
     if "-" not in (csv, json):
-        from chutecalc.output.friction_table import print_study
         from chutecalc.output.table import Printer
+        from chutecalc.studies.friction.report import print_study
 
         print_study(Printer(units), study)
     return ExitStatus.OK

@@ -12,8 +12,8 @@ from chutecalc.errors import AllSpecsError, ExitStatus, SpecError, UsageError
 from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
-    from chutecalc.chute import Chute
-    from chutecalc.solution import Solution
+    from chutecalc.api.chute import Chute
+    from chutecalc.results.solution import Solution
 
 
 STANDARD_INPUT = "standard input"
@@ -52,7 +52,7 @@ def run(
 
     Ends with status 0 where all is well, 1 where a chute fails, 2 where a spec or the command is wrong.
     """
-    from chutecalc.chute import solve
+    from chutecalc.api.chute import solve
     from chutecalc.output.files import check_targets, open_whole
 
     if points is not None and stations is not None:
@@ -77,8 +77,8 @@ def run(
             shown = tables if asked else [None] * len(runs)
             write_run(json_stream, [run_document(*pair, table) for pair, table in zip(runs, shown, strict=True)])
         if plot and plot_stream:
-            from chutecalc.output.plot import picture_format, save
-            from chutecalc.output.plot_run import draw_run
+            from chutecalc.output.plots.run import draw_run
+            from chutecalc.output.plots.save import picture_format, save
 
             save(draw_run(runs, units), plot_stream, picture_format(plot))
     _print(runs, tables if asked else [], chart, units, csv, json)
@@ -88,7 +88,7 @@ def run(
 def _check_extras(plot: str | None, chart: bool) -> None:
     """That what is asked for can be drawn, before anything is solved."""
     if plot:
-        from chutecalc.output.plot import picture_format
+        from chutecalc.output.plots.save import picture_format
 
         picture_format(plot)
     if chart:
@@ -112,14 +112,14 @@ def _chutes(specs: list[str], settings: list[str]) -> list[Chute]:
 
 def _without_baselines(specs: list[str]) -> list[str]:
     """The specs that a glob such as ``specs/*.toml`` means, which takes along the baselines beside them."""
-    from chutecalc.spec.file import BASELINE_SUFFIX
+    from chutecalc.spec.parse import BASELINE_SUFFIX
 
     return [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs
 
 
 def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
     """The chute of a file, or of what comes in by a pipe, with changes in it."""
-    from chutecalc.chute import load, parse
+    from chutecalc.api.chute import load, parse
 
     return parse(_standard_input(), STANDARD_INPUT, changes) if spec == "-" else load(spec, changes)
 
@@ -128,7 +128,7 @@ def _standard_input() -> str:
     """The spec that comes in by a pipe."""
     import sys
 
-    from chutecalc.spec.file import decode
+    from chutecalc.spec.parse import decode
 
     return decode(sys.stdin.buffer.read(), STANDARD_INPUT)
 

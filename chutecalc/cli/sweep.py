@@ -13,8 +13,8 @@ from chutecalc.errors import UsageError
 from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
-    from chutecalc.studies.block import Top
-    from chutecalc.studies.sweep import Sweep
+    from chutecalc.studies.sweep.block import Top
+    from chutecalc.studies.sweep.sweep import Sweep
 
 MEANT = 10_000_000
 """Designs that a person can have meant."""
@@ -86,9 +86,9 @@ def sweep(
         raise UsageError("nothing is varied: add a parameter, such as beta, rate=500,1000 or segments.1.drop_m=1:3:0.5")
     from chutecalc.cli.sweep_run import SweepRun
     from chutecalc.output.files import check_openable, check_targets
-    from chutecalc.output.sweep_table import MOST_SHOWN
-    from chutecalc.studies.parameters import read_parameters
-    from chutecalc.studies.sweep import Sweep
+    from chutecalc.studies.sweep.parameters import read_parameters
+    from chutecalc.studies.sweep.sweep import Sweep
+    from chutecalc.studies.sweep.table import MOST_SHOWN
 
     if points is not None and stations is not None:
         raise UsageError("--points and --stations both say where the stations are: give one of them")
@@ -120,7 +120,7 @@ def _friction_study(
 ) -> int:
     """The study, over the angles given."""
     from chutecalc.cli.friction import run_friction_study
-    from chutecalc.studies.parameters import split_argument
+    from chutecalc.studies.sweep.parameters import split_argument
 
     angles: dict[str, Any] = {}
     for argument in given:
@@ -150,7 +150,7 @@ def _check_extras(parquet: str | None, plot: str | None, chart: bool) -> None:
     if parquet:
         require_extra("parquet")
     if plot:
-        from chutecalc.output.plot import picture_format
+        from chutecalc.output.plots.save import picture_format
 
         picture_format(plot)
     if chart:
@@ -176,7 +176,7 @@ def _check_drawn(sweep: Sweep, plot: str | None, chart: bool) -> None:
 
 def _top(top: int | None, by: str | None) -> Top | None:
     """What is best."""
-    from chutecalc.studies.block import Top
+    from chutecalc.studies.sweep.block import Top
 
     if top is None and by is None:
         return None

@@ -6,14 +6,14 @@ from collections.abc import Generator, Iterable, Mapping
 from contextlib import ExitStack, closing
 
 from chutecalc.errors import ExitStatus, UsageError
-from chutecalc.output.blocks import BlockStore
 from chutecalc.output.files import open_whole
 from chutecalc.output.progress import progress
-from chutecalc.output.rows import CsvRows, JsonRows, KeptRows, ParquetRows, Rows
-from chutecalc.output.sweep_table import MOST_SHOWN, SHOWN_WITH_FILE, ShownRows
 from chutecalc.output.table import Printer
-from chutecalc.studies.block import Block, best_of
-from chutecalc.studies.sweep import Sweep
+from chutecalc.studies.sweep.block import Block, best_of
+from chutecalc.studies.sweep.block_store import BlockStore
+from chutecalc.studies.sweep.rows import CsvRows, JsonRows, KeptRows, ParquetRows, Rows
+from chutecalc.studies.sweep.sweep import Sweep
+from chutecalc.studies.sweep.table import MOST_SHOWN, SHOWN_WITH_FILE, ShownRows
 
 
 class SweepRun:
@@ -103,8 +103,8 @@ class SweepRun:
         """The picture."""
         plot = self.targets["plot"]
         if plot:
-            from chutecalc.output.plot import picture_format, save
-            from chutecalc.output.plot_sweep import draw_sweep
+            from chutecalc.output.plots.save import picture_format, save
+            from chutecalc.studies.sweep.plot import draw_sweep
 
             with open_whole(plot, "wb") as stream:
                 assert stream is not None
@@ -117,7 +117,7 @@ class SweepRun:
         printer = Printer(self.units)
         shown.show(printer, files)
         if self.chart:
-            from chutecalc.output.chart import print_sweep_chart
+            from chutecalc.studies.sweep.chart import print_sweep_chart
 
             print_sweep_chart(printer, self.sweep, block)
 

@@ -1,6 +1,6 @@
 """A list of operations on numbers, done again with others: what a spec makes of its numbers before a stream is solved.
 
-:mod:`chutecalc.tape` writes it down; the numbers of many designs go through it some designs at a time.
+:mod:`chutecalc.api.tape` writes it down; the numbers of many designs go through it some designs at a time.
 """
 
 import math

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from chutecalc.chute import Chute, solve
+from chutecalc.api.chute import Chute, solve
 from chutecalc.dem.trough import Trough
 from chutecalc.dem.wanted import Beds
 from chutecalc.design import Contact

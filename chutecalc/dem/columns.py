@@ -1,6 +1,6 @@
 """The columns of the check, one row a case."""
 
-from chutecalc.columns import COLUMNS, Column
+from chutecalc.results.columns import COLUMNS, Column
 
 DEM_COLUMNS = {
     column.name: column

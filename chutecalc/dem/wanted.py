@@ -10,8 +10,8 @@ from chutecalc.dem.case import POURS, Case
 from chutecalc.dem.pour import check_room
 from chutecalc.dem.trough import Trough
 from chutecalc.errors import UsageError
+from chutecalc.fields.ranges import read_values
 from chutecalc.physics.pressure import vertical_pressure_ratio
-from chutecalc.ranges import read_values
 
 MOST = 1000
 """Numbers of a range."""
@@ -47,7 +47,7 @@ def numbers(text: str, name: str, low: float, high: float) -> list[float]:
     """The numbers of a list, each once.
 
     Args:
-        text: as :func:`chutecalc.ranges.read_values` takes it.
+        text: as :func:`chutecalc.fields.ranges.read_values` takes it.
         name: of the option, for messages.
         low, high: bounds, both allowed.
 

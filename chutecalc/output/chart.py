@@ -1,14 +1,11 @@
-"""Small charts on a terminal: velocity and depth along the stream of a run, columns over the parameter of a sweep."""
+"""Small charts on a terminal, such as velocity and depth along the stream of a run."""
 
 import numpy as np
 
-from chutecalc.columns import COLUMNS, Column
-from chutecalc.output.sweep_table import column_of
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
-from chutecalc.solution import Solution
-from chutecalc.studies.block import TEXT, Block
-from chutecalc.studies.sweep import Sweep
+from chutecalc.results.columns import COLUMNS, Column
+from chutecalc.results.solution import Solution
 
 CHARTED = ("velocity_m_s", "depth_m")
 NARROWEST, WIDEST = 60, 120
@@ -33,7 +30,7 @@ def print_chart(printer: Printer, solution: Solution) -> None:
         printer: to print with, in its units.
         solution: of one design.
     """
-    width = _width(printer)
+    width = terminal_width(printer)
     if not width:
         return
     stations = solution.stations(points=width)
@@ -41,31 +38,11 @@ def print_chart(printer: Printer, solution: Solution) -> None:
     for name in CHARTED:
         values = COLUMNS[name].converted(stations[name][0], printer.units)
         if np.isfinite(values).any():
-            for line in _chart(s, values, COLUMNS[name], width, printer.units, COLUMNS["s_m"]):
+            for line in chart_lines(s, values, COLUMNS[name], width, printer.units, COLUMNS["s_m"]):
                 printer.text(line)
 
 
-def print_sweep_chart(printer: Printer, sweep: Sweep, block: Block) -> None:
-    """Prints the first two columns of numbers of a sweep over its first parameter, or that there is no room for them.
-
-    Args:
-        printer: to print with, in its units.
-        sweep: over one parameter, or parallel lists.
-        block: all its rows.
-    """
-    width = _width(printer)
-    along = next(each.name for each in sweep.parameters if len(each.values) > 1)
-    order = np.argsort(block[along], kind="stable")
-    numbers = [name for name in sweep.columns if name not in TEXT and np.isfinite(block[name]).any()]
-    for name in numbers[: len(CHARTED)] if width else ():
-        column = column_of(sweep, name)
-        values = column.converted(block[name][order], printer.units)
-        printer.text()
-        for line in _chart(block[along][order], values, column, width, printer.units, column_of(sweep, along)):
-            printer.text(line)
-
-
-def _width(printer: Printer) -> int:
+def terminal_width(printer: Printer) -> int:
     """Columns of a chart; 0, and a word on that, where there is no room."""
     width = min(printer.console.width, WIDEST) if printer.is_terminal else PIPED
     if width < NARROWEST:
@@ -74,7 +51,7 @@ def _width(printer: Printer) -> int:
     return width
 
 
-def _chart(s: Array, values: Array, column: Column, width: int, units: str, along: Column) -> list[str]:
+def chart_lines(s: Array, values: Array, column: Column, width: int, units: str, along: Column) -> list[str]:
     """The lines of one chart, without colour."""
     import plotille
 

@@ -6,7 +6,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from chutecalc.columns import COLUMNS
+from chutecalc.results.columns import COLUMNS
 
 
 def write_stations(stream: IO[str], tables: Iterable[tuple[str, dict[str, Any]]]) -> None:

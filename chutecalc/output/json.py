@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from typing import IO, Any
 
 from chutecalc import __version__
-from chutecalc.chute import Chute
-from chutecalc.columns import COLUMNS
-from chutecalc.segments import SegmentResult
-from chutecalc.solution import Solution
+from chutecalc.api.chute import Chute
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.segments import SegmentResult
+from chutecalc.results.solution import Solution
 
 FORMAT = 1
 

@@ -9,13 +9,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from chutecalc.chute import Chute
-from chutecalc.columns import COLUMNS, quantity_text
-from chutecalc.findings.finding import FAILURE, NOTE, WARNING, Finding
+from chutecalc.api.chute import Chute
+from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
-from chutecalc.segments import SegmentResult
-from chutecalc.solution import Solution
-from chutecalc.units import convert
+from chutecalc.results.columns import COLUMNS, quantity_text
+from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, Finding
+from chutecalc.results.segments import SegmentResult
+from chutecalc.results.solution import Solution
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -6,15 +6,15 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Belt, Contact, Design, Fall, Receiver, Segment
+from chutecalc.fields.faults import GeometryFaults, Place
+from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array, shared
 from chutecalc.physics.belt import discharge
 from chutecalc.physics.motion import FLOOR, ROOF
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from chutecalc.physics.section import Section
 from chutecalc.physics.wall import Wall, constant_wall, yield_locus
-from chutecalc.spec import model
-from chutecalc.spec.file import Place
-from chutecalc.spec.geometry import GeometryFaults, in_si
+from chutecalc.spec import chute_spec as model
 from chutecalc.spec.sections import build_section, section_names
 
 LONGEST = 1e5  # m, as of every length

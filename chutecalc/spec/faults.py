@@ -1,29 +1,21 @@
 """Pydantic's errors as faults, with the value that stands there and its line."""
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import Any
 
 from pydantic import ValidationError
 
 from chutecalc.errors import Fault
-from chutecalc.spec.file import Place, key_lines
-from chutecalc.units import same_quantity
-
-
-class PlacedFault(NamedTuple):
-    """A fault at a place of the spec's data."""
-
-    place: Place
-    problem: str
-    remedy: str
-    value: Any
+from chutecalc.fields.faults import Place, PlacedFault
+from chutecalc.fields.units import same_quantity
+from chutecalc.spec.parse import key_lines
 
 
 def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
     """All faults of a spec, in the order of its lines.
 
     Args:
-        error: what checking the spec raised; :class:`~chutecalc.spec.quantity.Table` has put it into words.
+        error: what checking the spec raised; :class:`~chutecalc.fields.table.Table` has put it into words.
         data: the spec as the user wrote it.
         text: that it comes from, empty where there is none.
     """

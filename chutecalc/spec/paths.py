@@ -4,8 +4,8 @@ import copy
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
+from chutecalc.fields.units import same_quantity
 from chutecalc.spec.faults import value_text
-from chutecalc.units import same_quantity
 
 OPTIONAL_TABLES = ("model", "receiver", "belt")
 """Tables that a path may lead to before they are written; the check that follows refuses them elsewhere."""

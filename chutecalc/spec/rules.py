@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.spec.quantity import Rule
-from chutecalc.units import twins
+from chutecalc.fields.table import Rule
+from chutecalc.fields.units import twins
 
 GUIDED = ("straight", "curve", "hood", "plate")
 
@@ -109,7 +109,7 @@ def _reference(
 def downhill(table: dict[str, Any]) -> Iterator[Rule]:
     """A straight floor does not rise."""
     slope: Any = table.get("slope_deg")
-    # of NumPy's mixin is a number of which a function writes down what is done with it (chutecalc.tape)
+    # of NumPy's mixin is a number of which a function writes down what is done with it (chutecalc.api.tape)
     number = isinstance(slope, int | float | np.lib.mixins.NDArrayOperatorsMixin | np.ndarray)
     if table.get("kind") == "straight" and number and np.any(np.less(slope, 0.0)):
         yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")

@@ -2,9 +2,10 @@
 
 from typing import Any
 
-from chutecalc.spec.model import ChuteSpec
-from chutecalc.spec.quantity import Quantity, Table
-from chutecalc.units import twins
+from chutecalc.fields.quantity import Quantity
+from chutecalc.fields.table import Table
+from chutecalc.fields.units import twins
+from chutecalc.spec.chute_spec import ChuteSpec
 
 
 def json_schema() -> dict[str, Any]:

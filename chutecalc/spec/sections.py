@@ -4,11 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 
+from chutecalc.fields.faults import EVERY, GeometryFaults, Place
+from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.section import Circle, Polygon, Section
-from chutecalc.spec import model
-from chutecalc.spec.file import Place
-from chutecalc.spec.geometry import EVERY, GeometryFaults, in_si
+from chutecalc.spec import chute_spec as model
 
 UNBOUNDED = np.array([np.inf])
 """Of what has no top."""

@@ -14,8 +14,8 @@ import tomli_w
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.errors import SpecError
-from chutecalc.studies import regression
-from chutecalc.studies.designs import find_designs
+from chutecalc.studies.regression import regression
+from chutecalc.studies.regression.designs import find_designs
 from tests.conftest import ROOT, STANDARD_DESIGNS
 
 

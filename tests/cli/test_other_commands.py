@@ -10,8 +10,8 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.columns import COLUMNS
 from chutecalc.core import compiled
+from chutecalc.results.columns import COLUMNS
 from tests.conftest import STANDARD_DESIGNS
 
 

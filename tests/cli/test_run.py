@@ -12,7 +12,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.columns import COLUMNS
+from chutecalc.results.columns import COLUMNS
 from tests.conftest import ROOT
 
 STALLS = chutecalc.STARTER.replace("friction_deg = 25 ", "friction_deg = 40 ").replace("drop_m = 2.0", "drop_m = 0.2")
@@ -226,7 +226,7 @@ def test_a_full_disk_ends_with_74(capsys, starter):
 
 
 def test_a_fault_of_the_program_ends_with_70_and_a_traceback_only_on_demand(capsys, monkeypatch, starter):
-    monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
     assert main(["run", str(starter)]) == 70
     err = capsys.readouterr().err
     assert "ZeroDivisionError" in err
@@ -240,7 +240,7 @@ def test_ctrl_c_ends_with_130(capsys, monkeypatch, starter):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("chutecalc.chute.run_chain", interrupted)
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", interrupted)
     assert main(["run", str(starter)]) == 130
 
 

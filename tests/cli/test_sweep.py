@@ -16,10 +16,10 @@ import tomli_w
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.ranges import read_values
-from chutecalc.studies import sweep as rows_of
-from chutecalc.studies.grid import Grid
-from chutecalc.studies.parameters import Parameter, read_parameters
+from chutecalc.fields.ranges import read_values
+from chutecalc.studies.sweep import sweep as rows_of
+from chutecalc.studies.sweep.grid import Grid
+from chutecalc.studies.sweep.parameters import Parameter, read_parameters
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
@@ -273,7 +273,7 @@ def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, t
 
 
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
-    monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
     said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
     for words in ("radius_m = -1 to 3", "less than 90", "no unit that fits", "no spool", "There are"):
         assert words in said
@@ -333,7 +333,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
 )
 def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("chutecalc.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
     with_tables = [written(tmp_path, **word) if isinstance(word, dict) else word for word in arguments]
     before = list(tmp_path.iterdir())
     assert words in refused(capsys, *with_tables)
@@ -554,7 +554,7 @@ def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
 
 def test_another_spec_or_version_is_not_resumed(tmp_path, capsys, monkeypatch):
     target = tmp_path / "rows.csv"
-    monkeypatch.setattr("chutecalc.output.blocks.BlockStore.remove", lambda self: None)
+    monkeypatch.setattr("chutecalc.studies.sweep.block_store.BlockStore.remove", lambda self: None)
     assert main(["sweep", "phi=20,30", SPOON, "--csv", str(target)]) == 0
     capsys.readouterr()
     again = ["phi=20,30", SPOON, "--csv", str(target), "--resume"]
@@ -563,7 +563,7 @@ def test_another_spec_or_version_is_not_resumed(tmp_path, capsys, monkeypatch):
     square = [word.replace("chamfered", "square") for word in again]
     assert "differs in the spec" in refused(capsys, *square)
     assert "differs in --columns" in refused(capsys, *again, "--columns", "exit_depth_m")
-    monkeypatch.setattr("chutecalc.studies.sweep.__version__", "0.0.1")
+    monkeypatch.setattr("chutecalc.studies.sweep.sweep.__version__", "0.0.1")
     assert "the version of chutecalc" in refused(capsys, *again)
 
 

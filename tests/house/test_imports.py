@@ -9,21 +9,15 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "units", "described", "core"},
+    {"errors", "core"},
     {"physics"},
-    {"design", "ranges", "tape"},
-    {"columns", "spec"},
-    {"solver", "parameter"},
-    {"along"},
-    {"extremes", "belts", "stations", "segments"},
-    {"findings"},
-    {"solution"},
-    {"ends"},
-    {"function"},
-    {"chute"},
-    {"batch"},
-    {"studies", "dem"},
+    {"design", "fields"},
+    {"spec", "solver"},
+    {"results"},
+    {"api"},
     {"output"},
+    {"studies"},
+    {"dem"},
     {"cli"},
 ]
 LEVEL = {room: level for level, rooms in enumerate(LEVELS) for room in rooms}
@@ -31,7 +25,7 @@ FILES = sorted(path for path in ROOT.rglob("*.py") if path.parent != ROOT or pat
 
 
 def room(module):
-    """`spec` of `chutecalc.spec.model`; None outside the package's rooms."""
+    """`spec` of `chutecalc.spec.chute_spec`; None outside the package's rooms."""
     parts = module.split(".")
     return parts[1] if parts[0] == "chutecalc" and parts[-1] not in {"chutecalc", "__version__"} else None
 

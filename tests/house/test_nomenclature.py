@@ -2,9 +2,9 @@
 
 import re
 
-from chutecalc.columns import COLUMNS, RECEIVER_COLUMNS
-from chutecalc.spec import model
-from chutecalc.spec.quantity import Table
+from chutecalc.fields.table import Table
+from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.spec import chute_spec as model
 from tests.nomenclature import PAGE, renewed
 
 TEXT = PAGE.read_text(encoding="utf-8")

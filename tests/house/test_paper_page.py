@@ -8,7 +8,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.studies.friction import FrictionStudy
+from chutecalc.studies.friction.study import FrictionStudy
 from tests.conftest import ROOT
 
 PAGE = (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")

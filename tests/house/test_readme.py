@@ -14,7 +14,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.findings import failures, warnings
+from chutecalc.results.findings import failures, warnings
 
 ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.extremes import LARGEST, LEAST, extremes
-from chutecalc.solution import EXTREMES
+from chutecalc.results.extremes import LARGEST, LEAST, extremes
+from chutecalc.results.solution import EXTREMES
 from tests import seeds
 from tests.robustness.chutes import draws, told
 

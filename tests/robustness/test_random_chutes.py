@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.spec.model import ChuteSpec
-from chutecalc.spec.quantity import Table
+from chutecalc.fields.table import Table
+from chutecalc.spec.chute_spec import ChuteSpec
 from tests import seeds
 from tests.robustness.chutes import drawn, draws, told
 from tests.robustness.faults import check_faults

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from chutecalc.cli.friction import run_friction_study
-from chutecalc.columns import FRICTION_COLUMNS
 from chutecalc.errors import OutputError, UsageError
-from chutecalc.studies.friction import CHAMFERS, INTERNAL_FRICTIONS, FrictionStudy
+from chutecalc.results.columns import FRICTION_COLUMNS
+from chutecalc.studies.friction.study import CHAMFERS, INTERNAL_FRICTIONS, FrictionStudy
 
 TABLE = [  # equivalent friction at δ = 30, 40, 50, 55° for B or W = 0.5 m, A = 0.05 m², φ = 25°
     ("base", 45, (0.48509, 0.48346, 0.48226, 0.48180)),

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.columns import COLUMNS
-from chutecalc.output.plot import FORMATS, save
-from chutecalc.output.plot_friction import draw_study
-from chutecalc.output.plot_run import ALONG, draw_run
-from chutecalc.output.plot_side import STATIONS
-from chutecalc.output.plot_style import colours
-from chutecalc.studies.friction import FrictionStudy
+from chutecalc.output.plots.run import ALONG, draw_run
+from chutecalc.output.plots.save import FORMATS, save
+from chutecalc.output.plots.side import STATIONS
+from chutecalc.output.plots.style import colours
+from chutecalc.results.columns import COLUMNS
+from chutecalc.studies.friction.plot import draw_study
+from chutecalc.studies.friction.study import FrictionStudy
 from tests.conftest import ROOT, chute, spec
 
 STEEP_FLOOR = [{"kind": "straight", "slope_deg": 60.0, "length_m": 5.0}]

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from chutecalc.studies import processes
+from chutecalc.studies.regression import processes
 
 
 def test_a_thread_may_share_its_work_too():
@@ -33,7 +33,7 @@ def test_processes_begin_deaf_to_ctrl_c_and_the_first_one_is_not_afterwards():
 
 WORKING = """
 import multiprocessing, threading, time
-from chutecalc.studies.processes import in_processes
+from chutecalc.studies.regression.processes import in_processes
 threading.Thread(target=lambda: list(in_processes(time.sleep, [600.0, 600.0], 2)), daemon=True).start()
 while len(multiprocessing.active_children()) < 2:
     time.sleep(0.01)

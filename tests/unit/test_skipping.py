@@ -91,7 +91,7 @@ def test_columns_that_are_not_asked_for_are_not_worked_out(monkeypatch):
 def test_threads_and_chunks_do_not_change_a_digit(monkeypatch):
     many = chutecalc.parse(CHAIN).vary({"segments.3.radius_m": np.linspace(2.0, 4.0, 100)})
     whole = chutecalc.exits(many, jobs=1)
-    monkeypatch.setattr("chutecalc.batch.CHUNK", 16)
+    monkeypatch.setattr("chutecalc.api.batch.CHUNK", 16)
     parts = chutecalc.exits(many, jobs=4)
     for name, values in whole.exit.items():
         assert (parts.exit[name] == values).all()

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.columns import COLUMNS, quantity_text
-from chutecalc.units import UNITS, convert, twins
+from chutecalc.fields.units import UNITS, convert, twins
+from chutecalc.results.columns import COLUMNS, quantity_text
 from tests.conftest import chute
 
 FALL_AND_SPOON = [

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.spec.file import key_lines
+from chutecalc.spec.parse import key_lines
 from tests.conftest import BASE, chute, spec
 
 STARTER = chutecalc.STARTER

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from chutecalc.tape import Tape, again
+from chutecalc.api.tape import Tape, again
 
 X, Y = 0.7, -1.3
 PROGRAMS = {

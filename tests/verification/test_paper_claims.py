@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.studies.friction import FrictionStudy
+from chutecalc.studies.friction.study import FrictionStudy
 from tests.conftest import ROOT, STANDARD_DESIGNS
 
 PAPER = ROOT / "specs" / "paper"

@@ -1,0 +1,113 @@
+"""How a spec's fields are declared: a quantity is a number with a dimension, bounds and unit twins."""
+
+from math import isfinite
+from typing import Any
+
+import numpy as np
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import PydanticCustomError, core_schema
+
+from chutecalc.fields.units import TEXT, convert, first_unit, to_si
+from chutecalc.physics.arrays import Array
+
+Number = float | Any
+"""A number as the user wrote it, or a 1-dimensional array of them where designs are varied."""
+
+
+class Quantity:
+    """Declares a field, ``Annotated[Number, Quantity("length", gt=0)]``; bounds in the dimension's first unit.
+
+    With a ``shape`` it is a list of such numbers, (2,), or a list of lists, (None, 2); None stands for any count.
+    """
+
+    def __init__(
+        self,
+        dimension: str,
+        *,
+        gt: float | None = None,
+        ge: float | None = None,
+        lt: float | None = None,
+        le: float | None = None,
+        shape: tuple[int | None, ...] = (),
+    ) -> None:
+        self.dimension, self.shape = dimension, shape
+        self.bounds = {
+            name: limit for name, limit in (("gt", gt), ("ge", ge), ("lt", lt), ("le", le)) if limit is not None
+        }
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.check)
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {"x-dimension": self.dimension} | self.json_type(first_unit(self.dimension))
+
+    def json_type(self, unit: str) -> dict[str, Any]:
+        """What JSON Schema says of the value in one of the dimension's units."""
+        described: dict[str, Any] = {"type": "number"} | self.json_bounds(unit)
+        for count in reversed(self.shape):
+            counts = {} if count is None else {"minItems": count, "maxItems": count}
+            described = {"type": "array", "items": described} | counts
+        return described
+
+    def json_bounds(self, unit: str) -> dict[str, float]:
+        """The bounds as JSON Schema names them, in one of the dimension's units."""
+        names = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
+        return {names[name]: limit for name, limit in self.limits(unit).items()}
+
+    def limits(self, unit: str) -> dict[str, float]:
+        """The bounds in one of the dimension's units."""
+        start = first_unit(self.dimension)
+        return {name: convert(limit, self.dimension, start, unit) for name, limit in self.bounds.items()}
+
+    def check(self, value: Any) -> Any:
+        """The number as a float, or the array, or lists of them; a fault where one is none, or out of bounds."""
+        return self._checked(value, self.shape)
+
+    def _checked(self, value: Any, shape: tuple[int | None, ...]) -> Any:
+        if shape:
+            count = shape[0]
+            if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
+                raise PydanticCustomError("quantity", f"has to be {_LISTS[self.shape]}, each")
+            return [self._checked(item, shape[1:]) for item in value]
+        return self.number(value)
+
+    def number(self, value: Any) -> Any:
+        """One number, or an array of them, as :meth:`check`."""
+        if isinstance(value, np.ndarray):
+            if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
+                raise PydanticCustomError("quantity", "has to be a number, or one for each design in one dimension,")
+            smallest, largest = float(value.min()), float(value.max())
+        elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
+            raise PydanticCustomError("quantity", "has to be a number")
+        else:
+            try:
+                value = smallest = largest = float(value)
+            except OverflowError:
+                value = smallest = largest = np.inf
+        if not (isfinite(smallest) and isfinite(largest)):
+            raise PydanticCustomError("quantity", "has to be finite and")
+        bounds = self.bounds
+        low = smallest > bounds.get("gt", -np.inf) and smallest >= bounds.get("ge", -np.inf)
+        high = largest < bounds.get("lt", np.inf) and largest <= bounds.get("le", np.inf)
+        if not (low and high):
+            raise PydanticCustomError("quantity", "has to be")
+        return value
+
+    def words(self, unit: str) -> str:
+        """The bounds as people read them in one of the units: ``greater than 0 mm and at most 90 mm``."""
+        names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
+        shown = "°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip()
+        return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.limits(unit).items())
+
+
+_LISTS = {(2,): "a list of two numbers", (None, 2): "a list of rows of two numbers"}
+
+
+def in_si(value: Any, dimension: str) -> Array:
+    """A number of the spec in SI, of length 1 or n."""
+    if type(value) is float:  # most of them, for which NumPy's functions take five times as long
+        return np.array([to_si(value, dimension)])
+    values: Array = np.atleast_1d(
+        np.multiply(to_si(value, dimension), 1.0)
+    )  # an array, also of what only acts like one
+    return values

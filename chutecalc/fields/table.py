@@ -1,0 +1,180 @@
+"""The tables of a spec: no unknown keys, units by suffix, rules of their own, and every fault in the user's words."""
+
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
+from pydantic_core import InitErrorDetails, PydanticCustomError
+
+from chutecalc.fields.quantity import Quantity
+from chutecalc.fields.units import convert, first_unit, twins
+
+
+def _converted(value: Any, dimension: str, unit: str) -> Any:
+    """Numbers, also in lists, in the dimension's first unit; what is none stays for the check to find."""
+    if isinstance(value, list | tuple):
+        return [_converted(item, dimension, unit) for item in value]
+    number = isinstance(value, int | float | np.number | np.ndarray) and not isinstance(value, bool)
+    return convert(value, dimension, unit, first_unit(dimension)) if number else value
+
+
+class Rule(NamedTuple):
+    """What is wrong at a place of a table, and what to do."""
+
+    place: tuple[str | int, ...]
+    problem: str
+    remedy: str
+
+
+class Table(BaseModel):
+    """A table of a spec: no unknown keys, units by suffix, rules of its own, and every fault in the user's words."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, arbitrary_types_allowed=True, defer_build=True)
+
+    rules: ClassVar[tuple[Callable[[dict[str, Any]], Iterator[Rule]], ...]] = ()
+    """Each yields what is broken in a table, given with the documented keys."""
+    choices: ClassVar[dict[str, tuple[str, ...]]] = {}
+    """What the keys that tell one kind of table from another may say."""
+
+    @classmethod
+    @cache
+    def quantities(cls) -> dict[str, Quantity]:
+        """The fields that carry a quantity."""
+        return {
+            name: item
+            for name, field in cls.model_fields.items()
+            for item in field.metadata
+            if isinstance(item, Quantity)
+        }
+
+    @classmethod
+    @cache
+    def keys(cls) -> dict[str, tuple[str, str]]:
+        """Every key that the table takes: the documented key that it stands for, and its unit."""
+        known: dict[str, tuple[str, str]] = {}
+        for name in cls.model_fields:
+            quantity = cls.quantities().get(name)
+            known |= (
+                {key: (name, unit) for key, unit in twins(name, quantity.dimension).items()}
+                if quantity
+                else {name: (name, "")}
+            )
+        return known
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _check(cls, data: Any, handler: Any) -> Any:
+        if not isinstance(data, dict):
+            return handler(data)
+        broken: list[Rule] = []
+        table, written, meant = cls._in_first_units(data, broken)
+        for rule in cls.rules:
+            broken += [item for item in rule(table) if not (item.place[0] in meant and "missing" in item.problem)]
+        details = [_detail((written.get(str(place[0]), place[0]), *place[1:]), *said) for place, *said in broken]
+        try:
+            model = handler(table)
+        except ValidationError as error:
+            own = error.errors(include_url=False)
+            details += [cls._worded(item, written) for item in own if not cls._explained(item, meant)]
+        if details:
+            raise ValidationError.from_exception_data(cls.__name__, details)
+        return model
+
+    @classmethod
+    def _in_first_units(
+        cls, data: dict[str, Any], broken: list[Rule]
+    ) -> tuple[dict[str, Any], dict[str, str], set[str]]:
+        """The table with documented keys and units alone, as what the user wrote them, and keys whose fault is told."""
+        table: dict[str, Any] = {}
+        written: dict[str, str] = {}
+        meant: set[str] = set()
+        for key, value in data.items():
+            known = cls.keys()
+            if key not in known:
+                rule, name = cls._unknown(str(key))
+                broken.append(rule)
+                meant.add(name)
+                continue
+            name, unit = known[key]
+            if name in written:
+                broken.append(Rule((key,), f"is given twice, as {written[name]} and as {key}", "keep one of them"))
+                continue
+            written[name] = key
+            quantity = cls.quantities().get(name)
+            if quantity is None and isinstance(value, np.ndarray):
+                broken.append(Rule((key,), *_NOT_VARIED))
+                meant.add(name)
+                continue
+            table[name] = _converted(value, quantity.dimension, unit) if quantity else value
+        return table, written, meant
+
+    @classmethod
+    def _unknown(cls, key: str) -> tuple[Rule, str]:
+        """A key that the table does not have, and the documented key that was meant, as far as can be told."""
+        from difflib import get_close_matches
+
+        for name, quantity in cls.quantities().items():
+            names = list(twins(name, quantity.dimension))
+            stem = name.removesuffix("_" + first_unit(quantity.dimension))
+            if len(names) > 1 and key == stem:
+                return Rule((key,), "needs its unit", f"write {' or '.join(names)}"), name
+            if len(names) > 1 and key.startswith(stem + "_"):
+                return Rule((key,), "ends in no unit that fits", f"write {' or '.join(names)}"), name
+        close = get_close_matches(key, cls.keys(), n=1)
+        if close:
+            return Rule((key,), "is not known here", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
+        return Rule((key,), "is not known here", f"known here are {', '.join(cls.model_fields)}"), ""
+
+    @classmethod
+    def _explained(cls, item: Any, meant: set[str]) -> bool:
+        """Whether a missing key has been told of already: given without its unit, or misspelt."""
+        return item["type"] == "missing" and len(item["loc"]) == 1 and item["loc"][0] in meant
+
+    @classmethod
+    def _worded(cls, item: Any, written: dict[str, str]) -> InitErrorDetails:
+        """One of pydantic's errors in the user's words; those of tables below are worded already."""
+        place, kind = tuple(item["loc"]), item["type"]
+        if kind == "fault":
+            return _detail(place, item["msg"], item["ctx"]["remedy"])
+        name = place[0] if len(place) == 1 else ""
+        quantity = cls.quantities().get(str(name))
+        if kind == "missing":
+            names = list(twins(str(name), quantity.dimension)) if quantity else [str(name)]
+            return _detail(place, "is missing", f"add {' or '.join(names)}")
+        if quantity and kind == "quantity":
+            key = written[str(name)]
+            limits = quantity.words(cls.keys()[key][1])
+            return _detail((key,), f"{item['msg']} {limits}".rstrip(), "change the value")
+        if kind in {"union_tag_invalid", "union_tag_not_found"}:
+            tag = str(item["ctx"]["discriminator"]).strip("'")
+            if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
+                return _detail((*place, tag), *_NOT_VARIED)
+            return _detail((*place, tag), "is missing or not known", f"give one of {', '.join(cls.choices[tag])}")
+        if kind == "string_pattern_mismatch":
+            return _detail(place, "is no name", "use letters, digits, - and _, and begin with a letter or _")
+        if kind == "literal_error":
+            return _detail(place, f"has to be {item['ctx']['expected']}", "change the value")
+        expected = _EXPECTED.get(kind)
+        return _detail(place, f"has to be {expected}" if expected else item["msg"], "change it")
+
+
+_NOT_VARIED = "cannot be varied: it is no quantity", "use the path of a quantity, such as flow.rate_t_h"
+_EXPECTED = {
+    "string_type": "text in quotes",
+    "dict_type": "a table",
+    "model_type": "a table",
+    "model_attributes_type": "a table",
+    "list_type": "a list of tables, each under [[…]]",
+    "too_short": "one table at least",
+    "bool_type": "true or false",
+    "float_type": "a number",
+    "finite_number": "a finite number",
+}
+
+
+def _detail(place: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:
+    """A fault as pydantic carries it; its text is final and holds nothing to fill in."""
+    text = problem.replace("{", "(").replace("}", ")")
+    return InitErrorDetails(type=PydanticCustomError("fault", text, {"remedy": remedy}), loc=place, input=None)

@@ -1,0 +1,255 @@
+"""A chute from the side, to scale: its surfaces, and the stream at its depth, coloured by velocity."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Patch
+
+from chutecalc.design import Contact, Status
+from chutecalc.output.plots.style import INK, MAP, PALE, SMALL, STEEL
+from chutecalc.physics.arrays import Array
+from chutecalc.physics.surface import point
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.solution import Solution
+
+STATIONS = 101
+"""Along each part of the way."""
+DEEPEST = 0.25
+"""The stream is not drawn deeper than so many times the chute's greater side: at a crawl its depth knows no bounds."""
+SHORT = 0.08
+"""A part shorter than that share of the picture has no name in it; numbers closer than half of it stand together."""
+ROOM = 0.09
+"""Around what is drawn, for names and numbers, as a share of its greater side."""
+SURFACE: dict[str, Any] = {
+    "color": STEEL,
+    "linewidth": 3.0,
+    "solid_capstyle": "butt",
+    "zorder": 0.9,  # below the stream, which hides its inner half
+    "gid": "surface",
+}
+END: dict[str, Any] = {"marker": "X", "color": INK, "markersize": 8, "linestyle": "", "clip_on": False, "gid": "end"}
+"""How the place is shown where a stream comes to its end before the chute does."""
+Lines = dict[str, Array]
+
+
+class Trace(NamedTuple):
+    """The stations of one part of the way that the stream reached."""
+
+    name: str
+    kind: str
+    side: float
+    """1 on a floor, -1 under a roof, 0 in flight."""
+    columns: Lines
+
+
+class Mark(NamedTuple):
+    """A number at a place along the stream."""
+
+    number: str
+    s: float
+
+
+def traces(solution: Solution) -> list[Trace]:
+    """The way of the first design, part by part; parts that it did not reach are left out.
+
+    Where it reaches none at all the inlet is all there is of its way.
+    """
+    stations = solution.stations(points=STATIONS)
+    found = []
+    for number, part in enumerate(solution.parts):
+        rows = slice(number * STATIONS, (number + 1) * STATIONS)
+        reached = np.isfinite(stations["s_m"][0, rows])
+        if reached.any():
+            guide = part.leg.segment if part.contact is not None else None
+            side = guide.side if isinstance(guide, Contact) else 0.0
+            columns = {name: stations[name][0, rows][reached] for name in stations}
+            found.append(Trace(part.name, part.kind, side, columns))
+    return found or [_at_inlet(solution)]
+
+
+def _at_inlet(solution: Solution) -> Trace:
+    """A way that is the inlet alone."""
+    inlet = {name: values[:1] for name, values in solution.inlet.items()}
+    nowhere = {name: np.full(1, np.nan) for name in COLUMNS}
+    return Trace("inlet", "inlet", 0.0, nowhere | inlet | {"s_m": np.zeros(1)})
+
+
+def extent(solution: Solution, way: Sequence[Trace]) -> Array:
+    """Width and height of a chute from the side, m, with its stream's path."""
+    paths = [(part.columns["x_m"], part.columns["z_m"]) for part in way]
+    points = np.concatenate([np.stack(line) for line in (*paths, *_surfaces(solution))], axis=1)
+    size: Array = np.ptp(points, axis=1)
+    return size
+
+
+def draw_stream(axes: Axes, solution: Solution, way: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
+    """Draws the chute and the stream of its first design.
+
+    Args:
+        axes: to draw on.
+        solution: of one design.
+        way: its stations.
+        marks: numbers to set beside the stream.
+        units: ``metric`` or ``us``.
+    """
+    velocity = np.concatenate([part.columns["velocity_m_s"] for part in way])
+    column = COLUMNS["velocity_m_s"]
+    shades = Normalize(*column.converted(np.array([velocity.min(), velocity.max()]), units))
+    surfaces = list(_surfaces(solution))
+    for part in way:
+        values = column.converted(part.columns["velocity_m_s"], units)
+        draw = _draw_flight if part.side == 0.0 else _draw_band
+        draw(axes, part, deepest(solution, way), units).set(
+            array=0.5 * (values[1:] + values[:-1]), cmap=MAP, norm=shades
+        )
+    for x, z in surfaces:
+        axes.plot(_long(x, units), _long(z, units), **SURFACE)
+    for x, z in _lost_flights(solution, surfaces):
+        axes.plot(_long(x, units), _long(z, units), color=INK, linestyle=":", gid="missed")
+    _draw_pulley(axes, solution, units)
+    size = float(extent(solution, way).max())
+    _name_segments(axes, way, SHORT * size, units)
+    _draw_marks(axes, way, marks, SHORT * size, units)
+    if solution.status[0] != "ok":
+        end = way[-1].columns
+        axes.plot(_long(end["x_m"][-1:], units), _long(end["z_m"][-1:], units), **END)
+    _frame(axes, shades, any(part.side == 0.0 for part in way), units)
+
+
+def deepest(solution: Solution, way: Sequence[Trace]) -> float:
+    """The depth to which the stream is drawn, m."""
+    return DEEPEST * float(extent(solution, way).max())
+
+
+def _long(metres: Array, units: str) -> Array:
+    """Lengths of the picture in its unit."""
+    converted: Array = COLUMNS["x_m"].converted(metres, units)
+    return converted
+
+
+def _draw_band(axes: Axes, part: Trace, depth: float, units: str) -> PolyCollection:
+    """The stream on a surface, as deep as it is, normal to that."""
+    at = part.columns
+    height = np.minimum(at["depth_m"], depth)  # none where the stream has come to rest
+    slope = np.radians(at["slope_deg"])
+    foot = np.stack([at["x_m"], at["z_m"]], axis=1)
+    normal = np.stack([np.sin(slope), np.cos(slope)], axis=1)
+    top = foot + part.side * height[:, None] * normal
+    foot, top = _long(foot, units), _long(top, units)
+    cells = np.stack([foot[:-1], foot[1:], top[1:], top[:-1]], axis=1)
+    band = PolyCollection(list(cells), edgecolors="face", linewidths=0.4, gid="stream")
+    axes.add_collection(band)
+    axes.plot(*top.T, color=INK, linewidth=0.4, gid="free surface")
+    return band
+
+
+def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineCollection:
+    """The path of a stream in flight; how thick it is there the model does not know."""
+    path = _long(np.stack([part.columns["x_m"], part.columns["z_m"]], axis=1), units)
+    axes.plot(*path.T, color=INK, linewidth=3.0, solid_capstyle="butt", gid="path")
+    line = LineCollection(
+        list(np.stack([path[:-1], path[1:]], axis=1)), linewidths=1.8, capstyle="projecting", gid="flight"
+    )
+    axes.add_collection(line)
+    return line
+
+
+def _surfaces(solution: Solution) -> Iterator[tuple[Array, Array]]:
+    """The drawn line or arc of each contact segment that has its place."""
+    for leg in {leg.number: leg for leg in reversed(solution.legs)}.values():
+        if leg.contact is not None:
+            x, z, _ = point(leg.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
+            if np.isfinite(x[:, 0] + z[:, 0]).all():
+                yield x[:, 0], z[:, 0]
+
+
+def _lost_flights(solution: Solution, surfaces: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
+    """The paths of streams that miss what should catch them, until they are below all that is drawn."""
+    lowest = min((float(z.min()) for _, z in surfaces), default=np.inf)
+    further = max((float(np.ptp(z)) for _, z in surfaces), default=1.0)
+    for leg in solution.legs:
+        if leg.status[0] == Status.MISSED:
+            x, z, forward, downward, gravity = leg.path[:, 0]
+            drop = z - min(lowest, z) + 0.2 * further
+            time = np.linspace(0.0, (np.sqrt(downward**2 + 2.0 * gravity * drop) - downward) / gravity, STATIONS)
+            yield x + forward * time, z - (downward + 0.5 * gravity * time) * time
+
+
+def _draw_pulley(axes: Axes, solution: Solution, units: str) -> None:
+    """The head pulley with its belt, and a piece of that."""
+    belt = solution.design.belt
+    if belt is None:
+        return
+    radius, incline = belt.lower_radius[0], belt.incline[0]
+    centre = np.array([belt.centre[0][0], belt.centre[1][0]])
+    top = centre + radius * np.array([-np.sin(incline), np.cos(incline)])
+    back = top - 3.0 * radius * np.array([np.cos(incline), np.sin(incline)])
+    axes.add_patch(Circle(tuple(_long(centre, units)), float(_long(radius, units)), facecolor="0.94", edgecolor=STEEL))
+    axes.plot(*_long(np.stack([back, top]), units).T, color=STEEL, linewidth=1.2, gid="belt")
+
+
+def _name_segments(axes: Axes, way: Sequence[Trace], least: float, units: str) -> None:
+    """Names beside the middle of each part that is long enough, on the side where the stream is not."""
+    for part in way:
+        at = part.columns
+        if np.ptp(at["s_m"]) > least:
+            _set_beside(axes, at, len(at["s_m"]) // 2, -part.side or 1.0, part.name, units)
+
+
+def _draw_marks(axes: Axes, way: Sequence[Trace], marks: Sequence[Mark], least: float, units: str) -> None:
+    """The numbers, those of places close to each other together."""
+    at = {name: np.concatenate([part.columns[name] for part in way]) for name in ("s_m", "x_m", "z_m", "slope_deg")}
+    sides = np.concatenate([np.full(len(part.columns["s_m"]), part.side) for part in way])
+    groups: list[list[Mark]] = []
+    for mark in sorted(marks, key=lambda mark: mark.s):
+        if groups and mark.s - groups[-1][0].s < 0.5 * least:
+            groups[-1].append(mark)
+        else:
+            groups.append([mark])
+    box = {"boxstyle": "round,pad=0.25", "facecolor": "white", "edgecolor": INK, "linewidth": 0.7}
+    for group in groups:
+        place = int(np.abs(at["s_m"] - group[0].s).argmin())
+        text = ", ".join(sorted(mark.number for mark in group))
+        _set_beside(axes, at, place, -sides[place] or 1.0, text, units, distance=21.0, bbox=box)
+
+
+def _set_beside(
+    axes: Axes, at: Lines, place: int, side: float, text: str, units: str, distance: float = 9.0, **look: Any
+) -> None:
+    """Text at a distance, in points, from a place of the stream, along the normal there."""
+    slope = np.radians(at["slope_deg"][place])
+    right, up = side * np.sin(slope), side * np.cos(slope)
+    axes.annotate(
+        text,
+        (_long(at["x_m"][place], units), _long(at["z_m"][place], units)),
+        xytext=(distance * right, distance * up),
+        textcoords="offset points",
+        ha="center" if abs(right) < 0.4 else "left" if right > 0.0 else "right",
+        va="center" if abs(up) < 0.4 else "bottom" if up > 0.0 else "top",
+        color=INK,
+        fontsize=SMALL,
+        **look,
+    )
+
+
+def _frame(axes: Axes, shades: Normalize, flies: bool, units: str) -> None:
+    """Scale, labels, and what is what."""
+    low, high = axes.dataLim.get_points()
+    room = ROOM * (high - low).max()
+    axes.update_datalim([low - room, high + room])
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.0)
+    bands = [artist for artist in axes.collections if artist.get_array() is not None]
+    bar = axes.figure.colorbar(bands[0], ax=axes, location="right", aspect=45, pad=0.01)
+    column = COLUMNS["velocity_m_s"]
+    bar.ax.set_title(f"{column.symbol}, {column.unit_text(units)}", fontsize=SMALL, loc="center")
+    handles: list[Any] = [Line2D([], [], color=STEEL, linewidth=2.2, label="surface")]
+    handles.append(Patch(facecolor=PALE, edgecolor=INK, linewidth=0.7, label="stream at its depth"))
+    if flies:
+        handles.append(Line2D([], [], color=INK, linewidth=3.0, label="in flight: path alone"))
+    axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.2)

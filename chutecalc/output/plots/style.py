@@ -1,0 +1,112 @@
+"""How pictures look: in print, without colour, and to people who do not see all colours."""
+
+import re
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
+from typing import Any
+
+import matplotlib
+import numpy as np
+from matplotlib import style
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+
+from chutecalc.results.columns import Column
+
+MAP = "viridis"
+"""Perceptually uniform, lighter as values grow, and so the same in grey."""
+DARKEST, LIGHTEST = 0.0, 0.8
+"""The part of the map that stands out as a line on white paper."""
+INK, STEEL, PALE = "0.15", "0.35", "0.6"
+STROKES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (9, 2)))
+MARKS = ("o", "s", "^", "D", "v", "P", "X", "<")
+SMALL = 7.5
+_STYLE = {
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlelocation": "left",
+    "axes.titlesize": 9.5,
+    "figure.constrained_layout.use": True,
+    "figure.titlesize": 11,
+    "font.size": 8.5,
+    "grid.color": "0.9",
+    "grid.linewidth": 0.6,
+    "legend.fontsize": SMALL,
+    "legend.frameon": False,
+    "legend.handlelength": 3.0,
+    "lines.linewidth": 1.5,
+    "lines.markersize": 4.0,
+    "pdf.fonttype": 42,  # text stays text
+    "savefig.dpi": 200,
+    "svg.hashsalt": "chutecalc",  # the same names each time
+    "xtick.labelsize": SMALL,
+    "ytick.labelsize": SMALL,
+}
+
+
+def styled() -> AbstractContextManager[None]:
+    """The style of all pictures, whatever a user's own settings are; figures are drawn and saved in it."""
+    return style.context(["default", _STYLE])
+
+
+def colours(count: int) -> list[str]:
+    """So many colours that differ in lightness too.
+
+    >>> colours(2)
+    ['#440154', '#7ad151']
+    """
+    shares = np.linspace(DARKEST, LIGHTEST, count) if count > 1 else [DARKEST]
+    return [to_hex(matplotlib.colormaps[MAP](share)) for share in shares]
+
+
+def mathematical(text: str) -> str:
+    r"""A label with its subscripts set as such.
+
+    >>> mathematical("equivalent friction μ_e")
+    'equivalent friction μ$_{\\mathrm{e}}$'
+    """
+    return re.sub(r"_(\w+)", r"$_{\\mathrm{\1}}$", text)
+
+
+def label_axes(axes: Axes, x: Column, y: Column, units: str) -> None:
+    """Names both axes with symbol and unit."""
+    axes.set_xlabel(mathematical(x.label(units)))
+    axes.set_ylabel(mathematical(y.label(units)))
+
+
+def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
+    """What sets titles apart, their parts between commas and colons without those that all have; and what all have.
+
+    >>> labels_of(["Spoon: R = 1 m, square", "Spoon: R = 2 m, square"])
+    ([('R = 1 m',), ('R = 2 m',)], 'Spoon, square')
+    """
+    split = [[part.strip() for part in re.split("[,:;]", title)] for title in titles]
+    shared = [part for part in split[0] if all(part in title for title in split)]
+    parts = [tuple(part for part in title if part not in shared) for title in split]
+    if all(parts) and len(set(parts)) == len(parts):
+        return parts, ", ".join(shared)
+    return [(title,) for title in titles], ""
+
+
+def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
+    """How the lines of a family are drawn: the first part of a label sets colour and mark, the rest sets the stroke.
+
+    Where the first part alone tells them apart it sets them all.
+
+    >>> pairs = looks([("R = 1 m", "square"), ("R = 1 m", "chamfered"), ("R = 2 m", "square")])
+    >>> [look["linestyle"] for look in pairs], pairs[0]["color"] == pairs[1]["color"]
+    (['-', '--', '-'], True)
+    """
+    firsts = list(dict.fromkeys(label[0] for label in labels))
+    rests = list(dict.fromkeys(label[1:] for label in labels))
+    shades = colours(len(firsts))
+    return [
+        {
+            "color": shades[firsts.index(label[0])],
+            "marker": MARKS[firsts.index(label[0]) % len(MARKS)],
+            "linestyle": STROKES[(rests.index(label[1:]) if len(rests) > 1 else firsts.index(label[0])) % len(STROKES)],
+        }
+        for label in labels
+    ]

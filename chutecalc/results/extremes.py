@@ -1,0 +1,159 @@
+"""Where a quantity is least and largest along a part of the way, found between its samples too."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.results.trajectory import Numbers, Part
+
+ROUNDS, SIDE = 2, np.linspace(0.0, 1.0, 9)  # each round leaves an eighth of the bracket around an extreme
+NEAR = 1.0 / 16.0, 1.0 / 1024.0  # of the bracket: as near, by three places around the top of the last parabola
+
+
+class Extreme(NamedTuple):
+    """Where a quantity is least or largest along a part, shape (designs,)."""
+
+    value: Array
+    share: Array
+    """Of the part's way."""
+
+
+LEAST, LARGEST = -1.0, 1.0
+Wanted = tuple[str, float]
+"""A column's name, and ``LEAST`` or ``LARGEST``."""
+Look = Callable[[Array], Array]
+Search = Callable[[Look, Array, Array, Array, Array, Array], tuple[Extreme, Mask]]
+"""Nearer and nearer to an extreme: how to look, where its parabola has its top, three places around it, the value at
+the middle one. Gives the extreme, and where it is to be believed."""
+
+
+def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
+    """Extremes of quantities along a part, found between its samples too.
+
+    Args:
+        part: of the way.
+        sampled: its columns at those samples.
+        shares: of its way, as :meth:`~chutecalc.results.trajectory.Part.shares` gives them: between neighbours
+            all is smooth.
+        wanted: which.
+
+    Returns:
+        One for each. Inside, it is that of the parabola through three places less than a hundredth of a panel apart:
+        for what varies smoothly, right to about 1e-11 of its variation. What grows without bound towards the end is
+        infinite there.
+    """
+    none = np.full(sampled[wanted[0][0]].shape[1], np.nan)
+    limits = part.limits({name for name, _ in wanted})
+    absent = {name for name, limit in limits.items() if np.isnan(limit).all() and np.isnan(sampled[name]).all()}
+    found = {item: Extreme(none, np.zeros_like(none)) for item in wanted if item[0] in absent}
+    there = [item for item in wanted if item[0] not in absent]
+    return found | _present(part, sampled, limits, shares, there) if there else found
+
+
+def _present(
+    part: Part, sampled: Numbers, limits: Numbers, shares: Array, wanted: Sequence[Wanted]
+) -> dict[Wanted, Extreme]:
+    """The same of quantities that there are; ``limits`` as of :meth:`chutecalc.results.trajectory.Part.limits`."""
+    signs = np.array([sign for _, sign in wanted])[:, None]
+
+    def look(items: Sequence[int], at: Array) -> Array:
+        """Columns of the shape of ``at``, places, items, designs; larger is more wanted."""
+        known = part.at(at.reshape(-1, at.shape[2]), {wanted[item][0] for item in items})
+        found = [known[wanted[item][0]].reshape(at.shape)[:, k] for k, item in enumerate(items)]
+        found = [np.where(at[:, k] == 1.0, limits[wanted[item][0]], found[k]) for k, item in enumerate(items)]
+        stacked: Array = np.stack(found, axis=1) * signs[items]
+        return stacked
+
+    each = shares[:, None] if shares.ndim == 1 else shares
+    values = np.stack([np.where(each == 1.0, limits[name], sampled[name]) for name, _ in wanted], axis=1)
+    values = values * signs  # (places, wanted, designs)
+    each = np.broadcast_to(each[:, None], values.shape)
+    best, bracket, top = _best(values, each)
+    settled = _at_an_end(values, each, top)
+    most = np.take_along_axis(values, top[None], axis=0)[0]
+    searches: tuple[Search, ...] = (_by_tops, _by_halves)
+    for search in searches:
+        items = np.flatnonzero(~settled.all(axis=1)).tolist()
+        if items:
+            low, middle, high = (edge[items] for edge in bracket)
+            found, good = search(partial(look, items), best.share[items], low, middle, high, most[items])
+            for field, new in zip(best, found, strict=True):
+                field[items] = np.where(settled[items] | ~good, field[items], new)
+            settled[items] |= good
+    return {
+        item: Extreme(item[1] * best.value[k] + 0.0, best.share[k])  # + 0: no -0
+        for k, item in enumerate(wanted)
+    }
+
+
+def _by_tops(look: Look, share: Array, low: Array, middle: Array, high: Array, most: Array) -> tuple[Extreme, Mask]:
+    """By three places around the top of the parabola before; whether the last has its top between them."""
+    for step in NEAR:
+        reach = step * (high - low)
+        share = np.clip(share, low + reach, high - reach)
+        at = np.stack([share - reach, share, share + reach])
+        found, bend = _parabola(look(at), at)
+        share = np.clip(np.where(np.isfinite(found.share), found.share, middle), low, high)
+    good: Mask = (bend < 0.0) & (np.abs(found.share - at[1]) <= reach) & (found.value >= most)
+    return found, good
+
+
+def _by_halves(look: Look, share: Array, low: Array, middle: Array, high: Array, most: Array) -> tuple[Extreme, Mask]:
+    """By many places between the neighbours of the largest sample, and again: beside a kink too."""
+    for _ in range(ROUNDS):
+        at = np.concatenate(
+            [low + (middle - low) * SIDE[:-1, None, None], middle + (high - middle) * SIDE[:, None, None]]
+        )
+        found, (low, middle, high), _ = _best(look(at), at)
+    return found, np.ones(share.shape, dtype=bool)
+
+
+def _at_an_end(values: Array, shares: Array, top: Index) -> Mask:
+    """Whether the largest value along the first axis is plainly at an end: the parabola there has its top beyond it.
+
+    Also where there are no values at all, one without bound, or one alone all along.
+    """
+    inward = np.where(top == 0, 1, -1)
+    last = (shares < shares[-1]).sum(axis=0)  # what a design has too few of repeats its end
+    near = np.stack([np.clip(top + k * inward, 0, last) for k in range(3)])
+    f, x = np.take_along_axis(values, near, axis=0), np.take_along_axis(shares, near, axis=0)
+    with np.errstate(all="ignore"):
+        slopes = np.diff(f, axis=0) / np.abs(np.diff(x, axis=0))
+        at_end = slopes[0] - (slopes[1] - slopes[0]) * np.abs(x[1] - x[0]) / np.abs(x[2] - x[0])
+        plain = (slopes[0] < 0.0) & (at_end <= 0.25 * slopes[0])  # down from the end on, and not by the bend alone
+    alike = f[0] == np.fmin.reduce(values, axis=0)
+    settled: Mask = ((top == 0) | (top == last)) & plain | ~np.isfinite(f[0]) | alike
+    return settled
+
+
+def _best(values: Array, shares: Array) -> tuple[Extreme, tuple[Array, Array, Array], Index]:
+    """The largest along the first axis, by the parabola through it and its neighbours; where those three are, and it.
+
+    Beside a kink there is no parabola: where the second difference on either side is another one, the value itself
+    counts.
+    """
+    top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
+    last = len(values) - 1
+    near = np.clip(top + np.arange(-2, 3)[:, None, None], 0, last)
+    x, f = np.take_along_axis(shares, near, axis=0), np.take_along_axis(values, near, axis=0)
+    with np.errstate(all="ignore"):
+        slopes = np.diff(f, axis=0) / np.diff(x, axis=0)
+        bends = np.diff(slopes, axis=0) / (x[2:] - x[:-2])
+        found, bend = _parabola(f[1:4], x[1:4])
+        smooth = np.isfinite(found.share) & (bend < 0.0) & (x[1] <= found.share) & (found.share <= x[3])
+        for beside in (bends[0], bends[2]):
+            smooth &= ~np.isfinite(beside) | (np.abs(beside - bend) <= 0.5 * np.abs(bend))
+    value, share = np.where(smooth, found.value, f[2]), np.where(smooth, found.share, x[2])
+    return Extreme(value, share), (x[1], x[2] + 0.0, x[3]), top
+
+
+def _parabola(f: Array, x: Array) -> tuple[Extreme, Array]:
+    """The top of the parabola through three places, f1 + m (x - x1) + bend (x - x1)², and its bend."""
+    with np.errstate(all="ignore"):
+        slopes = np.diff(f, axis=0) / np.diff(x, axis=0)
+        bend = (slopes[1] - slopes[0]) / (x[2] - x[0])
+        shift = -0.5 * (slopes[0] + bend * (x[1] - x[0])) / bend
+        return Extreme(np.fmax(f[1] - bend * shift**2, f[1]), x[1] + shift), bend

@@ -1,0 +1,106 @@
+"""Reading a spec's text: from a file, with the line of every key."""
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from chutecalc.errors import Fault, SpecError
+from chutecalc.fields.faults import Place
+
+BASELINE_SUFFIX = ".baseline.toml"
+"""Of the file beside a spec that holds what once came out of it, instead of the spec's own ``.toml``."""
+
+_HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
+_KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
+
+
+def read_text(path: Path) -> str:
+    """The text of a spec file.
+
+    Raises:
+        SpecError: there is no such file, it cannot be read, or it is not UTF-8.
+    """
+    try:
+        return decode(path.read_bytes(), str(path))
+    except FileNotFoundError:
+        raise SpecError(
+            [Fault("", "there is no such file", "check the name, or write one with chutecalc new")], str(path)
+        ) from None
+    except IsADirectoryError:
+        raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
+    except OSError as error:
+        raise SpecError([Fault("", f"cannot be read: {error.strerror}", "check the path")], str(path)) from None
+
+
+def decode(data: bytes, source: str) -> str:
+    """The text of a spec's bytes, whatever the locale says.
+
+    Raises:
+        SpecError: it is not UTF-8.
+    """
+    try:
+        return data.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        problem = f"is not UTF-8 (byte {error.start})"
+        raise SpecError([Fault("", problem, "save it as UTF-8")], source) from None
+
+
+def parse_text(text: str, source: str) -> dict[str, Any]:
+    """A spec's text as nested tables.
+
+    Raises:
+        SpecError: it is no TOML; with the line.
+    """
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        message = str(error)
+        found = re.search(r"\(at line (\d+), column (\d+)\)", message)
+        problem = "is not TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
+        if found:
+            fault = Fault("", f"{problem}, column {found[2]}", "see https://toml.io", line=int(found[1]))
+        else:
+            fault = Fault("", problem, "see https://toml.io")
+        raise SpecError([fault], source) from None
+    except RecursionError:
+        raise SpecError([Fault("", "is nested too deeply", "a spec has three levels")], source) from None
+    except ValueError as error:  # what tomllib lets through: an integer of thousands of digits
+        raise SpecError([Fault("", f"is not TOML: {error}", "see https://toml.io")], source) from None
+
+
+def key_lines(text: str) -> dict[Place, int]:
+    """The line of each table and key, as well as a pass over the text can tell; inside a value it is its key's."""
+    lines: dict[Place, int] = {}
+    counts: dict[Place, int] = {}
+    table: Place = ()
+    quote = ""
+    for number, line in enumerate(text.split("\n"), 1):
+        if quote:
+            quote = "" if quote in line else quote
+            continue
+        if header := re.match(_HEADER, line):
+            table = _numbered(_keys(header[2]), counts, is_list=header[1] == "[[")
+            lines.setdefault(table, number)
+        elif key := re.match(_KEY, line):
+            lines.setdefault(table + _keys(key[1]), number)
+            quote = next((mark for mark in ('"""', "'''") if key[2].count(mark) == 1), "")
+    return lines
+
+
+def _keys(dotted: str) -> Place:
+    """The parts of a dotted key."""
+    parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
+    return tuple(part.strip("\"'") for part in parts)
+
+
+def _numbered(keys: Place, counts: dict[Place, int], is_list: bool) -> Place:
+    """A table's place with the number of each list item on its way, counted from 0."""
+    place: Place = ()
+    for depth, key in enumerate(keys, 1):
+        place = (*place, key)
+        if is_list and depth == len(keys):
+            counts[place] = counts.get(place, -1) + 1
+        if place in counts:
+            place = (*place, counts[place])
+    return place

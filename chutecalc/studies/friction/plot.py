@@ -1,0 +1,76 @@
+"""The picture of the friction study: the sections, and the equivalent friction over the chamfer angle."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, looks, styled
+from chutecalc.results.columns import COLUMNS, FRICTION_COLUMNS
+from chutecalc.studies.friction.report import KEPT_TEXT, given_text
+from chutecalc.studies.friction.study import FrictionStudy
+
+FILL = "0.8"
+STAR: dict[str, Any] = {"marker": "*", "markersize": 11, "color": "white", "markeredgecolor": INK, "linestyle": ""}
+OUTLINES = 5
+"""Sections that are drawn, of all that there are."""
+
+
+def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
+    """Draws a friction study, as Figures 4 and 5 (or 6 and 7, or 8 and 9) of the paper are.
+
+    Args:
+        study: to draw.
+        units: ``metric`` or ``us``, of the sections.
+
+    Returns:
+        The figure: axes ``sections`` to scale, and ``friction`` with a line for each material.
+    """
+    with styled():
+        figure = Figure(figsize=(10.0, 5.0))
+        axes = figure.subplot_mosaic([["sections", "friction"]], width_ratios=[1.0, 1.7])
+        figure.suptitle(f"Equivalent friction over the chamfer angle, {KEPT_TEXT[study.keep]}", x=0.01, ha="left")
+        _draw_sections(axes["sections"], study, units)
+        _draw_friction(axes["friction"], study, units)
+        figure.supxlabel(given_text(study, units), x=0.01, ha="left", fontsize=SMALL)
+        return figure
+
+
+def _draw_sections(axes: Axes, study: FrictionStudy, units: str) -> None:
+    """The stream across the chute at some of the angles, one below the other."""
+    rows = study.line(float(study.internal_friction_deg[0]))
+    drawn = np.flatnonzero(rows["chamfer_deg"] > 0.0)
+    chosen = drawn[np.unique(np.linspace(0, len(drawn) - 1, OUTLINES).round().astype(int))] if drawn.size else drawn
+    length = COLUMNS["depth_m"]
+    half, depth = (length.converted(rows[name][chosen], units) for name in ("base_m", "depth_m"))
+    half = 0.5 * half
+    flank = length.converted(rows["chamfer_wetted_m"][chosen] * np.cos(np.radians(rows["chamfer_deg"][chosen])), units)
+    pitch = max(2.0 * depth.max(initial=0.0), 0.44 * (half + flank).max(initial=0.0))
+    for k, row in enumerate(chosen):
+        x = np.array([-half[k] - flank[k], -half[k], half[k], half[k] + flank[k]])
+        z = np.array([depth[k], 0.0, 0.0, depth[k]]) - k * pitch
+        axes.fill(x, z, color=FILL, linewidth=0.0, gid="stream")
+        axes.plot(x, z, color=INK, gid="section")
+        axes.text(0.0, depth[k] - k * pitch, f"β = {rows['chamfer_deg'][row]:g}°\n", ha="center", fontsize=SMALL)
+    if chosen.size:
+        axes.update_datalim([(0.0, depth[0] + 0.5 * pitch)])
+    axes.set_xlabel(f"across the chute, {length.unit_text(units)}")
+    axes.set_title("sections of the stream, to scale")
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_yticks([])
+    axes.spines["left"].set_visible(False)
+
+
+def _draw_friction(axes: Axes, study: FrictionStudy, units: str) -> None:
+    """A line for each material, with the best angle inside the range."""
+    names = [f"δ = {delta:g}°" for delta in study.internal_friction_deg]
+    for delta, name, look in zip(study.internal_friction_deg, names, looks([(name,) for name in names]), strict=True):
+        rows = study.line(float(delta))
+        axes.plot(rows["chamfer_deg"], rows["equivalent_friction"], **look, label=name, gid="friction")
+    best = [(each.inside_deg, each.inside_friction) for each in study.best() if np.isfinite(each.inside_deg)]
+    if best:
+        axes.plot(*np.transpose(best), **STAR, label="best β inside the range", gid="best")
+    axes.axhline(np.tan(np.radians(study.wall_friction_deg)), color=PALE, linewidth=1.0, label="tan φ", gid="wall")
+    label_axes(axes, FRICTION_COLUMNS["chamfer_deg"], FRICTION_COLUMNS["equivalent_friction"], units)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

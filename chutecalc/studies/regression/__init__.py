@@ -1,0 +1,1 @@
+"""Standard designs held to what once came out of them."""

@@ -1,0 +1,141 @@
+"""Verdicts on standard designs: for people, as JSON, and as JUnit's XML."""
+
+import json
+import math
+from collections import Counter
+from collections.abc import Sequence
+from typing import IO, Any
+from xml.etree import ElementTree
+
+from chutecalc import __version__
+from chutecalc.output.grid import GAP, Grid
+from chutecalc.output.json import FORMAT
+from chutecalc.output.table import Printer
+from chutecalc.results.columns import COLUMNS
+from chutecalc.studies.regression.regression import NO_BASELINE, OK, Drift, Verdict, worst
+
+
+def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Sequence[str]) -> None:
+    """What is not as it was, with a table for each design; what was written; how many there are of each outcome."""
+    for verdict in verdicts:
+        if verdict.outcome != OK and not (verdict.outcome == NO_BASELINE and verdict.document):
+            _print_failing(printer, verdict)
+    notes = Counter(note for verdict in verdicts if verdict.outcome == OK for note in verdict.notes)
+    for note, count in notes.items():
+        printer.text(f"{note}: {_designs(count)} as before")
+    for path in written:
+        printer.text(f"wrote {path}")
+    counts = Counter("written" if verdict.document else _words(verdict.outcome) for verdict in verdicts)
+    said = [f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != OK, word == "written", word))]
+    printer.text(f"{_designs(len(verdicts))}: {', '.join(said)}")
+
+
+def _print_failing(printer: Printer, verdict: Verdict) -> None:
+    """One design that is not as it was."""
+    heading = f"{verdict.spec}: {_words(verdict.outcome)}"
+    lines = [*(change.message for change in verdict.changes), *verdict.notes]
+    if len(lines) == 1 and not verdict.drifts:
+        printer.text(heading, f": {lines[0]}", "bold red")
+        return
+    printer.text(heading, f" (tolerance {verdict.tolerance:g})" if verdict.drifts else "", "bold red")
+    for line in lines:
+        printer.text(f"  {line}")
+    if verdict.drifts:
+        printer.table(_drifts(verdict))
+
+
+def _drifts(verdict: Verdict) -> Grid:
+    """A row a column: from where on along the chute it is off, and where it is most."""
+    table = Grid(indent=GAP)
+    for heading in ("column", "off from", "s\nm", "most at", "s\nm", "was", "is", "off by"):
+        table.column(heading, to_left=heading in ("column", "off from", "most at"))
+    for first, most in worst(verdict.drifts):
+        table.row([most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}"])
+    return table
+
+
+def _where(drift: Drift) -> tuple[str, str]:
+    """The segment, with the row where it is no station, and s."""
+    row = "" if drift.place.row.startswith("station") else drift.place.row
+    s = "" if drift.s_m is None else COLUMNS["s_m"].shown(drift.s_m, "metric")
+    return f"{drift.place.segment} {row}".rstrip(), s
+
+
+def _values(drift: Drift) -> tuple[str, str]:
+    """Both values, with the digits that show the difference."""
+    digits = min(max(2 - math.floor(math.log10(drift.off)), 4), 16)
+    was, now = ("none" if value is None else f"{value:.{digits}g}" for value in (drift.was, drift.now))
+    return was, now
+
+
+def _words(outcome: str) -> str:
+    return outcome.replace("_", " ")
+
+
+def _designs(count: int) -> str:
+    return f"{count} design{'s' if count != 1 else ''}"
+
+
+def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
+    """All verdicts as JSON's own types, with each number that drifted."""
+    return {
+        "chutecalc": __version__,
+        "format": FORMAT,
+        "rtol": rtol,
+        "designs": [
+            {
+                "spec": verdict.spec,
+                "outcome": verdict.outcome,
+                "tolerance": verdict.tolerance,
+                "notes": list(verdict.notes),
+                "changes": [change._asdict() for change in verdict.changes],
+                "drifts": [_drift(drift) for drift in verdict.drifts],
+            }
+            for verdict in verdicts
+        ],
+    }
+
+
+def _drift(drift: Drift) -> dict[str, Any]:
+    """A drift as an object."""
+    return drift.place._asdict() | {
+        "column": drift.column,
+        "s_m": drift.s_m,
+        "was": drift.was,
+        "is": drift.now,
+        "off_by": drift.off,
+    }
+
+
+def write_check(stream: IO[str], document: dict[str, Any]) -> None:
+    """Writes what :func:`check_document` gives."""
+    json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
+    stream.write("\n")
+
+
+def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
+    """Writes the verdicts as CI systems read tests: a case a design, a failure with what is not as it was."""
+    fails = sum(verdict.outcome != OK for verdict in verdicts)
+    total = {"tests": str(len(verdicts)), "failures": str(fails), "errors": "0", "skipped": "0"}
+    total["time"] = f"{sum(verdict.seconds for verdict in verdicts):.3f}"
+    root = ElementTree.Element("testsuites", total)
+    suite = ElementTree.SubElement(root, "testsuite", {"name": "chutecalc check"} | total)
+    for verdict in verdicts:
+        case = {"classname": "chutecalc.check", "name": verdict.spec, "file": verdict.spec}
+        element = ElementTree.SubElement(suite, "testcase", case | {"time": f"{verdict.seconds:.3f}"})
+        if verdict.outcome != OK:
+            lines = [*(change.message for change in verdict.changes), *verdict.notes]
+            lines += [_line(*pair) for pair in worst(verdict.drifts)]
+            said = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
+            ElementTree.SubElement(element, "failure", said).text = "\n".join(lines)
+    ElementTree.indent(root)
+    stream.write('<?xml version="1.0" encoding="utf-8"?>\n')
+    stream.write(ElementTree.tostring(root, encoding="unicode"))
+    stream.write("\n")
+
+
+def _line(first: Drift, most: Drift) -> str:
+    """What a column is off by, in a line."""
+    begin, end = (f"{where}, s = {s} m" if s else where for where, s in (_where(first), _where(most)))
+    was, now = _values(most)
+    return f"{most.column}: off from {begin} on; most at {end}: {now}, was {was} (off by {most.off:.1e})"
