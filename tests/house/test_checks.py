@@ -152,7 +152,9 @@ def test_readmes_test_command_is_found():
     assert (status, message) == (0, "")
     assert command.count("\n") == 1
     assert command.endswith("pytest -n auto\n")
-    assert "$(python3 .ci/test_command.py README.md)" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    sessions = (ROOT / "noxfile.py").read_text(encoding="utf-8")
+    assert '"python3", ".ci/test_command.py", "README.md"' in sessions
+    assert re.search(r"/bin/nox\"", (ROOT / ".ci" / "run").read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize(("copies", "found"), [(0, "there is none"), (2, "there are 2")])
