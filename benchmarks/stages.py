@@ -2,8 +2,8 @@
 
     python benchmarks/stages.py [--quick] [--out FOLDER]
 
-Microseconds within one process, medians, on the worked example of the paper and on a hood and spoon. What comes after
-`solve` is not done unless it is asked for.
+Medians in microseconds within one process, for the worked example of the paper and for a hood and spoon. What comes
+after `solve` is only done if it is asked for.
 """
 
 import io
@@ -25,7 +25,7 @@ Tasks = dict[str, Callable[[], Any]]
 
 
 def stages(file: Path) -> Tasks:
-    """What happens between a spec and what is shown."""
+    """The steps between a spec and its report."""
     text = file.read_text(encoding="utf-8")
     data = parse_text(text, "spec")
     chute = chutecalc.parse(text)
@@ -46,12 +46,12 @@ def stages(file: Path) -> Tasks:
 
 
 def again(solution: chutecalc.Solution) -> chutecalc.Solution:
-    """The same solution, that has not worked out anything yet."""
+    """The same solution, with nothing worked out yet."""
     return chutecalc.Solution(solution.design, solution.legs, solution.ends, solution.rtol, solution.count)
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("stages", __doc__)
     rows = []
     for file in (SPECS / "paper" / "r3_d55_chamfered.toml", SPECS / "coal_hood_spoon.toml"):
