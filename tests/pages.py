@@ -14,7 +14,6 @@ import os
 import re
 import shlex
 import shutil
-import sys
 import tempfile
 import tomllib
 from collections.abc import Iterator
@@ -108,7 +107,6 @@ def renewed(page: Path) -> str:
 
 
 if __name__ == "__main__":
-    sys.stdin.close()
     for page in PAGES:
         page.write_text(renewed(page), encoding="utf-8")
         for block in blocks(page, "toml"):

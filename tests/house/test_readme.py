@@ -12,6 +12,7 @@ import pytest
 import chutecalc
 import chutecalc.errors
 from chutecalc.results.findings import failures, warnings
+from tests.house.test_imports import LEVEL
 from tests.pages import PAGES, ROOT, blocks, console, program, spec, workplace
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -144,6 +145,14 @@ def test_every_exit_status_is_described():
     table = page[page.index("| status | meaning |") :].split("\n\n")[0]
     statuses = [int(number) for number in re.findall(r"^\| (\d+) \|", table, re.MULTILINE)]
     assert statuses == [int(status) for status in chutecalc.errors.ExitStatus]
+
+
+def test_architecture_lists_every_room():
+    rooms = re.findall(
+        r"^\| \d+ \| `([a-z]+)(?:/|\.py)` \|", (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"), re.M
+    )
+    assert len(rooms) == len(set(rooms))
+    assert set(rooms) >= LEVEL.keys()
 
 
 def test_readme_is_short():
