@@ -55,7 +55,7 @@ def singles(chain: chutecalc.Chute, rate: np.ndarray) -> list[chutecalc.Chute]:
 
 
 def ends(chute: chutecalc.Chute) -> Any:
-    """Exits of a batch on one core."""
+    """The exits of a batch on one core."""
     return run_chain(chute.design, 1e-10, complete=False)
 
 

@@ -46,7 +46,7 @@ def stages(file: Path) -> Tasks:
 
 
 def again(solution: chutecalc.Solution) -> chutecalc.Solution:
-    """The same solution, with nothing worked out yet."""
+    """The same solution, that has not worked out anything yet."""
     return chutecalc.Solution(solution.design, solution.legs, solution.ends, solution.rtol, solution.count)
 
 
