@@ -31,17 +31,17 @@ class Bed:
     Args:
         case: how it was made.
         forces: of each wall of the trough on the bed, x and z, N, shape (walls, 2).
-        motion: kinetic energy, J, over the number of particles.
-        places: centres of the particles, m, shape (particles, 3).
+        kinetic_energy: kinetic energy, J, over the number of particles.
+        positions: centres of the particles, m, shape (particles, 3).
     """
 
-    def __init__(self, case: Case, forces: Array, motion: float, places: Array) -> None:
-        self.case, self.forces, self.motion, self.places = case, forces, motion, places
+    def __init__(self, case: Case, forces: Array, kinetic_energy: float, positions: Array) -> None:
+        self.case, self.forces, self.kinetic_energy, self.positions = case, forces, kinetic_energy, positions
 
     @property
     def weight(self) -> float:
         """N."""
-        return self.case.count * self.case.mass * self.case.pull
+        return self.case.count * self.case.mass * self.case.acceleration
 
     @cached_property
     def _filling(self) -> tuple[float, float]:
@@ -50,7 +50,7 @@ class Bed:
         Solids below a height against the section's area below it lie on a line between the layers that the floor orders
         and the loose surface.
         """
-        heights = np.sort(self.places[:, 2])
+        heights = np.sort(self.positions[:, 2])
         top = heights[int(0.99 * len(heights)) - 1]
         inner = (heights > 0.25 * top) & (heights < 0.75 * top)
         below = (np.arange(len(heights)) + 0.5) * self.case.particle_volume / self.case.slice
@@ -80,11 +80,11 @@ class Bed:
         half = 0.5 * float(self.case.trough.wetting(self.area).width[0])
         edges = np.linspace(-half, half, max(round(2.0 * half / d), 4) + 1)
         rows = max(int(self.case.slice / d), 1)
-        column = np.digitize(self.places[:, 0], edges) - 1
-        row = (self.places[:, 1] / self.case.slice * rows).astype(int) % rows
+        column = np.digitize(self.positions[:, 0], edges) - 1
+        row = (self.positions[:, 1] / self.case.slice * rows).astype(int) % rows
         inside = (column >= 0) & (column < len(edges) - 1)
         highest = np.full((len(edges) - 1, rows), -np.inf)
-        np.maximum.at(highest, (column[inside], row[inside]), self.places[inside, 2] + 0.5 * d)
+        np.maximum.at(highest, (column[inside], row[inside]), self.positions[inside, 2] + 0.5 * d)
         full = np.isfinite(highest)
         means = np.where(full, highest, 0.0).sum(axis=1) / np.maximum(full.sum(axis=1), 1)
         return 0.5 * (edges[1:] + edges[:-1]), np.where(full.any(axis=1), means, np.nan)
@@ -138,7 +138,7 @@ class Bed:
         return (
             Check("balance", float(up / self.weight - 1.0), BALANCE),
             Check("sides", float(across / push), SIDES),
-            Check("rest", self.motion / (self.case.mass * self.case.pull * self.case.diameter), REST),
+            Check("rest", self.kinetic_energy / (self.case.mass * self.case.acceleration * self.case.diameter), REST),
             Check("level", self.unevenness, LEVEL),
         )
 

@@ -12,12 +12,12 @@ from chutecalc.dem.pour import steps
 from chutecalc.dem.store import Store
 from chutecalc.errors import UsageError
 
-AIM = 0.5 * LEVEL
+LEVEL_ENOUGH = 0.5 * LEVEL
 """Unevenness of the first seed's bed with which its pour is taken for the others."""
 ROUNDS = 4
-WIDEST = 0.9
+LARGEST_SPREAD = 0.9
 """Of the spread e, which lies between -1 and 1."""
-PACE = 2.5e6
+PARTICLE_STEPS_PER_SECOND = 2.5e6
 """Particles times steps that a core does in a second, about."""
 
 
@@ -75,7 +75,7 @@ class Campaign:
         """The first seed with one spread after the other until its bed is level; ``tried`` grows between the steps."""
         yield case
         for _ in range(ROUNDS - 1):
-            if abs(tried[-1].unevenness) <= AIM:
+            if abs(tried[-1].unevenness) <= LEVEL_ENOUGH:
                 return
             yield replace(case, spread=_next_spread([(bed.case.spread, bed.unevenness) for bed in tried]))
 
@@ -95,23 +95,24 @@ class Campaign:
             self.store.write(case)
         return needed
 
-    def run(self, engine: Engine, jobs: int, told: Callable[[int, int], None]) -> None:
+    def run(self, engine: Engine, jobs: int, report_progress: Callable[[int, int], None]) -> None:
         """Runs all that is needed, so many cases at once.
 
         Args:
             engine: what runs them.
             jobs: how many at once.
-            told: called with how many cases are done and how many are known to be needed, at the start and after each.
+            report_progress: called with the number of cases that are done and the number known to be needed, at the
+                start and after each case.
         """
         with ThreadPoolExecutor(jobs) as pool:
             try:
-                self._run_all(pool, engine, told)
+                self._run_all(pool, engine, report_progress)
             except BaseException:  # interrupted: the pool waits for what runs
                 pool.shutdown(wait=False, cancel_futures=True)
                 engine.stop()
                 raise
 
-    def _run_all(self, pool: ThreadPoolExecutor, engine: Engine, told: Callable[[int, int], None]) -> None:
+    def _run_all(self, pool: ThreadPoolExecutor, engine: Engine, report_progress: Callable[[int, int], None]) -> None:
         started: set[str] = set()
         running: dict[Future[None], Case] = {}
         while True:
@@ -120,7 +121,7 @@ class Campaign:
                 if case.name not in started:
                     started.add(case.name)
                     running[pool.submit(self._run_one, engine, case)] = case
-            told(len(started) - len(running), len(started) + self._waiting(outcomes))
+            report_progress(len(started) - len(running), len(started) + self._waiting(outcomes))
             if not running:
                 return
             for future in wait(running, return_when=FIRST_COMPLETED).done:
@@ -131,10 +132,10 @@ class Campaign:
                     self._errors[case.name] = f"{case.name}: {error}"
 
     def _run_one(self, engine: Engine, case: Case) -> None:
-        place = self.store.write(case)
-        engine.run(place)
+        folder = self.store.write(case)
+        engine.run(folder)
         if self.store.read(case) is None:
-            raise RunError(f"has not written all its results: is the disk full? See {place}")
+            raise RunError(f"has not written all its results: is the disk full? See {folder}")
 
     def _waiting(self, outcomes: Sequence[Outcome]) -> int:
         """Cases of groups whose pour is not yet known to be level."""
@@ -156,7 +157,8 @@ def expected_seconds(campaign: Campaign) -> tuple[int, float]:
         outcome = campaign.outcome(group)
         if outcome.needed:
             left.append((group.case, len(outcome.needed) if outcome.beds else group.seeds + 1))
-    return sum(number for _, number in left), sum(number * steps(case) * case.count / PACE for case, number in left)
+    work = sum(number * steps(case) * case.count for case, number in left)
+    return sum(number for _, number in left), work / PARTICLE_STEPS_PER_SECOND
 
 
 def _next_spread(tried: Sequence[tuple[float, float]]) -> float:
@@ -173,4 +175,4 @@ def _next_spread(tried: Sequence[tuple[float, float]]) -> float:
         before, was = tried[-2]
         gain = (uneven - was) / (spread - before) if spread != before else 1.0
     step = -uneven / max(gain, 0.25)
-    return max(-WIDEST, min(WIDEST, round(spread + step, 4)))
+    return max(-LARGEST_SPREAD, min(LARGEST_SPREAD, round(spread + step, 4)))

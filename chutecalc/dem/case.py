@@ -47,7 +47,7 @@ class Case:
     inclinations: tuple[float, ...]
     """Of the trough, as in :class:`chutecalc.dem.trough.Trough`."""
     area: float
-    """Wanted of the bed, m²; what came out is measured."""
+    """Target area of the bed, m²; what came out is measured."""
     friction: float
     """Coefficient between particles."""
     pour: str
@@ -84,7 +84,7 @@ class Case:
         return round(self.area * self.slice * filling / self.particle_volume)
 
     @property
-    def pull(self) -> float:
+    def acceleration(self) -> float:
         """Acceleration under which the bed is measured, m/s²."""
         return GRAVITY * (self.raised_to or self.body_force)
 

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from chutecalc.api.chute import Chute, solve
+from chutecalc.dem.request import Beds
 from chutecalc.dem.trough import Trough
-from chutecalc.dem.wanted import Beds
 from chutecalc.design import Contact
 from chutecalc.errors import UsageError
 from chutecalc.physics.section import Polygon

@@ -39,8 +39,8 @@ def _rising(case: Case) -> tuple[Array, Array]:
 def steps(case: Case) -> int:
     """Time steps that a case takes, about."""
     top, speed = float(_rising(case)[0][-1]), POURS[case.pour].speed
-    pull = GRAVITY * case.body_force
-    falling = top / speed if math.isfinite(speed) else math.sqrt(2.0 * top / pull)
+    acceleration = GRAVITY * case.body_force
+    falling = top / speed if math.isfinite(speed) else math.sqrt(2.0 * top / acceleration)
     return round((falling + SETTLED / math.sqrt(case.body_force)) / case.time_step)
 
 
@@ -49,7 +49,7 @@ def column(case: Case) -> Array:
 
     Each is meant for the bed that those below it will have made: it hangs somewhere over that bed's surface, with the
     density 1 + e (2 |ξ| - 1) across it. The surface rises evenly, so the bed stays level while it grows; rain on the
-    full width from the start would slide down the chamfers and overload them. A place that is taken is drawn again,
+    full width from the start would slide down the chamfers and overload them. A position that is taken is drawn again,
     which evens the density a little.
 
     Args:
@@ -65,23 +65,23 @@ def column(case: Case) -> Array:
     heights, width = _rising(case)
     reach = np.maximum(0.5 * (width - d), 0.5 * d)
     random = np.random.default_rng(case.seed)
-    places = np.empty((case.count, 3))
+    positions = np.empty((case.count, 3))
     lowest = 0
     for number, height in enumerate(heights):
-        while lowest < number and height - places[lowest, 2] >= d:
+        while lowest < number and height - positions[lowest, 2] >= d:
             lowest += 1
-        places[number] = _free_place(random, case, float(reach[number]), float(height), places[lowest:number])
-    return places
+        positions[number] = _free_position(random, case, float(reach[number]), float(height), positions[lowest:number])
+    return positions
 
 
-def _free_place(random: np.random.Generator, case: Case, reach: float, height: float, near: Array) -> Array:
-    """A place at a height that is clear of the particles near it."""
+def _free_position(random: np.random.Generator, case: Case, reach: float, height: float, near: Array) -> Array:
+    """A position at a height that is clear of the particles near it."""
     for _ in range(TRIES):
-        place = np.array([reach * _across(random, case.spread), random.uniform(0.0, case.slice), height])
-        apart = np.abs(near - place)
+        position = np.array([reach * _across(random, case.spread), random.uniform(0.0, case.slice), height])
+        apart = np.abs(near - position)
         apart[:, 1] = np.minimum(apart[:, 1], case.slice - apart[:, 1])  # periodic along the chute
         if (np.square(apart).sum(axis=1) >= case.diameter**2).all():
-            return place
+            return position
     raise UsageError(f"the particles of {1000 * case.diameter:g} mm find no room: give a longer --slice")
 
 

@@ -17,19 +17,19 @@ RAISING = 0.1
 """Time over which the body force is raised, s."""
 
 
-def particles_text(case: Case, places: Array) -> str:
+def particles_text(case: Case, positions: Array) -> str:
     """The particles as LAMMPS reads them.
 
     Args:
         case: for their size, and how much room they get.
-        places: centres from :func:`chutecalc.dem.pour.column`.
+        positions: centres from :func:`chutecalc.dem.pour.column`.
     """
     d = case.diameter
     far = 0.5 * float(case.trough.wetting(2.0 * case.area).width[0]) + 2.0 * d
-    rows = "\n".join(f"{n} 1 {d:g} {DENSITY:g} {x:.9g} {y:.9g} {z:.9g}" for n, (x, y, z) in enumerate(places, 1))
+    rows = "\n".join(f"{n} 1 {d:g} {DENSITY:g} {x:.9g} {y:.9g} {z:.9g}" for n, (x, y, z) in enumerate(positions, 1))
     return (
-        f"particles before the pour, SI\n\n{len(places)} atoms\n1 atom types\n"
-        f"{-far:.9g} {far:.9g} xlo xhi\n0 {case.slice:.9g} ylo yhi\n{-d:.9g} {places[-1, 2] + 5 * d:.9g} zlo zhi\n\n"
+        f"particles before the pour, SI\n\n{len(positions)} atoms\n1 atom types\n"
+        f"{-far:.9g} {far:.9g} xlo xhi\n0 {case.slice:.9g} ylo yhi\n{-d:.9g} {positions[-1, 2] + 5 * d:.9g} zlo zhi\n\n"
         f"Atoms # sphere\n\n{rows}\n"
     )
 
@@ -52,7 +52,7 @@ def script_text(case: Case, top: float) -> str:
         f"compute up{n} all reduce sum f_wall{n}[4]"
         for n, wall in enumerate(case.trough.walls)
     ]
-    sums = [f"c_{way}{n}" for n in range(len(planes)) for way in ("across", "up")]
+    sums = [f"c_{axis}{n}" for n in range(len(planes)) for axis in ("across", "up")]
     speed = POURS[case.pour].speed
     poured = GRAVITY * case.body_force
     falling = math.isfinite(speed)
@@ -88,26 +88,27 @@ def script_text(case: Case, top: float) -> str:
     if case.raised_to:
         lines += [
             "# raise the body force",
-            f"variable pull equal ramp({poured:.9g},{case.pull:.9g})",
+            f"variable pull equal ramp({poured:.9g},{case.acceleration:.9g})",
             "fix weight all gravity v_pull vector 0 0 -1",
             f"run {math.ceil(RAISING / step)}",
-            f"fix weight all gravity {case.pull:.9g} vector 0 0 -1",
-            *_rest(case, case.pull),
+            f"fix weight all gravity {case.acceleration:.9g} vector 0 0 -1",
+            *_rest(case, case.acceleration),
         ]
-    said = " ".join(f"$({name}:%.15g)" for name in ("v_motion", *sums))
+    printed = " ".join(f"$({name}:%.15g)" for name in ("v_motion", *sums))
     lines += [
         "run 0",
         f"write_dump all custom {BED} id x y z modify sort id format float %.9g",
-        f'print "{said}" file {WALLS}',
+        f'print "{printed}" file {WALLS}',
     ]
     return "\n".join(line for line in lines if line) + "\n"
 
 
-def _rest(case: Case, pull: float) -> list[str]:
+def _rest(case: Case, acceleration: float) -> list[str]:
     """Calm the bed by drag until it rests, or until its time is over."""
+    resting = RESTING * case.mass * acceleration * case.diameter
     return [
-        f"fix drag all viscous {case.mass * pull / CALMING:.9g}",
-        f"fix rest all halt 100 v_motion < {RESTING * case.mass * pull * case.diameter:.9g} error continue message no",
-        f"run {math.ceil(SETTLING * math.sqrt(GRAVITY / pull) / case.time_step)}",
+        f"fix drag all viscous {case.mass * acceleration / CALMING:.9g}",
+        f"fix rest all halt 100 v_motion < {resting:.9g} error continue message no",
+        f"run {math.ceil(SETTLING * math.sqrt(GRAVITY / acceleration) / case.time_step)}",
         "unfix rest",
     ]

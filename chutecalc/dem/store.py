@@ -26,30 +26,30 @@ class Store:
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
 
-    def place(self, case: Case) -> Path:
+    def case_folder(self, case: Case) -> Path:
         """The folder of a case."""
         return self.folder / case.name
 
     def write(self, case: Case) -> Path:
         """Writes what LAMMPS needs, unless it stands there already: the script last, so that it is all there then."""
-        place = self.place(case)
-        if not (place / script.SCRIPT).is_file():
-            places = column(case)
-            place.mkdir(parents=True, exist_ok=True)
+        folder = self.case_folder(case)
+        if not (folder / script.SCRIPT).is_file():
+            positions = column(case)
+            folder.mkdir(parents=True, exist_ok=True)
             known = asdict(case) | {"lengths": [None if length == math.inf else length for length in case.lengths]}
-            (place / "case.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-            (place / script.PARTICLES).write_text(script.particles_text(case, places), encoding="utf-8")
-            part = place / f"{script.SCRIPT}.part"
-            part.write_text(script.script_text(case, float(places[-1, 2])), encoding="utf-8")
-            part.replace(place / script.SCRIPT)
-        return place
+            (folder / "case.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+            (folder / script.PARTICLES).write_text(script.particles_text(case, positions), encoding="utf-8")
+            part = folder / f"{script.SCRIPT}.part"
+            part.write_text(script.script_text(case, float(positions[-1, 2])), encoding="utf-8")
+            part.replace(folder / script.SCRIPT)
+        return folder
 
     def read(self, case: Case) -> Bed | None:
         """The bed of a case; None where it has not been run to its end."""
-        place = self.place(case)
+        folder = self.case_folder(case)
         try:
-            numbers = [float(word) for word in (place / script.WALLS).read_text(encoding="utf-8").split()]
-            rows = np.loadtxt(place / script.BED, skiprows=DUMP_HEADER, ndmin=2)
+            numbers = [float(word) for word in (folder / script.WALLS).read_text(encoding="utf-8").split()]
+            rows = np.loadtxt(folder / script.BED, skiprows=DUMP_HEADER, ndmin=2)
         except (OSError, ValueError):
             return None
         walls = len(case.trough.walls)

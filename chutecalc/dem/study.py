@@ -44,7 +44,7 @@ class Point:
     """One group's beds: those that pass all checks count, the others are only shown.
 
     Args:
-        group: what was wanted.
+        group: the cases asked for.
         beds: of all seeds that were run.
         errors: of runs that did not end well.
         waiting: how many cases have not been run.
@@ -56,7 +56,7 @@ class Point:
         self.beds = tuple(bed for bed in beds if not bed.failed)
         self.failed = tuple(bed for bed in beds if bed.failed)
 
-    def beds_of(self, seed: int) -> list[Bed]:
+    def beds_of_seed(self, seed: int) -> list[Bed]:
         """The bed of a seed, where it passes all checks."""
         return [bed for bed in self.beds if bed.case.seed == seed]
 
@@ -141,7 +141,7 @@ def fit(points: Sequence[Point], law: str) -> Fit:
     best, off = _fitted(list(means.values()), law)
     alone = []
     for seed in {bed.case.seed for point in points for bed in point.beds}:
-        own = {point: (point.trough, bed.area, bed.ratio) for point in points for bed in point.beds_of(seed)}
+        own = {point: (point.trough, bed.area, bed.ratio) for point in points for bed in point.beds_of_seed(seed)}
         alone.append(_fitted(list((means | own).values()), law)[0])
     return Fit(best, measured(alone).scatter, off)
 
@@ -150,12 +150,12 @@ def _fitted(beds: Sequence[tuple[Trough, float, float]], law: str) -> tuple[floa
     """δ and what is left, for troughs with the area and the N_t/N of their beds."""
     from scipy.optimize import minimize_scalar
 
-    wanted = np.array([ratio for _, _, ratio in beds])
+    measured_ratios = np.array([ratio for _, _, ratio in beds])
 
     def off(internal_friction: float) -> Array:
         vertical_ratio = float(vertical_pressure_ratio(internal_friction))
         by_law: Array = np.array([trough.load(area, vertical_ratio, law).ratio for trough, area, _ in beds])
-        by_law -= wanted
+        by_law -= measured_ratios
         return by_law
 
     if np.abs(off(0.0) - off(math.pi / 2 - 1e-6)).max() < INSENSITIVE:

@@ -50,7 +50,7 @@ class Load(NamedTuple):
     """Normal load on one wall of each name."""
     ratio: float
     """N_t/N, all normal loads together: 1 + χ."""
-    missing: float
+    missing_load: float
     """m, the share that hydrostatic pressures leave uncarried."""
 
 
@@ -137,12 +137,12 @@ class Trough:
             The loads. In a vee there is no floor, and those of the paper's law do not add up to the weight.
         """
         wet = self.wetting(area, vertical_ratio, law == "equilibrium")
-        depth, missing = float(wet.depth[0]), float(wet.missing[0])
-        scale = 1.0 / (1.0 - missing) if law == "equilibrium" else 1.0
+        depth, missing_load = float(wet.depth[0]), float(wet.missing_load[0])
+        scale = 1.0 / (1.0 - missing_load) if law == "equilibrium" else 1.0
         walls = {
             wall.name: scale * float(pressure_ratio(wall.inclination, vertical_ratio)) * wall.thrust(depth) / area
             for wall in self.walls
         }
         if law == "paper" and "floor" in walls:
-            walls["floor"] += missing
-        return Load(walls, 1.0 + float(wet.excess[0]), missing)
+            walls["floor"] += missing_load
+        return Load(walls, 1.0 + float(wet.excess[0]), missing_load)

@@ -53,9 +53,9 @@ def discharge(velocity: Array, incline: Array, belt_radius: Array, radius: Array
 class Loading(NamedTuple):
     """What a stream does to the belt that it falls on, shape (n,)."""
 
-    along: Array
+    velocity_along: Array
     """V_ex, velocity along the belt, m/s."""
-    across: Array
+    velocity_across: Array
     """V_ey, velocity normal to it, m/s."""
     velocity_ratio: Array
     """V_ex/V_b."""
@@ -66,9 +66,9 @@ class Loading(NamedTuple):
     acceleration_length: Array
     """m along the belt from where the stream falls on it to where it has the belt's velocity; negative where it runs
     back first and gets no further, infinite where it never has."""
-    landed: Array
+    velocity_after_impact: Array
     """Velocity along the belt that friction on the impact leaves, m/s."""
-    landed_length: Array
+    length_after_impact: Array
     """The acceleration length from that on."""
     acceleration_power: Array
     """ṁ V_b (V_b - V_ex), W."""
@@ -104,19 +104,20 @@ def loading(
     """
     along, across = velocity * np.cos(slope - belt_slope), np.abs(velocity * np.sin(slope - belt_slope))
     pressure = density * across**2
-    lack = belt_velocity - along
-    landed = belt_velocity - np.sign(lack) * np.maximum(np.abs(lack) - friction * across, 0.0)
-    lengths = [_acceleration_length(start, belt_velocity, belt_slope, friction, gravity) for start in (along, landed)]
+    difference = belt_velocity - along
+    after_impact = belt_velocity - np.sign(difference) * np.maximum(np.abs(difference) - friction * across, 0.0)
+    starts = (along, after_impact)
+    lengths = [_acceleration_length(start, belt_velocity, belt_slope, friction, gravity) for start in starts]
     return Loading(
-        along=along,
-        across=across,
+        velocity_along=along,
+        velocity_across=across,
         velocity_ratio=along / belt_velocity,
         impact_pressure=pressure,
-        wear=friction * pressure * np.abs(lack),
+        wear=friction * pressure * np.abs(difference),
         acceleration_length=lengths[0],
-        landed=landed,
-        landed_length=lengths[1],
-        acceleration_power=mass_rate * belt_velocity * lack,
+        velocity_after_impact=after_impact,
+        length_after_impact=lengths[1],
+        acceleration_power=mass_rate * belt_velocity * difference,
     )
 
 
@@ -124,9 +125,9 @@ def _acceleration_length(
     along: Array, belt_velocity: Array, belt_slope: Array, friction: Array, gravity: Array
 ) -> Array:
     """How far material goes on a belt from a velocity along it until it has the belt's; NaN where there is none."""
-    lack = belt_velocity - along
-    push = np.where(lack >= 0.0, friction, -friction) * np.cos(belt_slope) + np.sin(belt_slope)
-    reached = lack * push > 0.0
-    length = lack * (belt_velocity + along) / np.where(reached, 2.0 * gravity * push, 1.0)
-    length = np.where(lack == 0.0, 0.0, np.where(reached, length, np.inf))
+    difference = belt_velocity - along
+    drive = np.where(difference >= 0.0, friction, -friction) * np.cos(belt_slope) + np.sin(belt_slope)
+    reached = difference * drive > 0.0
+    length = difference * (belt_velocity + along) / np.where(reached, 2.0 * gravity * drive, 1.0)
+    length = np.where(difference == 0.0, 0.0, np.where(reached, length, np.inf))
     return np.where(np.isnan(along), np.nan, length)

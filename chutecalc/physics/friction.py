@@ -20,12 +20,12 @@ def equivalent_friction(wall_friction: Values, excess: Values) -> Array:
     return real(wall_friction) * (1.0 + real(excess))
 
 
-def equilibrium_friction(wall_friction: Values, excess: Values, missing: Values) -> Array:
+def equilibrium_friction(wall_friction: Values, excess: Values, missing_load: Values) -> Array:
     """The same where all wall pressures are scaled until they carry the weight, μ_e = μ (1 + χ/(1 - m)).
 
     Args:
         wall_friction, excess: as in :func:`equivalent_friction`.
-        missing: m, the share of the weight not carried by hydrostatic wall pressures, in [0, 1).
+        missing_load: m, the share of the weight not carried by hydrostatic wall pressures, in [0, 1).
 
     Returns:
         μ_e, at least that of :func:`equivalent_friction`; equal for a rectangle, and exactly μ/cos β for a vee.
@@ -33,4 +33,4 @@ def equilibrium_friction(wall_friction: Values, excess: Values, missing: Values)
     >>> float(equilibrium_friction(0.5, 0.25, 0.5))
     0.75
     """
-    return real(wall_friction) * (1.0 + real(excess) / (1.0 - real(missing)))
+    return real(wall_friction) * (1.0 + real(excess) / (1.0 - real(missing_load)))

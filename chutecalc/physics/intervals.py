@@ -9,8 +9,8 @@ def interval_of(starts: Array, value: Array) -> Index:
     """The interval in which a value lies, 0 for the first.
 
     Args:
-        starts: where each begins, rising, shape (intervals, designs) or (intervals, places, designs).
-        value: of the shape of one row, or (places, designs).
+        starts: where each begins, rising, shape (intervals, designs) or (intervals, stations, designs).
+        value: of the shape of one row, or (stations, designs).
 
     Returns:
         Numbers of intervals, in the broadcast shape. A value where one begins counts to that one, and so no empty
@@ -38,5 +38,5 @@ def take_row(field: Array, rows: Index) -> Array:
 
 def with_axes(field: Array, dimensions: int) -> Array:
     """A table with room for as many axes as each of its rows is to have."""
-    missing = dimensions - (field.ndim - 1)
-    return field if missing <= 0 else field.reshape(len(field), *[1] * missing, *field.shape[1:])
+    lacking = dimensions - (field.ndim - 1)
+    return field if lacking <= 0 else field.reshape(len(field), *[1] * lacking, *field.shape[1:])

@@ -53,7 +53,7 @@ def pressure_shortfall(inclination: Values, vertical_ratio: Values) -> Array:
     return shortfall
 
 
-def pressure_factor(excess: Values, missing: Values, equilibrium: bool) -> Array:
+def pressure_factor(excess: Values, missing_load: Values, equilibrium: bool) -> Array:
     """By how much a friction law raises the hydrostatic pressures of all walls, f.
 
     Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
@@ -62,7 +62,7 @@ def pressure_factor(excess: Values, missing: Values, equilibrium: bool) -> Array
 
     Args:
         excess: χ of the law.
-        missing: m, the share of the weight that hydrostatic wall pressures do not carry, in [0, 1).
+        missing_load: m, the share of the weight that hydrostatic wall pressures do not carry, in [0, 1).
         equilibrium: which law.
 
     Returns:
@@ -72,7 +72,7 @@ def pressure_factor(excess: Values, missing: Values, equilibrium: bool) -> Array
     (1.5, 2.0)
     """
     total = 1.0 + real(excess)
-    return 1.0 / (1.0 - real(missing)) if equilibrium else total / (total - real(missing))
+    return 1.0 / (1.0 - real(missing_load)) if equilibrium else total / (total - real(missing_load))
 
 
 def greatest_wall_friction(internal_friction: Values) -> Array:

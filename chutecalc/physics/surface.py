@@ -26,7 +26,7 @@ class Surface(NamedTuple):
         return -self.turn / self.length
 
 
-def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
+def point(surface: Surface, share: Array) -> tuple[Array, Array, Array]:
     """x, z and slope at a share of the surface's length.
 
     The chord of an arc that turns by b over a length s is s sin(b/2)/(b/2) long and lies halfway between the end
@@ -38,9 +38,9 @@ def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
     >>> float(x[0].round(12)), float(z[0].round(12)), float(slope[0])
     (3.0, -3.0, 0.0)
     """
-    turned = surface.turn * place
+    turned = surface.turn * share
     half = 0.5 * turned
     middle = surface.slope + half
     half[half == 0.0] = 1e-20  # its sine over itself is 1 there
-    chord = surface.length * place * (np.sin(half) / half)
+    chord = surface.length * share * (np.sin(half) / half)
     return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + turned

@@ -27,11 +27,11 @@ class Wetting(NamedTuple):
     """Of the free surface, m."""
     excess: Array
     """χ = μ_e/μ - 1 of the friction law."""
-    growth: Array
+    excess_sensitivity: Array
     """A dχ/dA."""
-    missing: Array
+    missing_load: Array
     """m = 1 - (1/A) ∫ K cos ψ ζ dl, the share of the weight that hydrostatic wall pressures do not carry."""
-    factor: Array
+    pressure_factor: Array
     """f by which the friction law raises the hydrostatic pressures of all walls."""
 
 
@@ -54,7 +54,7 @@ def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: boo
     >>> vee = Polygon(np.array([0.0]), (np.array([np.inf]),), (np.radians([60.0]),), np.array([np.inf]))
     >>> for equilibrium in (False, True):  # K (1 - cos β)/cos β, and 1/cos β - 1, at any depth
     ...     found = wetting(vee, np.array([0.2]), np.array([0.1]), equilibrium)
-    ...     print(found.excess.round(14).item(), abs(found.growth.round(14).item()))
+    ...     print(found.excess.round(14).item(), abs(found.excess_sensitivity.round(14).item()))
     0.4 0.0
     1.0 0.0
     """

@@ -184,8 +184,8 @@ def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_b
     _, drifts = regression.compare(was, now)
     found = {drift.column: drift for drift in drifts}
     assert found.keys() == {"incidence_deg", "velocity_m_s", "velocity_after_m_s"}
-    assert found["velocity_m_s"].place == regression.Place("inlet", 1, "")
-    assert found["incidence_deg"].place == found["velocity_after_m_s"].place == ("plate", 1, "impact")
+    assert found["velocity_m_s"].key == regression.RowKey("inlet", 1, "")
+    assert found["incidence_deg"].key == found["velocity_after_m_s"].key == ("plate", 1, "impact")
     struck = solution.segments[1].entry["s_m"][0]
     assert found["incidence_deg"].s_m == found["velocity_after_m_s"].s_m == struck
     assert found["velocity_after_m_s"].off == 1.0  # it came to be
@@ -201,7 +201,7 @@ def test_numbers_of_a_segment_that_only_one_has_are_not_listed_and_the_receivers
     was.receiver["velocity_ratio"] += 0.1
     changes, (drift,) = regression.compare(was, now)
     assert [change.message for change in changes] == [f"segment {gone.name} is not in the baseline"]
-    assert (drift.place, drift.column) == (("receiver", 1, ""), "velocity_ratio")
+    assert (drift.key, drift.column) == (("receiver", 1, ""), "velocity_ratio")
 
 
 def test_what_is_empty_or_minus_nothing_is_not_written(folder):

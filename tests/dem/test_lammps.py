@@ -50,10 +50,10 @@ def test_statics_hold_wall_by_wall(beds):
 def test_the_bed_lies_in_its_trough(beds):
     for bed in beds:
         for wall in bed.case.trough.walls:
-            clearance = (bed.places[:, [0, 2]] - wall.foot) @ np.array(wall.normal)
+            clearance = (bed.positions[:, [0, 2]] - wall.foot) @ np.array(wall.normal)
             assert clearance.min() > 0.4 * bed.case.diameter
 
 
 def test_the_same_seed_gives_the_same_bed(beds):
     assert np.array_equal(beds[0].forces, beds[1].forces)
-    assert np.array_equal(beds[0].places, beds[1].places)
+    assert np.array_equal(beds[0].positions, beds[1].positions)

@@ -72,7 +72,7 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
     assert wet.depth[0] == pytest.approx(depth, rel=1e-12)
     assert wet.width[0] == pytest.approx(width_at(section, depth), rel=1e-12)
     assert wet.excess[0] == pytest.approx(load / drawn, rel=1e-10)
-    assert wet.missing[0] == pytest.approx(1 - hold / drawn, abs=1e-11)
+    assert wet.missing_load[0] == pytest.approx(1 - hold / drawn, abs=1e-11)
 
 
 @pytest.mark.parametrize("equilibrium", [False, True])
@@ -84,7 +84,7 @@ def test_growth_of_friction_with_area_by_central_differences(name, equilibrium):
         found = wetting(section, np.array([0.3]), np.array([area - h, area, area + h]), equilibrium)
         low, _, high = found.excess
         # rounding in the difference: 1e-16/1e-6
-        assert found.growth[1] == pytest.approx(area * (high - low) / (2 * h), rel=1e-6, abs=1e-9)
+        assert found.excess_sensitivity[1] == pytest.approx(area * (high - low) / (2 * h), rel=1e-6, abs=1e-9)
 
 
 @pytest.mark.parametrize("lack", [0.0, 0.4, 1.0])
@@ -103,8 +103,8 @@ def test_growth_of_both_loads_on_an_arc_by_differentiating_their_integrals(lack)
         missing, _ = loads(lambda psi: lack * np.sin(psi) ** 2 * np.cos(psi))
         assert found.chamfer[0] == pytest.approx(angle, rel=1e-14)
         assert found.excess[0] == pytest.approx(excess, rel=1e-12)
-        assert found.growth[0] == pytest.approx(excess_growth, rel=1e-11)
-        assert found.missing[0] == pytest.approx(missing, rel=1e-12, abs=1e-15)
+        assert found.excess_sensitivity[0] == pytest.approx(excess_growth, rel=1e-11)
+        assert found.missing_load[0] == pytest.approx(missing, rel=1e-12, abs=1e-15)
 
 
 @pytest.mark.parametrize("area", [0.001, 0.05, 0.4])
@@ -154,10 +154,10 @@ def test_both_laws_in_a_vee_and_in_a_rectangle():
     ratio = np.array([vertical_pressure_ratio(np.radians(50.0))])
     wet = wetting(polygon(0.0, (np.inf, 45.0)), ratio, np.array([0.1]))
     assert equivalent_friction(1.0, wet.excess)[0] == pytest.approx(1.235, abs=5e-4)  # Eq 11 at B = 0
-    assert equilibrium_friction(1.0, wet.excess, wet.missing)[0] == pytest.approx(1 / np.cos(np.pi / 4), rel=1e-14)
+    assert equilibrium_friction(1.0, wet.excess, wet.missing_load)[0] == pytest.approx(1 / np.cos(np.pi / 4), rel=1e-14)
 
     wet = wetting(polygon(0.5), ratio, np.array([0.1]))
-    assert wet.missing[0] == pytest.approx(0.0, abs=1e-15)
+    assert wet.missing_load[0] == pytest.approx(0.0, abs=1e-15)
     assert wet.excess[0] == pytest.approx(ratio[0] * 0.2 / 0.5, rel=1e-14)  # Eq 2
 
 

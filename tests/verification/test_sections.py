@@ -82,7 +82,7 @@ def test_a_circle_by_integration(depth):
     assert found.chamfer[0] == pytest.approx(radius * angle, rel=1e-12)
     assert found.width[0] == pytest.approx(2 * radius * np.sin(angle), rel=1e-11)
     assert found.excess[0] == pytest.approx(excess / drawn, rel=1e-10)
-    assert found.missing[0] == pytest.approx(1 - carried / drawn, abs=1e-11)
+    assert found.missing_load[0] == pytest.approx(1 - carried / drawn, abs=1e-11)
 
 
 def test_facets_are_chamfer_vee_and_rectangle():

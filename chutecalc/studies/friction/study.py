@@ -22,23 +22,23 @@ ROUNDING = 1e-14
 Columns = dict[str, Any]
 
 
-def _centre_width_kept(base: float, area: float, cotangent: Array) -> Array:
+def _constant_base(base: float, area: float, cotangent: Array) -> Array:
     return np.full(cotangent.shape, base**2)
 
 
-def _width_kept(base: float, area: float, cotangent: Array) -> Array:
+def _constant_width(base: float, area: float, cotangent: Array) -> Array:
     return base**2 - 4.0 * area * cotangent  # free surface² = B² + 4 A cot β
 
 
-def _depth_kept(base: float, area: float, cotangent: Array) -> Array:
+def _constant_depth(base: float, area: float, cotangent: Array) -> Array:
     left = base - area / base * cotangent  # H = A/W stays, the mean width W too
     return left * np.abs(left)
 
 
-KEPT: dict[str, Callable[[float, float, Array], Array]] = {
-    "base": _centre_width_kept,
-    "width": _width_kept,
-    "depth": _depth_kept,
+BASE_SQUARED: dict[str, Callable[[float, float, Array], Array]] = {
+    "base": _constant_base,
+    "width": _constant_width,
+    "depth": _constant_depth,
 }
 """What stays beside the flow area, and the square of the centre section's width then, negative where there is none.
 
@@ -119,8 +119,8 @@ class FrictionStudy:
 
     def _faults(self) -> Iterator[str]:
         """All that is out of its range."""
-        if self.keep not in KEPT:
-            yield f"keep has to be {', '.join(KEPT)}, not {self.keep}"
+        if self.keep not in BASE_SQUARED:
+            yield f"keep has to be {', '.join(BASE_SQUARED)}, not {self.keep}"
         angles = {
             "beta": self.chamfer_deg,
             "delta": self.internal_friction_deg,
@@ -139,7 +139,7 @@ class FrictionStudy:
         """The table: one section after the other through the friction law that chutes are solved with."""
         beta, ratio = np.radians(chamfer_deg), vertical_pressure_ratio(np.radians(internal_friction_deg))
         with np.errstate(all="ignore"):  # β = 0 has neither cotangent nor chamfer
-            square = KEPT[self.keep](self.base_m, self.area_m2, np.cos(beta) / np.sin(beta))
+            square = BASE_SQUARED[self.keep](self.base_m, self.area_m2, np.cos(beta) / np.sin(beta))
             square = np.where(np.abs(square) < ROUNDING * self.base_m**2, 0.0, square)  # a vee
             base = np.sqrt(square)
             section = Polygon(base, (np.full(1, np.inf),), (beta,), np.full(1, np.inf))

@@ -34,13 +34,13 @@ RECEIVER = (
     "acceleration_length_m",
 )
 """What is kept of the receiver; the rest follows from these, and loses its digits where the stream suits the belt."""
-BEYOND = 1e-6  # of its value: so much an extreme exceeds what the stations show, or is not kept
+EXTREME_MARGIN = 1e-6  # of its value: so much an extreme exceeds what the stations show, or is not kept
 LEAST_SCALE = 1e-3  # of any column: 1e-12 m, kPa or ° is rounding, such as x in a vertical fall
 
 Row = dict[str, FiniteFloat]
 
 
-class KeptFinding(Table):
+class BaselineFinding(Table):
     """A finding of the baseline."""
 
     severity: str
@@ -48,7 +48,7 @@ class KeptFinding(Table):
     segment: str
 
 
-class KeptSegment(Table):
+class BaselineSegment(Table):
     """A segment of the baseline, or a flight that leads to one."""
 
     name: str
@@ -69,12 +69,12 @@ class Baseline(Table):
     rtol: FiniteFloat
     tolerance: Annotated[Number, Quantity("number", ge=1e-13, le=0.1)]
     status: str
-    findings: list[KeptFinding]
+    findings: list[BaselineFinding]
     inlet: Row
-    segments: list[KeptSegment]
+    segments: list[BaselineSegment]
     receiver: Row = Field(default_factory=dict)
 
-    def visits(self) -> dict[tuple[str, int], KeptSegment]:
+    def visits(self) -> dict[tuple[str, int], BaselineSegment]:
         """The segments by name and by how often the stream has come to them: a hood may be struck again."""
         met: dict[str, int] = {}
         found = {}
@@ -83,16 +83,16 @@ class Baseline(Table):
             found[segment.name, met[segment.name]] = segment
         return found
 
-    def rows(self) -> Iterator[tuple["Place", Row]]:
-        """All numbers, along the way."""
-        yield Place("inlet", 1, ""), self.inlet
-        for here, segment in self.visits().items():
-            yield Place(*here, "impact"), segment.impact
+    def rows(self) -> Iterator[tuple["RowKey", Row]]:
+        """All numbers, along the result."""
+        yield RowKey("inlet", 1, ""), self.inlet
+        for visit, segment in self.visits().items():
+            yield RowKey(*visit, "impact"), segment.impact
             for number, station in enumerate(segment.stations, 1):
-                yield Place(*here, f"station {number}"), station
-            yield Place(*here, "minimum"), segment.minimum
-            yield Place(*here, "maximum"), segment.maximum
-        yield Place("receiver", 1, ""), self.receiver
+                yield RowKey(*visit, f"station {number}"), station
+            yield RowKey(*visit, "minimum"), segment.minimum
+            yield RowKey(*visit, "maximum"), segment.maximum
+        yield RowKey("receiver", 1, ""), self.receiver
 
     def scales(self) -> dict[str, float]:
         """How large the numbers of each column are in this chute, by the name of the column: the largest."""
@@ -120,7 +120,7 @@ class Baseline(Table):
         return dict(rounded(self.model_dump(exclude_defaults=True)))
 
 
-class Place(NamedTuple):
+class RowKey(NamedTuple):
     """Where a row of numbers of a baseline stands."""
 
     segment: str
@@ -142,7 +142,7 @@ _OF_UNIT = {"m": "s_m", "m_s": "velocity_m_s", "deg": "slope_deg", "kpa": "press
 def column_of(name: str) -> str:
     """The column whose scale a number has: its own, or that of its unit for what stands in no column.
 
-    Both coordinates have the scale of the way, for neither has a size of its own.
+    Both coordinates have the scale of the result, for neither has a size of its own.
 
     >>> column_of("depth_m"), column_of("velocity_after_m_s"), column_of("x_m"), column_of("velocity_ratio")
     ('depth_m', 'velocity_m_s', 's_m', 'velocity_ratio')
@@ -186,20 +186,20 @@ def baseline_of(
     3.878
     """
     segments = []
-    for way, part in zip(solution.ways, solution.parts, strict=True):
+    for result, part in zip(solution.ways, solution.parts, strict=True):
         columns = part.at(STATIONS, COLUMN.keys() & COLUMNS.keys())
         stations = [
             _finite({name: columns[name][k] for name in COLUMNS if name in columns}) for k in range(len(STATIONS))
         ]
         segments.append(
-            KeptSegment(
-                name=way.name,
-                kind=way.kind,
-                status=str(way.status[0]),
-                impact=_finite(way.impact),
+            BaselineSegment(
+                name=result.name,
+                kind=result.kind,
+                status=str(result.status[0]),
+                impact=_finite(result.impact),
                 stations=[station for station in stations if station],
-                minimum=_beyond(way.minimum, stations, -1.0),
-                maximum=_beyond(way.maximum, stations, 1.0),
+                minimum=_beyond(result.minimum, stations, -1.0),
+                maximum=_beyond(result.maximum, stations, 1.0),
             )
         )
     return Baseline(
@@ -209,7 +209,7 @@ def baseline_of(
         rtol=solution.rtol,
         tolerance=tolerance,
         status=str(solution.status[0]),
-        findings=[KeptFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
+        findings=[BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
         inlet=_finite(solution.inlet),
         segments=segments,
         receiver=_finite({name: values for name, values in solution.receiver.items() if name in RECEIVER}),
@@ -226,7 +226,7 @@ def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -
     return {
         name: value
         for name, value in _finite(extremes).items()
-        if all(sign * (value - row[name]) > BEYOND * abs(value) for row in stations if name in row)
+        if all(sign * (value - row[name]) > EXTREME_MARGIN * abs(value) for row in stations if name in row)
     }
 
 

@@ -18,7 +18,7 @@ class Designs(NamedTuple):
     """What was found."""
 
     chutes: list[Chute]
-    alone: list[Path]
+    orphaned: list[Path]
     """Baselines whose spec is gone."""
 
 
@@ -34,11 +34,11 @@ def find_designs(paths: Iterable[str]) -> Designs:
     """
     chutes: list[Chute] = []
     errors: list[SpecError] = []
-    alone: list[Path] = []
+    orphaned: list[Path] = []
     given = list(paths)
     for file, named in _files(given):
         if file.name.endswith(BASELINE_SUFFIX) and file.exists():
-            alone.append(file)
+            orphaned.append(file)
             continue
         try:
             chute = _read(file, named or baseline_path(file).exists())
@@ -48,9 +48,9 @@ def find_designs(paths: Iterable[str]) -> Designs:
             chutes += [chute] if chute else []
     if errors:
         raise AllSpecsError(errors)
-    if not chutes and not alone:
+    if not chutes and not orphaned:
         raise UsageError(f"there is no spec in {', '.join(given)}: name one, or the folder that it is in")
-    return Designs(chutes, alone)
+    return Designs(chutes, orphaned)
 
 
 def _files(paths: Iterable[str]) -> Iterator[tuple[Path, bool]]:

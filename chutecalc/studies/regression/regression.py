@@ -10,13 +10,13 @@ from typing import Any, NamedTuple
 from chutecalc.api.chute import Chute, solve
 from chutecalc.errors import SpecError
 from chutecalc.studies.regression.baseline import (
-    BEYOND,
+    EXTREME_MARGIN,
     STATIONS,
     TOLERANCE,
     Baseline,
-    KeptFinding,
-    Place,
+    BaselineFinding,
     Row,
+    RowKey,
     baseline_of,
     baseline_path,
     column_of,
@@ -46,7 +46,7 @@ class Change(NamedTuple):
 class Drift(NamedTuple):
     """A number that is off by more than the tolerance."""
 
-    place: Place
+    key: RowKey
     column: str
     s_m: float | None
     """Of its station, m from the inlet."""
@@ -72,7 +72,7 @@ class Verdict(NamedTuple):
     """The baseline to write, where that was asked for and the one there is does not hold."""
 
 
-def worst(drifts: Sequence[Drift]) -> list[tuple[Drift, Drift]]:
+def first_and_largest(drifts: Sequence[Drift]) -> list[tuple[Drift, Drift]]:
     """For each column that is off, the first drift along the way and the largest."""
     columns: dict[str, list[Drift]] = {}
     for drift in drifts:
@@ -81,13 +81,13 @@ def worst(drifts: Sequence[Drift]) -> list[tuple[Drift, Drift]]:
 
 
 def compare(
-    was: Baseline, now: Baseline, said: Mapping[KeptFinding, str] | None = None
+    was: Baseline, now: Baseline, messages: Mapping[BaselineFinding, str] | None = None
 ) -> tuple[list[Change], list[Drift]]:
-    """Differences between what a baseline holds and what comes out now; ``said`` is what the findings say now.
+    """Differences between what a baseline holds and what comes out now; ``messages`` is what the findings say now.
 
     A number has drifted where |a − b| > tolerance · max(|a|, |b|, scale), with the scale of its column in this chute,
     as :meth:`Baseline.scales` has it. Numbers of segments that only one of both has are not listed, and no columns that
-    the baseline does not know: see :func:`unknown`.
+    the baseline does not know: see :func:`unknown_columns`.
     """
     then, today = was.visits(), now.visits()
     changes = []
@@ -105,21 +105,21 @@ def compare(
         elif segment.status != then[here].status:
             message = f"segment {name} ends with {segment.status}, and did with {then[here].status}"
             changes.append(Change("status", name, message))
-    changes += _findings(was, now, said or {})
+    changes += _findings(was, now, messages or {})
     return changes, list(_drifts(was, now, then.keys() & today.keys()))
 
 
-def _findings(was: Baseline, now: Baseline, said: Mapping[KeptFinding, str]) -> Iterator[Change]:
+def _findings(was: Baseline, now: Baseline, messages: Mapping[BaselineFinding, str]) -> Iterator[Change]:
     """Findings that are new, and those that are gone."""
     then, today = Counter(was.findings), Counter(now.findings)
     for item in (today - then).elements():
-        text = f": {said[item]}" if item in said else ""
+        text = f": {messages[item]}" if item in messages else ""
         yield Change("finding", item.segment, f"finding new: {item.severity} {item.code} in {item.segment}{text}")
     for item in (then - today).elements():
         yield Change("finding", item.segment, f"finding gone: {item.severity} {item.code} in {item.segment}")
 
 
-def unknown(was: Baseline, now: Baseline) -> list[str]:
+def unknown_columns(was: Baseline, now: Baseline) -> list[str]:
     """Columns that come out now and stand nowhere in the baseline: newer versions tell more than older ones."""
     then = dict(was.rows())
     known = {name for row in then.values() for name in row}
@@ -129,32 +129,32 @@ def unknown(was: Baseline, now: Baseline) -> list[str]:
 def _drifts(was: Baseline, now: Baseline, common: set[tuple[str, int]]) -> Iterator[Drift]:
     """Numbers that are off, along the way."""
     then, today, scales = dict(was.rows()), dict(now.rows()), was.scales()
-    new = {*unknown(was, now)}
-    for place in dict.fromkeys([*today, *then]):
-        if place.row and (place.segment, place.visit) not in common:
+    new = {*unknown_columns(was, now)}
+    for key in dict.fromkeys([*today, *then]):
+        if key.row and (key.segment, key.visit) not in common:
             continue
-        before, after = then.get(place, {}), today.get(place, {})
+        before, after = then.get(key, {}), today.get(key, {})
         for column in (name for name in {**after, **before} if name not in new):
             a, b = before.get(column), after.get(column)
             spare = 0.0
-            if (a is None or b is None) and place.row in ("minimum", "maximum"):  # kept by one where it passes stations
-                a = station_extreme(then, place, column) if a is None else a
-                b = station_extreme(today, place, column) if b is None else b
-                spare = 2.0 * BEYOND
+            if (a is None or b is None) and key.row in ("minimum", "maximum"):  # kept by one where it passes stations
+                a = station_extreme(then, key, column) if a is None else a
+                b = station_extreme(today, key, column) if b is None else b
+                spare = 2.0 * EXTREME_MARGIN
             off = 1.0 if a is None or b is None else abs(a - b) / max(abs(a), abs(b), scales[column_of(column)])
             if off > was.tolerance + spare:
-                station = place._replace(row="station 1") if place.row == "impact" else place
+                station = key._replace(row="station 1") if key.row == "impact" else key
                 s = today.get(station, {}).get("s_m", then.get(station, {}).get("s_m"))
-                yield Drift(place, column, s, a, b, off)
+                yield Drift(key, column, s, a, b, off)
 
 
-def station_extreme(rows: Mapping[Place, Row], place: Place, column: str) -> float | None:
+def station_extreme(rows: Mapping[RowKey, Row], key: RowKey, column: str) -> float | None:
     """The least or largest value of a column at the stations of a segment; None where there is none."""
-    names = [place._replace(row=f"station {number}") for number in range(1, len(STATIONS) + 1)]
+    names = [key._replace(row=f"station {number}") for number in range(1, len(STATIONS) + 1)]
     values = [rows[name][column] for name in names if column in rows.get(name, {})]
     if not values:
         return None
-    return min(values) if place.row == "minimum" else max(values)
+    return min(values) if key.row == "minimum" else max(values)
 
 
 def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
@@ -163,11 +163,11 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
     Args:
         chute: of one design; its source is its file.
         rtol: see :func:`chutecalc.solve`.
-        update: whether a baseline to write is wanted.
+        update: whether to return the baseline to write.
     """
     start = time.perf_counter()
     path = baseline_path(Path(chute.source))
-    was, changes = _kept(path, chute.source)
+    was, changes = _stored(path, chute.source)
     try:
         solution = solve(chute, rtol)
     except SpecError as error:
@@ -177,16 +177,16 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
     drifts: list[Drift] = []
     notes: list[str] = []
     if was:
-        said = {kept: item.message() for kept, item in zip(now.findings, findings, strict=True)}
-        changes, drifts = compare(was, now, said)
+        messages = {stored: item.message() for stored, item in zip(now.findings, findings, strict=True)}
+        changes, drifts = compare(was, now, messages)
         if was.chutecalc != now.chutecalc:
             notes.append(f"the baseline is of chutecalc {was.chutecalc}, this is {now.chutecalc}")
-        if new := unknown(was, now):
+        if new := unknown_columns(was, now):
             notes.append(f"not in the baseline, and not compared until --update adds it: {', '.join(new)}")
         if was.rtol != now.rtol:
             notes.append(f"solved to an rtol of {now.rtol:g}, the baseline to {was.rtol:g}")
     outcome = _outcome(changes, drifts, path)
-    wanted = update and (outcome != OK or bool(notes))
+    rewrite = update and (outcome != OK or bool(notes))
     return Verdict(
         spec=chute.source,
         outcome=outcome,
@@ -195,11 +195,11 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
         notes=tuple(notes),
         tolerance=now.tolerance,
         seconds=time.perf_counter() - start,
-        document=now.document() if wanted else None,
+        document=now.document() if rewrite else None,
     )
 
 
-def _kept(path: Path, spec: str) -> tuple[Baseline | None, list[Change]]:
+def _stored(path: Path, spec: str) -> tuple[Baseline | None, list[Change]]:
     """The baseline, or why there is none to compare with."""
     if not path.exists():
         return None, [Change("baseline", "", f"there is none to hold it to; chutecalc check --update {spec} writes it")]
@@ -234,7 +234,7 @@ def check(
     Args:
         chutes: of one design each, their sources being their files.
         rtol: see :func:`chutecalc.solve`.
-        update: whether baselines to write are wanted.
+        update: whether to return the baselines to write.
         processes: how many share the work; without it one, or one a core where there are enough designs.
     """
     if processes is None:

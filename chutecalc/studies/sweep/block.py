@@ -30,16 +30,16 @@ class Top(NamedTuple):
         return best
 
 
-def chosen(block: Block, rows: Index) -> Block:
+def select_rows(block: Block, rows: Index) -> Block:
     """Some rows of a block."""
     return {name: values[rows] for name, values in block.items()}
 
 
-def best_of(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
+def best_rows(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
     """The best rows of all blocks as one, best first; blocks come in order."""
-    kept: Block = {}
+    best: Block = {}
     for block in blocks:
-        both = {name: np.concatenate([kept[name], block[name]]) for name in block} if kept else block
-        kept = chosen(both, np.sort(top.best(both)))
-    if kept:
-        yield chosen(kept, top.best(kept))
+        both = {name: np.concatenate([best[name], block[name]]) for name in block} if best else block
+        best = select_rows(both, np.sort(top.best(both)))
+    if best:
+        yield select_rows(best, top.best(best))

@@ -22,7 +22,7 @@ from chutecalc.results.columns import COLUMNS, WAYS, row_columns
 from chutecalc.results.exits import NOT_AT_EXIT, named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, select_rows
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.kept import Kept
 from chutecalc.studies.sweep.parameters import Parameter
@@ -163,7 +163,7 @@ class Sweep:
         for name in ("status", *self.columns):
             empty = np.full(len(missing), IMPOSSIBLE if name == "status" else "" if name in TEXT else np.nan)
             block[name] = np.concatenate([*(told[name] for _, told in pieces), empty])[order]
-        return block if self.top is None else chosen(block, np.sort(self.top.best(block)))
+        return block if self.top is None else select_rows(block, np.sort(self.top.best(block)))
 
     def _pieces(self, rows: Index) -> Iterator[tuple[Index, Block]]:
         """The numbers of rows and what is told of them, without those of designs that cannot be."""
@@ -200,9 +200,9 @@ class Sweep:
             run = solve(variants, self.rtol)
             codes, error, exit_ = run.codes, run.error_estimate, run.exit_columns(ways["exit"])
             belt = run.receiver if any(name.startswith("receiver_") for name in self.columns) else {}
-            wanted = [(name, EXTREME[way]) for way in EXTREME for name in ways[way]]
+            extremes = [(name, EXTREME[way]) for way in EXTREME for name in ways[way]]
             keys = [f"{way}_{name}" for way in EXTREME for name in ways[way]]
-            numbers = dict(zip(keys, run.extreme_columns(wanted).values(), strict=True))
+            numbers = dict(zip(keys, run.extreme_columns(extremes).values(), strict=True))
         numbers |= named(exit_, belt, error)
         well = codes == Status.OK
         block: Block = {"status": np.array(Status.LABELS)[codes]}
@@ -226,11 +226,11 @@ class Sweep:
         last = {f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT}
         return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in self.columns)
 
-    def _columns(self, wanted: Sequence[str]) -> list[str]:
+    def _columns(self, names: Sequence[str]) -> list[str]:
         """The columns asked for, each once, without those that are always there."""
         known = {name for name in COLUMNS if name != "spec"} if self.profiles else {*row_columns()}
         usual = [name for name in COLUMNS if name != "spec"] if self.profiles else DEFAULT
-        unknown = [name for name in wanted if name not in known and name != "status"]
+        unknown = [name for name in names if name not in known and name != "status"]
         if unknown:
             close = [match for name in unknown for match in get_close_matches(name, known, n=1)]
             hint = f"did you mean {', '.join(close)}? " if close else ""
@@ -238,10 +238,10 @@ class Sweep:
             raise UsageError(
                 f"there is no column {', '.join(unknown)} here: {hint}known are {own}; chutecalc columns lists all"
             )
-        belt = [name for name in wanted if name.startswith("receiver_")]
+        belt = [name for name in names if name.startswith("receiver_")]
         if belt and self.chute.spec.receiver is None:
             raise UsageError(f"{belt[0]}: the spec has no [receiver]")
-        return [name for name in dict.fromkeys(wanted or usual) if name != "status"]
+        return [name for name in dict.fromkeys(names or usual) if name != "status"]
 
     def _check_values(self) -> None:
         """That every path leads somewhere and takes its values, whatever they make together.

@@ -24,14 +24,14 @@ class Beds(NamedTuple):
 
     troughs: Sequence[Trough]
     areas: Sequence[float]
-    """Wanted of each, m²."""
+    """Target area of each, m²."""
     wall_friction: float
     """φ for μ_e, rad; the beds' walls have none."""
     vertical_ratio: float | None
     """K_v to compare with besides the fitted one."""
 
 
-class Wanted(NamedTuple):
+class PourPlan(NamedTuple):
     """How they are poured: what is varied, and what is the same in all cases."""
 
     frictions: Sequence[float]
@@ -86,7 +86,7 @@ def paper_beds(
         beta: slopes of the chamfers, deg, as :func:`numbers` takes them.
         base: width of the floor, m.
         chamfer: length of a chamfer, m; None for none to end it.
-        area: wanted of the beds, m², as :func:`numbers` takes them.
+        area: target areas of the beds, m², as :func:`numbers` takes them.
         delta: internal friction to compare with, deg.
         phi: wall friction angle, deg.
 
@@ -105,7 +105,7 @@ def paper_beds(
     )
 
 
-def groups(beds: Beds, wanted: Wanted) -> list[Group]:
+def groups(beds: Beds, plan: PourPlan) -> list[Group]:
     """Every combination, a group of seeds each.
 
     Raises:
@@ -113,7 +113,7 @@ def groups(beds: Beds, wanted: Wanted) -> list[Group]:
     """
     found = []
     for pour, friction, body_force, trough, area in product(
-        wanted.pours, wanted.frictions, wanted.body_forces, beds.troughs, beds.areas
+        plan.pours, plan.frictions, plan.body_forces, beds.troughs, beds.areas
     ):
         case = Case(
             trough.base,
@@ -124,10 +124,10 @@ def groups(beds: Beds, wanted: Wanted) -> list[Group]:
             pour,
             seed=1,
             body_force=body_force,
-            raised_to=wanted.raised_to,
-            diameter=wanted.diameter,
-            slice=wanted.slice,
+            raised_to=plan.raised_to,
+            diameter=plan.diameter,
+            slice=plan.slice,
         )
         check_room(case)
-        found.append(Group(case, wanted.seeds))
+        found.append(Group(case, plan.seeds))
     return found
