@@ -62,7 +62,15 @@ def dem(
         _picture_format(plot)
     frictions = numbers(particle_friction, "--particle-friction", 0.0, 10.0)
     forces = numbers(body_force, "--body-force", 0.01, 100.0)
-    plan = PourPlan(frictions, pours(pour), seeds, forces, raise_to, diameter, slice_)
+    plan = PourPlan(
+        frictions=frictions,
+        pours=pours(pour),
+        seeds=seeds,
+        body_forces=forces,
+        raised_to=raise_to,
+        diameter=diameter,
+        slice=slice_,
+    )
     if spec is None:
         if segment is not None:
             raise UsageError("--segment names a segment of a spec: give the spec too")

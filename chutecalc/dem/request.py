@@ -1,4 +1,4 @@
-"""What a command asks for, as groups of cases: the paper's troughs over β, or the section of a real chute."""
+"""The cases that a command asks for: the paper's troughs over β, or the section of a chute."""
 
 import math
 from collections.abc import Sequence
@@ -14,45 +14,53 @@ from chutecalc.fields.ranges import read_values
 from chutecalc.physics.pressure import vertical_pressure_ratio
 
 MOST = 1000
-"""Numbers of a range."""
+"""Largest number of values in a range."""
 BETA, BASE, AREA = "15:90:15", 0.5, "0.05"
-"""Of the paper's Figure 5."""
+"""Chamfer angles, deg, width, m, and area, m², of the paper's Figure 5."""
 
 
 class Beds(NamedTuple):
-    """What beds are poured, and what they are compared with."""
+    """The beds to pour, and the values to compare them with."""
 
     troughs: Sequence[Trough]
+    """The troughs."""
     areas: Sequence[float]
-    """Target area of each, m²."""
+    """Target areas, m², each in every trough."""
     wall_friction: float
-    """φ for μ_e, rad; the beds' walls have none."""
+    """Wall friction angle φ for μ_e, rad. The walls of the beds have no friction."""
     vertical_ratio: float | None
-    """K_v to compare with besides the fitted one."""
+    """Pressure ratio K_v to compare with besides the fitted one; None for none."""
 
 
 class PourPlan(NamedTuple):
-    """How they are poured: what is varied, and what is the same in all cases."""
+    """How to pour the beds."""
 
     frictions: Sequence[float]
+    """Coefficients of friction between particles."""
     pours: Sequence[str]
+    """Names of pours."""
     seeds: int
+    """Number of seeds of each bed."""
     body_forces: Sequence[float]
+    """Body forces of the pour, in g."""
     raised_to: float
+    """Body force to which the resting bed is raised, in g; 0 to leave it."""
     diameter: float
+    """Diameter of the particles, m."""
     slice: float
+    """Length of the periodic trough along the chute, m."""
 
 
 def numbers(text: str, name: str, low: float, high: float) -> list[float]:
-    """The numbers of a list, each once.
+    """Read the numbers of a list or range, each once.
 
     Args:
-        text: as :func:`chutecalc.fields.ranges.read_values` takes it.
-        name: of the option, for messages.
-        low, high: bounds, both allowed.
+        text: The list or range, as in :func:`chutecalc.fields.ranges.read_values`.
+        name: Name of the option, for messages.
+        low, high: Bounds, both allowed, in the unit of the option.
 
     Raises:
-        UsageError: it is none, or they are out of bounds.
+        UsageError: The text is not a list of numbers, or one is out of bounds.
 
     >>> numbers("0.1:0.3:0.1", "--x", 0.0, 1.0), numbers("1,2.5", "--x", 0.0, 9.0)
     ([0.1, 0.2, 0.3], [1.0, 2.5])
@@ -60,68 +68,82 @@ def numbers(text: str, name: str, low: float, high: float) -> list[float]:
     values = read_values(name, text, MOST).tolist()
     for value in values:
         if not low <= value <= high:
-            raise UsageError(f"{name} has to be from {low:g} to {high:g}, not {value:g}")
+            raise UsageError(f"{name} must be from {low:g} to {high:g}, not {value:g}")
     return list(dict.fromkeys(values))
 
 
 def pours(text: str) -> list[str]:
-    """The pours of ``gentle,rain``, or of ``all``.
+    """Read a list of pours, or ``all``.
+
+    Args:
+        text: Names with commas between them, or ``all``.
 
     Raises:
-        UsageError: one that there is not.
+        UsageError: There is no pour of that name.
+
+    >>> pours("gentle,rain")
+    ['gentle', 'rain']
     """
     names = list(POURS) if text == "all" else list(dict.fromkeys(text.split(",")))
     for name in names:
         if name not in POURS:
-            raise UsageError(f"--pour has to be {', '.join(POURS)} or all, not {name!r}")
+            raise UsageError(f"--pour must be {', '.join(POURS)} or all, not {name!r}")
     return names
 
 
 def paper_beds(
     beta: str | None, base: float | None, chamfer: float | None, area: str | None, delta: float | None, phi: float
 ) -> Beds:
-    """Beds between two chamfers, those of the paper's Figure 5 where nothing else is said.
+    """Return beds between two chamfers; by default those of the paper's Figure 5.
 
     Args:
-        beta: slopes of the chamfers, deg, as :func:`numbers` takes them.
-        base: width of the floor, m.
-        chamfer: length of a chamfer, m; None for none to end it.
-        area: target areas of the beds, m², as :func:`numbers` takes them.
-        delta: internal friction to compare with, deg.
-        phi: wall friction angle, deg.
+        beta: Chamfer angles, deg, as in :func:`numbers`; None for 15 to 90 in steps of 15.
+        base: Width of the floor, m; None for 0.5.
+        chamfer: Length of a chamfer, m; None for chamfers without a top.
+        area: Target areas of the beds, m², as in :func:`numbers`; None for 0.05.
+        delta: Angle of internal friction to compare with, deg; None for none.
+        phi: Wall friction angle, deg.
 
     Raises:
-        UsageError: a list that is none, a value out of bounds, a trough without width.
+        UsageError: A list cannot be read, a value is out of bounds, or a trough has no width.
+
+    >>> beds = paper_beds(beta="30,60", base=None, chamfer=None, area=None, delta=None, phi=25.0)
+    >>> len(beds.troughs), beds.areas
+    (2, [0.05])
     """
     slopes = numbers(beta or BETA, "--beta", 1.0, 90.0)
     if base == 0.0 and 90.0 in slopes:
-        raise UsageError("a vee at 90° has no width: give a --base, or a --beta below 90")
+        raise UsageError("a vee at 90° has no width. Use a --base above 0, or --beta below 90")
     width, length = BASE if base is None else base, math.inf if chamfer is None else chamfer
     return Beds(
-        [Trough(width, (length,), (math.radians(slope),)) for slope in slopes],
-        numbers(area or AREA, "--area", 1e-6, 1e3),
-        math.radians(phi),
-        None if delta is None else float(vertical_pressure_ratio(math.radians(delta))),
+        troughs=[Trough(width, (length,), (math.radians(slope),)) for slope in slopes],
+        areas=numbers(area or AREA, "--area", 1e-6, 1e3),
+        wall_friction=math.radians(phi),
+        vertical_ratio=None if delta is None else float(vertical_pressure_ratio(math.radians(delta))),
     )
 
 
 def groups(beds: Beds, plan: PourPlan) -> list[Group]:
-    """Every combination, a group of seeds each.
+    """Return a group of seeds for every combination of pour, friction, body force, trough and area.
+
+    Args:
+        beds: The beds to pour.
+        plan: How to pour them.
 
     Raises:
-        UsageError: a bed too small for its particles.
+        UsageError: A bed is too small for its particles.
     """
     found = []
     for pour, friction, body_force, trough, area in product(
         plan.pours, plan.frictions, plan.body_forces, beds.troughs, beds.areas
     ):
         case = Case(
-            trough.base,
-            trough.lengths,
-            trough.inclinations,
-            area,
-            friction,
-            pour,
+            base=trough.base,
+            lengths=trough.lengths,
+            inclinations=trough.inclinations,
+            area=area,
+            friction=friction,
+            pour=pour,
             seed=1,
             body_force=body_force,
             raised_to=plan.raised_to,

@@ -1,4 +1,4 @@
-"""What LAMMPS reads: the particles, and the script that pours them, waits for rest and writes the walls' forces."""
+"""Input of LAMMPS: the particles, and the script that pours them, waits for rest and writes the forces of the walls."""
 
 import math
 
@@ -6,23 +6,26 @@ from chutecalc.dem.case import DENSITY, GRAVITY, POURS, Case
 from chutecalc.physics.arrays import Array
 
 PARTICLES, SCRIPT, LOG, BED, WALLS = "particles.data", "in.lammps", "log.lammps", "bed.dump", "walls.txt"
-"""The files of a case. ``walls.txt`` is written last: a case that has it is done."""
+"""The files of a case. ``walls.txt`` is written last: a case that has it is complete."""
 RESTING = 1e-9
-"""Kinetic energy a particle, over m g d, at which a run ends: a hundredth of what is called rest."""
+"""Kinetic energy of a particle over m g d at which a run ends: a hundredth of the limit of the check ``rest``."""
 SETTLING = 4.0
-"""Longest time that a bed gets to come to rest, s under 1 g."""
+"""Longest time for a bed to come to rest, s under 1 g."""
 CALMING = 0.3
-"""Terminal speed of the drag that calms a poured bed, m/s."""
+"""Terminal speed of the drag that brings a poured bed to rest, m/s."""
 RAISING = 0.1
-"""Time over which the body force is raised, s."""
+"""Time in which the body force is raised, s."""
 
 
 def particles_text(case: Case, positions: Array) -> str:
-    """The particles as LAMMPS reads them.
+    """Write the particles as a data file of LAMMPS.
 
     Args:
-        case: for their size, and how much room they get.
-        positions: centres from :func:`chutecalc.dem.pour.column`.
+        case: The case, which gives their size and the bounds.
+        positions: Centres, m, shape (particles, 3), from :func:`chutecalc.dem.pour.column`.
+
+    Returns:
+        The text of ``particles.data``.
     """
     d = case.diameter
     far = 0.5 * float(case.trough.wetting(2.0 * case.area).width[0]) + 2.0 * d
@@ -35,11 +38,16 @@ def particles_text(case: Case, positions: Array) -> str:
 
 
 def script_text(case: Case, top: float) -> str:
-    """The input script of a case.
+    """Write the input script of a case.
+
+    Contacts are ``gran/hooke/history``; walls have no friction; particles do not rotate.
 
     Args:
-        case: the case.
-        top: height of the highest particle, m, for how long the pour lasts.
+        case: The case.
+        top: Height of the highest particle, m, which sets how long the pour lasts.
+
+    Returns:
+        The text of ``in.lammps``.
     """
     d, mass, step = case.diameter, case.mass, case.time_step
     contact = f"{case.stiffness:.9g} NULL {{damping:.9g}} NULL {{friction:g}} 1 limit_damping"
@@ -104,7 +112,7 @@ def script_text(case: Case, top: float) -> str:
 
 
 def _rest(case: Case, acceleration: float) -> list[str]:
-    """Calm the bed by drag until it rests, or until its time is over."""
+    """Return the commands that bring the bed to rest by drag, for a limited time."""
     resting = RESTING * case.mass * acceleration * case.diameter
     return [
         f"fix drag all viscous {case.mass * acceleration / CALMING:.9g}",

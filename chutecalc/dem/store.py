@@ -1,4 +1,4 @@
-"""Cases as folders on disk: written for LAMMPS, run by it here or elsewhere, and taken up again."""
+"""Cases as folders on disk: written for LAMMPS, run here or elsewhere, and read back."""
 
 import json
 import math
@@ -13,25 +13,36 @@ from chutecalc.dem.case import Case
 from chutecalc.dem.pour import column
 
 DUMP_HEADER = 9
-"""Lines before the particles in a dump of one step."""
+"""Lines before the particles in a dump of one time step."""
 
 
 class Store:
-    """A folder of cases, a folder each.
+    """A folder with a folder for each case.
 
     Args:
-        folder: where; made when the first case is written.
+        folder: Its path. It is created when the first case is written.
     """
 
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
 
     def case_folder(self, case: Case) -> Path:
-        """The folder of a case."""
+        """Return the folder of a case.
+
+        Args:
+            case: The case.
+        """
         return self.folder / case.name
 
     def write(self, case: Case) -> Path:
-        """Writes what LAMMPS needs, unless it stands there already: the script last, so that it is all there then."""
+        """Write the input of LAMMPS unless it is there; the script last, so that a folder with a script is complete.
+
+        Args:
+            case: The case.
+
+        Returns:
+            The folder of the case.
+        """
         folder = self.case_folder(case)
         if not (folder / script.SCRIPT).is_file():
             positions = column(case)
@@ -45,7 +56,14 @@ class Store:
         return folder
 
     def read(self, case: Case) -> Bed | None:
-        """The bed of a case; None where it has not been run to its end."""
+        """Read the bed of a case.
+
+        Args:
+            case: The case.
+
+        Returns:
+            The bed; None where the case has not been run to its end.
+        """
         folder = self.case_folder(case)
         try:
             numbers = [float(word) for word in (folder / script.WALLS).read_text(encoding="utf-8").split()]

@@ -98,7 +98,15 @@ def test_pours_and_troughs_that_cannot_be():
 
 
 def test_every_combination_is_a_group():
-    plan = PourPlan([0.75, 0.9], ["rain", "gentle"], 3, [1.0, 3.0], 0.0, 0.01, 0.05)
-    made = groups(paper_beds("30,60", None, None, "0.04,0.05", None, 25.0), plan)
+    plan = PourPlan(
+        frictions=[0.75, 0.9],
+        pours=["rain", "gentle"],
+        seeds=3,
+        body_forces=[1.0, 3.0],
+        raised_to=0.0,
+        diameter=0.01,
+        slice=0.05,
+    )
+    made = groups(paper_beds(beta="30,60", base=None, chamfer=None, area="0.04,0.05", delta=None, phi=25.0), plan)
     assert len({group.case.name for group in made}) == 2 * 2 * 2 * 2 * 2
     assert {group.seeds for group in made} == {3}
