@@ -65,10 +65,10 @@ class Campaign:
         tried: list[Bed] = []
         for case in self._trials(group.case, tried):
             if (error := self._errors.get(case.name)) is not None:
-                return Outcome((), (), (error,))
+                return Outcome(beds=(), needed=(), errors=(error,))
             bed = self._bed(case)
             if bed is None:
-                return Outcome((), (case,), ())
+                return Outcome(beds=(), needed=(case,), errors=())
             tried.append(bed)
         taken = min(tried, key=lambda bed: abs(bed.unevenness)).case
         cases = [replace(taken, seed=group.case.seed + number) for number in range(group.seeds)]

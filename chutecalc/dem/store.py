@@ -73,4 +73,5 @@ class Store:
         walls = len(case.trough.walls)
         if len(numbers) != 1 + 2 * walls or rows.shape != (case.count, 4):
             return None
-        return Bed(case, np.array(numbers[1:]).reshape(walls, 2), numbers[0], rows[:, 1:])
+        forces = np.array(numbers[1:]).reshape(walls, 2)
+        return Bed(case, forces, kinetic_energy=numbers[0], positions=rows[:, 1:])

@@ -107,7 +107,8 @@ class Trough:
     @cached_property
     def walls(self) -> tuple[Wall, ...]:
         """The floor, if there is one, then the left and right walls from the centre outwards."""
-        walls = [Wall("floor", 0, 0.0, (0.0, 0.0), self.base)] if self.base > 0.0 else []
+        floor = Wall("floor", side=0, inclination=0.0, foot=(0.0, 0.0), length=self.base)
+        walls = [floor] if self.base > 0.0 else []
         facets = list(zip(self.lengths, self.inclinations, strict=True))
         if not facets or math.isfinite(facets[-1][0]):
             facets.append((math.inf, UPRIGHT))
@@ -117,7 +118,7 @@ class Trough:
             name = "chamfer" if sloped == 1 else f"facet {number}"
             if inclination == UPRIGHT:
                 name = "side wall"
-            walls += [Wall(name, side, inclination, (side * x, z), length) for side in (-1, 1)]
+            walls += [Wall(name, side, inclination, foot=(side * x, z), length=length) for side in (-1, 1)]
             if math.isfinite(length):
                 x, z = x + length * math.cos(inclination), z + length * math.sin(inclination)
         return tuple(walls)
@@ -128,7 +129,9 @@ class Trough:
         lengths, inclinations = (
             tuple(np.array([value]) for value in values) for values in (self.lengths, self.inclinations)
         )
-        return Polygon(np.array([self.base]), lengths, inclinations, np.array([np.inf]))
+        return Polygon(
+            base=np.array([self.base]), lengths=lengths, inclinations=inclinations, wall_height=np.array([np.inf])
+        )
 
     def wetting(self, area: Values, vertical_ratio: float = 1.0, equilibrium: bool = False) -> Wetting:
         """Compute depth, width and excess friction of beds in the trough.
@@ -179,4 +182,4 @@ class Trough:
         }
         if law == "paper" and "floor" in walls:
             walls["floor"] += missing_load
-        return Load(walls, 1.0 + float(wet.excess[0]), missing_load)
+        return Load(walls, ratio=1.0 + float(wet.excess[0]), missing_load=missing_load)

@@ -40,7 +40,8 @@ def constant_wall(friction: Array) -> Wall:
     >>> wall_friction(constant_wall(np.array([0.5])), np.array([1e3]))
     array([0.5])
     """
-    return Wall(np.zeros((1, len(friction))), np.zeros((1, len(friction))), friction[None])
+    shape = (1, len(friction))
+    return Wall(starts=np.zeros(shape), intercepts=np.zeros(shape), slopes=friction[None])
 
 
 def yield_locus(normal: Array, shear: Array, bound: Array) -> Wall:

@@ -56,7 +56,8 @@ def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: boo
         The flow areas in their sections. Above a drawn top the walls are vertical; wall heights limit nothing here.
 
     >>> from chutecalc.physics.section import Polygon
-    >>> vee = Polygon(np.array([0.0]), (np.array([np.inf]),), (np.radians([60.0]),), np.array([np.inf]))
+    >>> endless = np.array([np.inf])
+    >>> vee = Polygon(np.array([0.0]), lengths=(endless,), inclinations=(np.radians([60.0]),), wall_height=endless)
     >>> for equilibrium in (False, True):  # K (1 - cos β)/cos β, and 1/cos β - 1, at any depth
     ...     found = wetting(vee, np.array([0.2]), np.array([0.1]), equilibrium)
     ...     print(found.excess.round(14).item(), abs(found.excess_sensitivity.round(14).item()))
@@ -81,7 +82,8 @@ def area_at_depth(drawn: Section, depth: Array) -> Array:
         A, m², shape (designs,); infinite for an infinite depth.
 
     >>> from chutecalc.physics.section import Polygon
-    >>> vee = Polygon(np.array([0.0]), (np.array([np.inf]),), (np.radians([45.0]),), np.array([np.inf]))
+    >>> endless = np.array([np.inf])
+    >>> vee = Polygon(np.array([0.0]), lengths=(endless,), inclinations=(np.radians([45.0]),), wall_height=endless)
     >>> float(area_at_depth(vee, np.array([0.3]))[0].round(12))
     0.09
     """
@@ -110,7 +112,8 @@ def kind_of(drawn: Section) -> Kind:
         drawn: The section.
 
     >>> from chutecalc.physics.section import Polygon
-    >>> kind_of(Polygon(np.array([0.5]), (np.array([0.2]),), (np.radians([45.0]),), np.array([np.inf])))
+    >>> length, angle, endless = np.array([0.2]), np.radians([45.0]), np.array([np.inf])
+    >>> kind_of(Polygon(np.array([0.5]), lengths=(length,), inclinations=(angle,), wall_height=endless))
     Kind(circle=False, walls=1, facets=2)
     """
     if isinstance(drawn, Circle):

@@ -172,9 +172,9 @@ def test_choke_where_the_depth_passes_the_wall():
 
     brake = 2 * G * (FRICTION * np.cos(slope) - np.sin(slope))
     at_choke = 1000 / 3.6 / 800 / (height**2 / np.tan(np.radians(BETA)))
-    place, stop = (velocity**2 - at_choke**2) / brake, velocity**2 / brake
+    choked, stop = (velocity**2 - at_choke**2) / brake, velocity**2 / brake
 
     assert solution.status[0] == "choke"
-    assert abs(solution.legs[0].exit.distance[0] - place) < 1e-8
+    assert abs(solution.legs[0].exit.distance[0] - choked) < 1e-8
     (finding,) = [item for item in solution.findings() if item.code == "choke"]
-    assert finding.numbers["further_m"][0] == pytest.approx(stop - place, abs=1e-8)
+    assert finding.numbers["further_m"][0] == pytest.approx(stop - choked, abs=1e-8)

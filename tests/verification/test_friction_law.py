@@ -13,8 +13,22 @@ OPEN = np.array([np.inf])
 
 
 def polygon(base, *sides):
-    lengths = tuple(np.array([length]) for length, _ in sides)
-    return Polygon(np.array([base]), lengths, tuple(np.radians([angle]) for _, angle in sides), OPEN)
+    """A section of facets, each with its length and its inclination in degrees."""
+    return Polygon(
+        base=np.array([base]),
+        lengths=tuple(np.array([length]) for length, _ in sides),
+        inclinations=tuple(np.radians([angle]) for _, angle in sides),
+        wall_height=OPEN,
+    )
+
+
+def pipe(radius):
+    return Circle(radius=np.array([radius]), wall_height=OPEN)
+
+
+def integral(function, start, end):
+    value, _ = quad(function, start, end)
+    return value
 
 
 SECTIONS = {
@@ -56,12 +70,12 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
     area = area_at_depth(section, np.array([depth]))
     breaks = sorted({top for _, top, _ in walls(section, depth)})
     drawn = sum(
-        quad(lambda z: width_at(section, z), low, high)[0] for low, high in zip([0.0, *breaks], breaks, strict=False)
+        integral(lambda z: width_at(section, z), low, high) for low, high in zip([0.0, *breaks], breaks, strict=False)
     )
     load = hold = 0.0
     for foot, top, psi in walls(section, depth):
         k = 1 - 0.7 * np.sin(psi) ** 2
-        moment = quad(lambda z: depth - z, foot, top)[0] / np.sin(psi)
+        moment = integral(lambda z: depth - z, foot, top) / np.sin(psi)
         load += 2 * k * (1 - np.cos(psi)) * moment
         hold += 2 * k * np.cos(psi) * moment
     hold += float(section.base[0]) * depth
@@ -78,7 +92,7 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
 @pytest.mark.parametrize("equilibrium", [False, True])
 @pytest.mark.parametrize("name", [*SECTIONS, "circle"])
 def test_growth_of_friction_with_area_by_central_differences(name, equilibrium):
-    section = Circle(np.array([0.3]), OPEN) if name == "circle" else SECTIONS[name]  # half full at 0.1414 m²
+    section = pipe(0.3) if name == "circle" else SECTIONS[name]  # half full at 0.1414 m²
     for area in (0.003, 0.02, 0.12, 0.2):
         h = 1e-6 * area
         found = wetting(section, np.array([0.3]), np.array([area - h, area, area + h]), equilibrium)
@@ -92,11 +106,11 @@ def test_growth_of_both_loads_on_an_arc_by_differentiating_their_integrals(lack)
     """X = χ A and its shortfall grow with the half-angle by what one more layer of stream, sin ψ0 dψ0, weighs."""
     for angle in (0.2, 0.9, 1.5):
         area = angle - np.sin(angle) * np.cos(angle)
-        found = wetting(Circle(np.ones(1), OPEN), np.array([1.0 - lack]), np.array([area]))
+        found = wetting(pipe(1.0), np.array([1.0 - lack]), np.array([area]))
 
         def loads(weight, angle=angle, area=area):
-            load = 2 * quad(lambda psi: weight(psi) * (np.cos(psi) - np.cos(angle)), 0, angle)[0]
-            layer = 2 * np.sin(angle) * quad(weight, 0, angle)[0]  # d/dψ0; dA/dψ0 = 2 sin²ψ0
+            load = 2 * integral(lambda psi: weight(psi) * (np.cos(psi) - np.cos(angle)), 0, angle)
+            layer = 2 * np.sin(angle) * integral(weight, 0, angle)  # d/dψ0; dA/dψ0 = 2 sin²ψ0
             return load / area, layer / (2 * np.sin(angle) ** 2) - load / area
 
         excess, excess_growth = loads(lambda psi: (1 - lack * np.sin(psi) ** 2) * 2 * np.sin(psi / 2) ** 2)

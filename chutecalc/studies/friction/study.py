@@ -168,7 +168,8 @@ class FrictionStudy:
             square = BASE_SQUARED[self.keep](self.base_m, self.area_m2, np.cos(beta) / np.sin(beta))
             square = np.where(np.abs(square) < ROUNDING * self.base_m**2, 0.0, square)  # a vee
             base = np.sqrt(square)
-            section = Polygon(base, (np.full(1, np.inf),), (beta,), np.full(1, np.inf))
+            endless = np.full(1, np.inf)
+            section = Polygon(base, lengths=(endless,), inclinations=(beta,), wall_height=endless)
             wet = wetting(section, ratio, np.full(1, self.area_m2))
         flat = (beta == 0.0) & (base > 0.0)  # no depth, and nothing stands against a wall
         possible = flat | np.isfinite(wet.depth)
