@@ -37,6 +37,14 @@ class Bed:
         forces: Force of each wall of the trough on the bed, x and z, N, shape (walls, 2).
         kinetic_energy: Mean kinetic energy of a particle, J.
         positions: Centres of the particles, x across, y along and z up, m, shape (particles, 3).
+
+    >>> from chutecalc.dem.pour import column
+    >>> case = Case(base=0.1, lengths=(), inclinations=(), area=0.005, friction=0.75, pour="rain", seed=1)
+    >>> weight = case.count * case.mass * case.acceleration
+    >>> forces = weight * np.array([[0.0, 1.0], [0.2, 0.0], [-0.2, 0.0]])  # of the floor, left and right walls
+    >>> bed = Bed(case, forces, kinetic_energy=0.0, positions=column(case))
+    >>> round(bed.ratio, 12), {name: round(load, 12) for name, load in bed.by_name.items()}
+    (1.4, {'floor': 1.0, 'side wall': 0.2})
     """
 
     def __init__(self, case: Case, forces: Array, kinetic_energy: float, positions: Array) -> None:

@@ -49,6 +49,12 @@ class Campaign:
     Args:
         groups: The groups to run.
         store: The folder of cases.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> group = Group(case, seeds=3)
+    >>> campaign = Campaign([group], Store("no-such-folder"))
+    >>> campaign.outcome(group).needed == (case,)  # its bed has to be level before other seeds are poured
+    True
     """
 
     def __init__(self, groups: Sequence[Group], store: Store) -> None:
@@ -164,6 +170,11 @@ def expected_seconds(campaign: Campaign) -> tuple[int, float]:
 
     Returns:
         Number of cases, and seconds, roughly.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> count, seconds = expected_seconds(Campaign([Group(case, seeds=3)], Store("no-such-folder")))
+    >>> count, f"{seconds:.0f} s"
+    (4, '7 s')
     """
     left = []
     for group in campaign.groups:

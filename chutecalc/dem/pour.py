@@ -24,6 +24,8 @@ def check_room(case: Case) -> None:
 
     Raises:
         UsageError: The bed has fewer than 100 particles, or is less than 4 diameters wide or 3 long.
+
+    >>> check_room(Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1))
     """
     wide, long = float(case.trough.wetting(case.area).width[0]) / case.diameter, case.slice / case.diameter
     if case.count < FEWEST or wide < 4.0 or long < 3.0:
@@ -46,6 +48,9 @@ def steps(case: Case) -> int:
 
     Args:
         case: The case.
+
+    >>> steps(Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1))
+    9480
     """
     top, speed = float(_rising(case)[0][-1]), POURS[case.pour].speed
     acceleration = GRAVITY * case.body_force
@@ -70,6 +75,10 @@ def column(case: Case) -> Array:
 
     Raises:
         UsageError: A particle finds no free position.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> column(case).shape == (case.count, 3)
+    True
     """
     d = case.diameter
     heights, width = _rising(case)

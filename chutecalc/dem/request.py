@@ -132,6 +132,13 @@ def groups(beds: Beds, plan: PourPlan) -> list[Group]:
 
     Raises:
         UsageError: A bed is too small for its particles.
+
+    >>> beds = paper_beds(beta="30,60", base=None, chamfer=None, area=None, delta=None, phi=25.0)
+    >>> plan = PourPlan(
+    ...     frictions=[0.75, 0.9], pours=["rain"], seeds=3, body_forces=[1.0], raised_to=0.0, diameter=0.01, slice=0.05
+    ... )
+    >>> [(group.case.slope_label, group.case.friction) for group in groups(beds, plan)]
+    [('30', 0.75), ('60', 0.75), ('30', 0.9), ('60', 0.9)]
     """
     found = []
     for pour, friction, body_force, trough, area in product(

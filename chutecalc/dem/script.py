@@ -26,6 +26,11 @@ def particles_text(case: Case, positions: Array) -> str:
 
     Returns:
         The text of ``particles.data``.
+
+    >>> from chutecalc.dem.pour import column
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> particles_text(case, column(case)).splitlines()[2:4]
+    ['449 atoms', '1 atom types']
     """
     d = case.diameter
     far = 0.5 * float(case.trough.wetting(2.0 * case.area).width[0]) + 2.0 * d
@@ -48,6 +53,10 @@ def script_text(case: Case, top: float) -> str:
 
     Returns:
         The text of ``in.lammps``.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> [line for line in script_text(case, top=0.5).splitlines() if line.startswith("region wall0")]
+    ['region wall0 plane 0 0 0 0 0 1']
     """
     d, mass, step = case.diameter, case.mass, case.time_step
     contact = f"{case.stiffness:.9g} NULL {{damping:.9g}} NULL {{friction:g}} 1 limit_damping"

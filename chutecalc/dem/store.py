@@ -21,6 +21,11 @@ class Store:
 
     Args:
         folder: Its path. It is created when the first case is written.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> store = Store("no-such-folder")
+    >>> store.case_folder(case) == Path("no-such-folder", case.name), store.read(case)
+    (True, None)
     """
 
     def __init__(self, folder: str | Path) -> None:

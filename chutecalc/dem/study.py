@@ -54,6 +54,11 @@ class Point:
         beds: The beds of all seeds that have been run.
         errors: Messages of runs that failed.
         waiting: Number of cases that have not been run.
+
+    >>> case = Case(base=0.5, lengths=(), inclinations=(), area=0.05, friction=0.75, pour="rain", seed=1)
+    >>> point = Point(Group(case, seeds=3), beds=[], waiting=3)
+    >>> point.trough.base, point.beds_of_seed(1)
+    (0.5, [])
     """
 
     def __init__(self, group: Group, beds: Sequence[Bed], errors: Sequence[str] = (), waiting: int = 0) -> None:
@@ -146,6 +151,12 @@ def residual(points: Sequence[Point], vertical_ratio: float, law: str) -> float:
         points: The beds, at least one in each point.
         vertical_ratio: Pressure ratio K_v of a vertical wall, in (0, 1].
         law: ``paper`` or ``equilibrium``.
+
+    >>> from types import SimpleNamespace
+    >>> case = Case(base=0.5, lengths=(), inclinations=(), area=0.05, friction=0.75, pour="rain", seed=1)
+    >>> bed = SimpleNamespace(case=case, area=0.05, ratio=1.1, failed=())
+    >>> round(residual([Point(Group(case, seeds=1), [bed])], vertical_ratio=0.4, law="paper"), 6)  # 1 + K_v H/B = 1.08
+    0.02
     """
     off = [point.ratio.mean - point.law(vertical_ratio, law).ratio for point in points]
     return float(np.sqrt(np.mean(np.square(off))))
@@ -162,6 +173,13 @@ def fit(points: Sequence[Point], law: str) -> Fit:
 
     Returns:
         The best δ; NaN where N_t/N does not depend on it.
+
+    >>> from types import SimpleNamespace
+    >>> case = Case(base=0.5, lengths=(), inclinations=(), area=0.05, friction=0.75, pour="rain", seed=1)
+    >>> bed = SimpleNamespace(case=case, area=0.05, ratio=1.0 + 0.2 / 3.0, failed=())  # 1 + K_v H/B with K_v = 1/3
+    >>> best = fit([Point(Group(case, seeds=1), [bed])], law="paper")
+    >>> round(math.degrees(best.internal_friction), 3), round(best.residual, 6)
+    (30.0, 0.0)
     """
     means = {point: (point.trough, point.area.mean, point.ratio.mean) for point in points}
     best, off = _fitted(list(means.values()), law)
@@ -216,6 +234,12 @@ class Study:
         campaign: The campaign with its folder.
         wall_friction: Wall friction angle φ for μ_e, rad.
         vertical_ratio: Pressure ratio K_v to compare with besides the fitted one; None for none.
+
+    >>> from chutecalc.dem.store import Store
+    >>> case = Case(base=0.5, lengths=(), inclinations=(), area=0.05, friction=0.75, pour="rain", seed=1)
+    >>> study = Study(Campaign([Group(case, seeds=3)], Store("no-such-folder")), wall_friction=math.radians(25.0))
+    >>> study.sound, study.points[0].waiting
+    (False, 1)
     """
 
     def __init__(self, campaign: Campaign, wall_friction: float, vertical_ratio: float | None = None) -> None:

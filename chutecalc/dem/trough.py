@@ -42,6 +42,10 @@ class Wall(NamedTuple):
 
         Returns:
             The integral, m².
+
+        >>> floor, left, right = Trough(0.5, (), ()).walls
+        >>> floor.thrust(0.2), round(left.thrust(0.2), 12)
+        (0.1, 0.02)
         """
         if self.side == 0:
             return self.length * depth

@@ -77,7 +77,16 @@ class BaselineSegment(Table):
 
 
 class Baseline(Table):
-    """The results of a design, stored or computed now."""
+    """The results of a design, stored or computed now.
+
+    >>> import chutecalc
+    >>> chute = chutecalc.parse(chutecalc.STARTER)
+    >>> now = baseline_of(chute, chutecalc.solve(chute), [])
+    >>> list(now.visits()), [key.row for key, _ in now.rows() if key.segment == "fall"][:2]
+    ([('fall', 1), ('spoon', 1)], ['impact', 'station 1'])
+    >>> now.document()["status"]
+    'ok'
+    """
 
     format: Literal[1]
     """Version of the file format."""

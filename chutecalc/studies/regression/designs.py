@@ -35,6 +35,13 @@ def find_designs(paths: Iterable[str]) -> Designs:
     Raises:
         AllSpecsError: All faults of all specs.
         UsageError: A path does not exist, or there is no spec.
+
+    >>> import chutecalc
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     size = Path(folder, "spoon.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    ...     print([Path(chute.source).name for chute in find_designs([folder]).chutes])
+    ['spoon.toml']
     """
     chutes: list[Chute] = []
     errors: list[SpecError] = []

@@ -88,6 +88,11 @@ def first_and_largest(drifts: Sequence[Drift]) -> list[tuple[Drift, Drift]]:
 
     Args:
         drifts: Drifts in the order of the flow.
+
+    >>> key = RowKey("spoon", 1, "station 1")
+    >>> near = Drift(key, "depth_m", s_m=1.0, was=0.1, now=0.101, off=0.01)
+    >>> [(first.s_m, largest.s_m) for first, largest in first_and_largest([near, near._replace(s_m=2.0, off=0.02)])]
+    [(1.0, 2.0)]
     """
     columns: dict[str, list[Drift]] = {}
     for drift in drifts:
@@ -308,6 +313,15 @@ def check(
 
     Returns:
         The verdicts in the order of the designs, or the errors in specs that only solving them shows.
+
+    >>> import chutecalc
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     path = Path(folder, "spoon.toml")
+    ...     size = path.write_text(chutecalc.STARTER, encoding="utf-8")
+    ...     (found,) = check([chutecalc.load(path)])
+    >>> found.outcome
+    'no_baseline'
     """
     if processes is None:
         processes = min(cores(), len(chutes) // FOR_A_PROCESS)
