@@ -63,12 +63,12 @@ def test_each_check_fails_where_it_should():
     one = case()
     good = bed(one)
     assert good.failed == ()
-    lifted = Bed(one, good.forces * (1.0 + 2.0 * BALANCE), 0.0, good.positions)
+    lifted = Bed(one, good.forces * (1.0 + 2.0 * BALANCE), kinetic_energy=0.0, positions=good.positions)
     assert [check.name for check in lifted.failed] == ["balance"]
     assert "sides" in {check.name for check in bed(one, noise=0.02).failed}
-    moving = Bed(one, good.forces, 2e-7 * one.mass * one.acceleration * one.diameter, good.positions)
+    moving = Bed(one, good.forces, 2e-7 * one.mass * one.acceleration * one.diameter, positions=good.positions)
     assert [check.name for check in moving.failed] == ["rest"]
-    broken = Bed(one, good.forces * np.nan, 0.0, good.positions)
+    broken = Bed(one, good.forces * np.nan, kinetic_energy=0.0, positions=good.positions)
     assert {"balance", "sides"} <= {check.name for check in broken.failed}
 
 

@@ -111,10 +111,13 @@ NO_VERB = {
 UNIT = re.compile(
     r"(?<![\w.'’])(?:mm|m[²³]?(?:/s[²³]?|²/s²)?|m³/s|1/(?:m|s|rad)|s|ms|rad|deg|degrees|°|[kM]?Pa|kg(?:/m³|/s)?|t/h"
     r"|k?W(?:/m²)?|N(?:/m)?|J|in g|SI|%)(?!\w)"
-    r"|(?i:\b(?:seconds|bytes|inches|points|characters|percent|ratio|share|fraction|coefficient|tangent|tan|sin|cos"
-    r"|dimensionless|relative|numbers?|counts?|units?|as in|see)\b)|:(?:func|meth|class|attr|data):"
 )
-"""What tells the unit of a number, or that it has none, or where that is said."""
+NO_UNIT = re.compile(
+    r"\b(?:seconds|bytes|inches|points|characters|percent|ratio|share|fraction|coefficient|tangent|tan|sin|cos"
+    r"|dimensionless|relative|numbers?|counts?|units?|as in|see)\b|:(?:func|meth|class|attr|data):`",
+    re.IGNORECASE,
+)
+"""Words that tell a unit, that there is none, or where it is said."""
 LONE_UNIT = re.compile(r"(?:m|m/s|m/s²|m²|m³|s|kg|kg/s|rad|deg|n|j|pa|kpa|w|w/m²|°)\.", re.IGNORECASE)
 NUMERIC = re.compile(r"\b(?:float|Array|Values|NDArray|ArrayLike)\b")
 BY_NAME = re.compile(r"\b(?:Callable|Mapping|dict|Literal)\b")
@@ -176,11 +179,8 @@ def arguments_of(node):
 
 def is_command(node):
     """Whether Typer makes a command of it: its arguments are described by their help."""
-    return any(
-        ast.unparse(default).startswith("typer.")
-        for default in [*node.args.defaults, *node.args.kw_defaults]
-        if default
-    )
+    given = [*node.args.defaults, *node.args.kw_defaults, *(one.annotation for one in node.args.args)]
+    return any("typer." in ast.unparse(part) for part in given if part)
 
 
 def entries(doc):
@@ -236,11 +236,7 @@ def faults_of(item):
     if LONE_UNIT.fullmatch(summary):
         yield "its summary is a unit alone"
     if item.is_property:
-        if (
-            NUMERIC.search(returned := returns(item.node))
-            and not BY_NAME.search(returned)
-            and not UNIT.search(item.doc)
-        ):
+        if NUMERIC.search(returned := returns(item.node)) and not BY_NAME.search(returned) and not has_unit(item.doc):
             yield "names no unit"
         return
     if not item.is_class:
@@ -252,8 +248,13 @@ def faults_of(item):
     for name, annotation in item.arguments:
         if name not in described:
             yield f"Args has no {name}"
-        elif NUMERIC.search(annotation) and not BY_NAME.search(annotation) and not UNIT.search(described[name]):
+        elif NUMERIC.search(annotation) and not BY_NAME.search(annotation) and not has_unit(described[name]):
             yield f"Args names no unit of {name}"
+
+
+def has_unit(text):
+    """Whether a description names a unit, or says that there is none."""
+    return bool(UNIT.search(text) or NO_UNIT.search(text))
 
 
 def returns(node):
@@ -263,19 +264,9 @@ def returns(node):
 @cache
 def moods():
     """Lines whose docstring begins with a verb that is no imperative, by file: Ruff's D401."""
-    command = [
-        sys.executable,
-        "-m",
-        "ruff",
-        "check",
-        "--isolated",
-        "--select",
-        "D401",
-        "--output-format",
-        "concise",
-        ROOT,
-    ]
-    done = subprocess.run(command, capture_output=True, text=True)
+    options = ["--isolated", "--no-cache", "--select", "D401", "--output-format", "concise"]
+    done = subprocess.run([sys.executable, "-m", "ruff", "check", *options, ROOT], capture_output=True, text=True)
+    assert done.returncode in (0, 1), done.stderr
     found = {}
     for line in done.stdout.splitlines():
         if match := re.match(r"(.+?):(\d+):\d+: D401 (.*)", line):
