@@ -113,8 +113,8 @@ UNIT = re.compile(
     r"|k?W(?:/m²)?|N(?:/m)?|J|in g|SI|%)(?!\w)"
 )
 NO_UNIT = re.compile(
-    r"\b(?:seconds|bytes|inches|points|characters|percent|ratio|share|fraction|coefficient|tangent|tan|sin|cos"
-    r"|dimensionless|relative|numbers?|counts?|units?|as in|see)\b|:(?:func|meth|class|attr|data):`",
+    r"\b(?:seconds|bytes|inches|points|characters|percent|ratios?|shares?|fractions?|coefficients?|tangents?|tan|sin|cos"
+    r"|dimensionless|relative|numbers?|counts?|signs?|units?|as in|see)\b|:(?:func|meth|class|attr|data):`",
     re.IGNORECASE,
 )
 """Words that tell a unit, that there is none, or where it is said."""
