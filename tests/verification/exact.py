@@ -23,6 +23,7 @@ def normal_acceleration(
     Returns:
         n, m/s². Below 0 the stream has left the surface.
 
+    >>> from chutecalc.physics.motion import FLOOR
     >>> float(normal_acceleration(FLOOR, 9.81, 0.0, 1 / 3.0, 9.0))
     12.81
     """
@@ -50,6 +51,7 @@ def arc_velocity_squared(
     Returns:
         v², m²/s²; negative beyond a stall, meaningless beyond a loss of contact.
 
+    >>> from chutecalc.physics.motion import FLOOR
     >>> float(arc_velocity_squared(FLOOR, 9.81, 3.0, 0.0, np.pi / 2, 2.0, 0.0).round(9))  # no friction: 2² + 2 g R
     62.86
     """
