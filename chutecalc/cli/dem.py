@@ -12,8 +12,8 @@ from chutecalc.errors import ExitStatus, UsageError
 
 if TYPE_CHECKING:
     from chutecalc.dem.campaign import Campaign
+    from chutecalc.dem.request import Beds
     from chutecalc.dem.study import Study
-    from chutecalc.dem.wanted import Beds
 
 CASES = "dem-cases"
 
@@ -50,9 +50,9 @@ def dem(
     Ends with status 1 where a case crashed or failed a check; 3 where LAMMPS is missing.
     """
     from chutecalc.dem.campaign import Campaign
+    from chutecalc.dem.request import PourPlan, groups, numbers, paper_beds, pours
     from chutecalc.dem.store import Store
     from chutecalc.dem.study import Study
-    from chutecalc.dem.wanted import Wanted, groups, numbers, paper_beds, pours
     from chutecalc.output.files import check_targets, open_whole
 
     outputs = (csv, json, plot)
@@ -62,7 +62,15 @@ def dem(
         _picture_format(plot)
     frictions = numbers(particle_friction, "--particle-friction", 0.0, 10.0)
     forces = numbers(body_force, "--body-force", 0.01, 100.0)
-    wanted = Wanted(frictions, pours(pour), seeds, forces, raise_to, diameter, slice_)
+    plan = PourPlan(
+        frictions=frictions,
+        pours=pours(pour),
+        seeds=seeds,
+        body_forces=forces,
+        raised_to=raise_to,
+        diameter=diameter,
+        slice=slice_,
+    )
     if spec is None:
         if segment is not None:
             raise UsageError("--segment names a segment of a spec: give the spec too")
@@ -71,7 +79,7 @@ def dem(
         if (beta, base, chamfer, area, delta) != (None,) * 5:
             raise UsageError("--beta, --base, --chamfer, --area and --delta are what the spec says: leave them out")
         beds = _beds_of(spec, segment)
-    campaign = Campaign(groups(beds, wanted), Store(write or read or cases))
+    campaign = Campaign(groups(beds, plan), Store(write or read or cases))
     if write is not None:
         return _write(campaign)
     with ExitStack() as stack:

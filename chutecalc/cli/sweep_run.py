@@ -9,7 +9,7 @@ from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.files import open_whole
 from chutecalc.output.progress import progress
 from chutecalc.output.table import Printer
-from chutecalc.studies.sweep.block import Block, best_of
+from chutecalc.studies.sweep.block import Block, best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
 from chutecalc.studies.sweep.rows import CsvRows, JsonRows, KeptRows, ParquetRows, Rows
 from chutecalc.studies.sweep.sweep import Sweep
@@ -90,7 +90,7 @@ class SweepRun:
                 sinks.append(ParquetRows(stream, header))
             if stream := outputs.enter_context(open_whole(json)):
                 sinks.append(JsonRows(stream, self.sweep))
-            for block in best_of(blocks, self.sweep.top) if self.sweep.top else blocks:
+            for block in best_rows(blocks, self.sweep.top) if self.sweep.top else blocks:
                 for sink in sinks:
                     sink.write(block)
             for sink in sinks:

@@ -46,24 +46,24 @@ class Engine:
         self._lock = threading.Lock()
         self._stopped = False
 
-    def run(self, place: Path) -> None:
+    def run(self, folder: Path) -> None:
         """Runs the case in a folder to its end.
 
         Raises:
             RunError: it crashed, was killed, or found the disk full; with where its log is.
         """
         for old in (script.WALLS, script.BED):
-            (place / old).unlink(missing_ok=True)
+            (folder / old).unlink(missing_ok=True)
         environment = os.environ | {"OMP_NUM_THREADS": "1"}
         arguments = ["-in", script.SCRIPT, "-log", script.LOG]
         try:
-            with open(place / OUTPUT, "wb") as output:
+            with open(folder / OUTPUT, "wb") as output:
                 with self._lock:
                     if self._stopped:
                         raise RunError("stopped")
                     process = subprocess.Popen(
                         [*self.command, *arguments],
-                        cwd=place,
+                        cwd=folder,
                         env=environment,
                         stdin=subprocess.DEVNULL,
                         stdout=output,
@@ -73,11 +73,11 @@ class Engine:
                     self._running.add(process)
                 status = process.wait()
         except OSError as error:
-            raise RunError(f"could not be run: {error.strerror}; see {place}") from None
+            raise RunError(f"could not be run: {error.strerror}; see {folder}") from None
         with self._lock:
             self._running.discard(process)
-        if status != 0 or not (place / script.WALLS).is_file():
-            raise RunError(f"{_cause(status, place)}; see {place / OUTPUT}")
+        if status != 0 or not (folder / script.WALLS).is_file():
+            raise RunError(f"{_cause(status, folder)}; see {folder / OUTPUT}")
 
     def stop(self) -> None:
         """Ends all that runs, and lets nothing new begin."""
@@ -106,10 +106,10 @@ def _find(program: str) -> str | None:
     return shutil.which(program, path=str(Path(sys.executable).parent)) or shutil.which(program)
 
 
-def _cause(status: int, place: Path) -> str:
+def _cause(status: int, folder: Path) -> str:
     """Why a run ended badly, as LAMMPS says it itself where it does."""
     with suppress(OSError):
-        said = (place / OUTPUT).read_text(encoding="utf-8", errors="replace").splitlines()
+        said = (folder / OUTPUT).read_text(encoding="utf-8", errors="replace").splitlines()
         for line in reversed(said):
             if "ERROR" in line:
                 return line.strip()

@@ -72,11 +72,11 @@ def _frictions(axes: Axes, study: Study, series: Series, colour: str, mark: str,
     """μ_e of the beds, and of the law at their own areas."""
     friction, ratio = math.tan(study.wall_friction), series.fits["paper"].vertical_ratio
 
-    def place(point: Point) -> float:
+    def abscissa(point: Point) -> float:
         return math.degrees(point.case.inclinations[0]) if by_slope else point.depth.mean
 
-    points = sorted(series.points, key=place)
-    x = [place(point) for point in points]
+    points = sorted(series.points, key=abscissa)
+    x = [abscissa(point) for point in points]
     mean, scatter = np.array([point.ratio for point in points]).T * friction
     areas = [point.area.mean for point in points]
     troughs = [point.trough for point in points]
@@ -102,8 +102,8 @@ def _pictured(series: Sequence[Series]) -> list[Bed]:
 
 def _beds(figure: SubFigure, beds: Sequence[Bed]) -> None:
     """Beds beside each other, at one scale."""
-    half = max(float(np.abs(bed.places[:, 0]).max()) + bed.case.diameter for bed in beds)
-    top = max(float(bed.places[:, 2].max()) + bed.case.diameter for bed in beds)
+    half = max(float(np.abs(bed.positions[:, 0]).max()) + bed.case.diameter for bed in beds)
+    top = max(float(bed.positions[:, 2].max()) + bed.case.diameter for bed in beds)
     for axes, bed in zip(np.atleast_1d(figure.subplots(1, len(beds))), beds, strict=True):
         _bed(axes, bed)
         axes.set(xlim=(-half, half), ylim=(-0.05 * top, top), xticks=[], yticks=[], aspect="equal", frame_on=False)
@@ -111,16 +111,16 @@ def _beds(figure: SubFigure, beds: Sequence[Bed]) -> None:
 
 def _bed(axes: Axes, bed: Bed) -> None:
     """The particles as seen along the chute, the nearer the lighter, in their trough."""
-    order = np.argsort(-bed.places[:, 1])
-    places, d = bed.places[order], bed.case.diameter
-    shade = 0.55 + 0.4 * (1.0 - places[:, 1] / bed.case.slice)
+    order = np.argsort(-bed.positions[:, 1])
+    positions, d = bed.positions[order], bed.case.diameter
+    shade = 0.55 + 0.4 * (1.0 - positions[:, 1] / bed.case.slice)
     axes.add_collection(
         EllipseCollection(
-            np.full(len(places), d),
-            np.full(len(places), d),
-            np.zeros(len(places)),
+            np.full(len(positions), d),
+            np.full(len(positions), d),
+            np.zeros(len(positions)),
             units="xy",
-            offsets=places[:, [0, 2]],
+            offsets=positions[:, [0, 2]],
             transOffset=axes.transData,
             facecolors=[str(round(value, 2)) for value in shade],
             edgecolors="0.25",
@@ -128,8 +128,8 @@ def _bed(axes: Axes, bed: Bed) -> None:
             rasterized=True,
         )
     )
-    top = float(places[:, 2].max()) + d
-    half = float(np.abs(places[:, 0]).max()) + d
+    top = float(positions[:, 2].max()) + d
+    half = float(np.abs(positions[:, 0]).max()) + d
     lines = []
     for wall in bed.case.trough.walls:
         across, up = math.cos(wall.inclination), math.sin(wall.inclination)

@@ -143,7 +143,7 @@ def test_parallel_lists(capsys):
     assert [row["radius_m"] + row["friction_deg"] for row in rows] == ["1.025.0", "2.026.0", "3.027.0"]
     assert {row["rate_t_h"] for row in rows} == {"500.0"}
     said = refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
-    assert "one length, or single values: radius_m 3, friction_deg 2" in said
+    assert "equal length, or single values. Given: radius_m 3, friction_deg 2" in said
 
 
 @pytest.mark.parametrize("keep", ["width", "depth"])
@@ -316,12 +316,12 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", VEE, "--keep", "depth"], "--keep depth does not go with sections.flanks: a vee has no base"),
         (["radius=1,2", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
         (["base=0.3,0.4", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
-        (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
+        (["beta", SPOON, "--columns", "exit_velocity"], "Did you mean exit_velocity_m_s?"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
         (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
         (["beta", SPOON, "--top", "3", "--by", "status:max"], "numbers"),
-        (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top chooses among designs"),
-        (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "known are a station's columns"),
+        (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top selects designs"),
+        (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "Use the columns of a station"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
         (["beta", SPOON, "--resume"], "--resume goes on with a file"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),

@@ -11,7 +11,7 @@ from chutecalc.fields.units import UNITS
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS, Column, row_columns
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, chosen
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, select_rows
 from chutecalc.studies.sweep.rows import joined
 from chutecalc.studies.sweep.sweep import Sweep
 
@@ -67,7 +67,7 @@ class ShownRows:
         self.ends.update(status.tolist())
         possible = np.flatnonzero(status != IMPOSSIBLE)[: self.most - self.count]
         if possible.size:
-            self.kept.append(chosen(block, possible))
+            self.kept.append(select_rows(block, possible))
             self.count += len(possible)
 
     def close(self) -> None:
