@@ -51,12 +51,12 @@ class Contact(NamedTuple):
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
 
-    def wall_height(self, place: Array) -> Array:
+    def wall_height(self, share: Array) -> Array:
         """Above which it chokes, m, at shares of its length."""
         first = self.section.wall_height
         if self.end_section is None or np.isinf(first).any():
             return first
-        return first + place * (self.end_section.wall_height - first)
+        return first + share * (self.end_section.wall_height - first)
 
 
 class Fall(NamedTuple):
@@ -107,7 +107,7 @@ class Design(NamedTuple):
     """K_v."""
     equilibrium: bool
     """Wall pressures scaled until they carry the weight, instead of the paper's friction law."""
-    inlet_place: tuple[Array, Array]
+    inlet_position: tuple[Array, Array]
     inlet_velocity: Array
     inlet_slope: Array
     belt: Belt | None

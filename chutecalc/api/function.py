@@ -209,8 +209,8 @@ class Function:
         columns, _, begins = columns_of(design)
         varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
         self._again = again_at(design, begins, varied[0]) if varied else 0
-        leaves = {} if self._plain else {leaf.place: leaf for leaf in _leaves(design)}
-        self._leaves = {place: len(columns) + number for number, place in enumerate(leaves)}
+        leaves = {} if self._plain else {leaf.slot: leaf for leaf in _leaves(design)}
+        self._leaves = {slot: len(columns) + number for number, slot in enumerate(leaves)}
         self._recipe = tape.recipe([*columns, *leaves.values()])
         self._design = self._design if self._plain else design
         if self._plain:
@@ -244,7 +244,7 @@ def _filled(item: Any, known: Array, leaves: Mapping[int, int]) -> Any:
     if not leaves:
         return item
     if isinstance(item, Traced):
-        return known[:, leaves[item.place]]
+        return known[:, leaves[item.slot]]
     if isinstance(item, tuple):
         parts = [_filled(each, known, leaves) for each in item]
         return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)

@@ -23,9 +23,9 @@ class Parameter(NamedTuple):
 
     path: str
     table: Table
-    """That it stands in, with its documented key and, of a list, the places in it."""
+    """That it stands in, with its documented key and, of a list, the indices in it."""
     key: str
-    places: tuple[int, ...]
+    indices: tuple[int, ...]
     unit: str
     limits: Limits | None
 
@@ -38,8 +38,8 @@ class Parameter(NamedTuple):
     def value(self) -> Any:
         """In the dimension's first unit, as the spec has it."""
         value = getattr(self.table, self.key)
-        for place in self.places:
-            value = value[place]
+        for index in self.indices:
+            value = value[index]
         return value
 
     @property
@@ -49,13 +49,13 @@ class Parameter(NamedTuple):
 
     def put(self, value: Any) -> None:
         """Has the spec say so."""
-        if not self.places:
+        if not self.indices:
             self.table.__dict__[self.key] = value  # a model is frozen against everybody else
             return
         rows = getattr(self.table, self.key)
-        for place in self.places[:-1]:
-            rows = rows[place]
-        rows[self.places[-1]] = value
+        for index in self.indices[:-1]:
+            rows = rows[index]
+        rows[self.indices[-1]] = value
 
     def converted(self, value: Any) -> Any:
         """To the dimension's first unit."""
@@ -74,7 +74,7 @@ class Parameter(NamedTuple):
     def asks(self, value: Traced) -> bool:
         """Whether the spec's bounds, and the rules of its table, let a converted value be; asked on its tape."""
         table = {key: item for key, item in self.table.__dict__.items() if item is not None}
-        table |= {} if self.places else {self.key: value}
+        table |= {} if self.indices else {self.key: value}
         finite = bool(value - value == 0.0)
         within = [bool(ASKED[name](value, limit)) for name, limit in self.quantity.bounds.items()]
         return finite and all(within) and not any(True for rule in self.table.rules for _ in rule(table))
@@ -101,10 +101,12 @@ def check_once(parameters: Sequence[Parameter]) -> None:
     seen: dict[tuple[int, str, tuple[int, ...]], str] = {}
     faults = []
     for each in parameters:
-        place = id(each.table), each.key, each.places
-        if place in seen:
-            faults.append(Fault(each.path, f"is given twice, as {seen[place]} and as {each.path}", "keep one of them"))
-        seen.setdefault(place, each.path)
+        quantity = id(each.table), each.key, each.indices
+        if quantity in seen:
+            faults.append(
+                Fault(each.path, f"is given twice, as {seen[quantity]} and as {each.path}", "keep one of them")
+            )
+        seen.setdefault(quantity, each.path)
     if faults:
         raise SpecError(faults)
 
@@ -129,9 +131,9 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
             if isinstance(here, Table):
                 name, unit = here.keys()[part]
                 if name in type(here).quantities():
-                    places = tuple(map(_index, parts[number + 1 :]))
-                    found = Parameter(path, here, name, places, unit, limits)
-                    listed = not places or unit == first_unit(found.quantity.dimension)  # as changes take it
+                    indices = tuple(map(_index, parts[number + 1 :]))
+                    found = Parameter(path, here, name, indices, unit, limits)
+                    listed = not indices or unit == first_unit(found.quantity.dimension)  # as changes take it
                     if isinstance(found.value, float | int) and listed:
                         return found
                     break

@@ -15,7 +15,7 @@ from chutecalc.core import replay
 from chutecalc.physics.arrays import Array
 
 CODE = {name: number for number, name in enumerate(replay.NAMES)}
-Place = int
+Slot = int
 
 
 class Tape:
@@ -25,49 +25,49 @@ class Tape:
         self.values: list[float] = []
         self.steps: list[int] = []
         self.varied = 0
-        self._constants: dict[tuple[float, float], Place] = {}
+        self._constants: dict[tuple[float, float], Slot] = {}
 
     def number(self, value: float) -> "Traced":
         """The next number that is varied; all before anything else."""
         self.varied += 1
-        return Traced(self, np.array([value], dtype=float), self.room(float(value)))
+        return Traced(self, np.array([value], dtype=float), self.new_slot(float(value)))
 
-    def room(self, value: float = np.nan) -> Place:
-        """A place for one more value."""
+    def new_slot(self, value: float = np.nan) -> Slot:
+        """A slot for one more value."""
         self.values.append(value)
         return len(self.values) - 1
 
-    def place(self, item: Any) -> Place:
-        """Where a number is; what never changes takes a place too.
+    def slot(self, item: Any) -> Slot:
+        """Where a number is; what never changes takes a slot too.
 
         Raises:
             TypeError: it is more than one number.
         """
         if isinstance(item, Traced):
-            return item.place
+            return item.slot
         if np.size(item) != 1:
             raise TypeError("more than one number")
         value = float(item if np.ndim(item) == 0 else np.ravel(item)[0])
         key = value, math.copysign(1.0, value)  # −0 is another
         if key not in self._constants:
-            self._constants[key] = self.room(value)
+            self._constants[key] = self.new_slot(value)
         return self._constants[key]
 
-    def do(self, name: str, *places: Place) -> Place:
+    def do(self, name: str, *slots: Slot) -> Slot:
         """An operation; tells where its result goes."""
-        found = self.room()
-        self.steps += [CODE[name], *places, *[0] * (3 - len(places)), found]
+        found = self.new_slot()
+        self.steps += [CODE[name], *slots, *[0] * (3 - len(slots)), found]
         return found
 
-    def check(self, place: Place, answer: bool) -> None:
+    def check(self, slot: Slot, answer: bool) -> None:
         """An answer that has to stay what it is."""
-        holds = self.do("not", self.do("not", place))  # whatever is not 0 is true
-        self.steps += [CODE["check"], holds, self.place(answer), 0, 0]
+        holds = self.do("not", self.do("not", slot))  # whatever is not 0 is true
+        self.steps += [CODE["check"], holds, self.slot(answer), 0, 0]
 
     def recipe(self, taken: Sequence[Any], width: int = replay.WIDTH) -> replay.Recipe:
         """What to do for so many designs at once, and the numbers to tell of each, varied or not."""
-        places = [self.place(item) for item in taken]
-        return replay.Recipe(self.steps, self.values, places, self.varied, width)
+        slots = [self.slot(item) for item in taken]
+        return replay.Recipe(self.steps, self.values, slots, self.varied, width)
 
 
 def again(recipe: replay.Recipe, numbers: Array) -> Array | None:
@@ -81,8 +81,8 @@ def again(recipe: replay.Recipe, numbers: Array) -> Array | None:
 class Traced(np.lib.mixins.NDArrayOperatorsMixin):
     """An array of one design whose value follows from varied numbers."""
 
-    def __init__(self, tape: Tape, value: Any, place: Place) -> None:
-        self.tape, self.value, self.place = tape, value, place
+    def __init__(self, tape: Tape, value: Any, slot: Slot) -> None:
+        self.tape, self.value, self.slot = tape, value, slot
 
     def __array_ufunc__(self, function: Any, method: str, *inputs: Any, **options: Any) -> Any:
         if method != "__call__" or options or function not in _OPERATIONS:
@@ -96,15 +96,15 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
             return self._same(function(self.value))
         return NotImplemented
 
-    def _made(self, function: Callable[..., Any], operation: Callable[..., Place], inputs: Sequence[Any]) -> "Traced":
+    def _made(self, function: Callable[..., Any], operation: Callable[..., Slot], inputs: Sequence[Any]) -> "Traced":
         value = function(*(item.value if isinstance(item, Traced) else item for item in inputs))
-        return Traced(self.tape, value, operation(self.tape, *(self.tape.place(item) for item in inputs)))
+        return Traced(self.tape, value, operation(self.tape, *(self.tape.slot(item) for item in inputs)))
 
     def _same(self, value: Any) -> "Traced":
         """The same number in another shape."""
         if np.size(value) != 1:
             raise TypeError("more than one number")
-        return Traced(self.tape, value, self.place)
+        return Traced(self.tape, value, self.slot)
 
     def __getitem__(self, key: Any) -> Any:
         return self._same(self.value[key])
@@ -113,7 +113,7 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return len(self.value)
 
     def __bool__(self) -> bool:
-        self.tape.check(self.place, bool(self.value))
+        self.tape.check(self.slot, bool(self.value))
         return bool(self.value)
 
     def any(self) -> Any:
@@ -134,44 +134,44 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return self.value.flat
 
 
-def _plain(name: str) -> Callable[..., Place]:
-    return lambda tape, *places: tape.do(name, *places)
+def _plain(name: str) -> Callable[..., Slot]:
+    return lambda tape, *slots: tape.do(name, *slots)
 
 
-def _swapped(name: str) -> Callable[..., Place]:
+def _swapped(name: str) -> Callable[..., Slot]:
     return lambda tape, one, other: tape.do(name, other, one)
 
 
-def _negative(tape: Tape, one: Place) -> Place:
-    return tape.do("multiply", one, tape.place(-1.0))
+def _negative(tape: Tape, one: Slot) -> Slot:
+    return tape.do("multiply", one, tape.slot(-1.0))
 
 
-def _absolute(tape: Tape, one: Place) -> Place:
-    size = tape.do("choose", tape.do("less", one, tape.place(0.0)), _negative(tape, one), one)
-    return tape.do("add", size, tape.place(0.0))  # −0 is 0
+def _absolute(tape: Tape, one: Slot) -> Slot:
+    size = tape.do("choose", tape.do("less", one, tape.slot(0.0)), _negative(tape, one), one)
+    return tape.do("add", size, tape.slot(0.0))  # −0 is 0
 
 
-def _least(tape: Tape, one: Place, other: Place) -> Place:
+def _least(tape: Tape, one: Slot, other: Slot) -> Slot:
     return _first(tape, tape.do("less", one, other), one, other)
 
 
-def _largest(tape: Tape, one: Place, other: Place) -> Place:
+def _largest(tape: Tape, one: Slot, other: Slot) -> Slot:
     return _first(tape, tape.do("less", other, one), one, other)
 
 
-def _first(tape: Tape, better: Place, one: Place, other: Place) -> Place:
+def _first(tape: Tape, better: Slot, one: Slot, other: Slot) -> Slot:
     """The one that is better, or no number."""
     none = tape.do("not", tape.do("equal", one, one))
     return tape.do("choose", tape.do("or", better, none), one, other)
 
 
-def _power(tape: Tape, one: Place, exponent: Place) -> Place:
-    if exponent != tape.place(2.0):
+def _power(tape: Tape, one: Slot, exponent: Slot) -> Slot:
+    if exponent != tape.slot(2.0):
         raise TypeError("a power that is no square")
     return tape.do("multiply", one, one)
 
 
-_OPERATIONS: dict[Any, Callable[..., Place]] = {
+_OPERATIONS: dict[Any, Callable[..., Slot]] = {
     np.add: _plain("add"),
     np.subtract: _plain("subtract"),
     np.multiply: _plain("multiply"),

@@ -6,17 +6,17 @@ import numpy as np
 
 from chutecalc.physics.arrays import Mask
 
-Place = tuple[str | int, ...]
+Location = tuple[str | int, ...]
 """Where something stands in a spec's data: keys, and numbers of list items from 0."""
 
 EVERY = np.ones(1, dtype=bool)
 """All designs."""
 
 
-class PlacedFault(NamedTuple):
-    """A fault at a place of the spec's data."""
+class LocatedFault(NamedTuple):
+    """A fault at a location of the spec's data."""
 
-    place: Place
+    location: Location
     problem: str
     remedy: str
     value: Any
@@ -25,7 +25,7 @@ class PlacedFault(NamedTuple):
 class GeometryError(Exception):
     """A spec whose keys and values are right one by one, and do not go together."""
 
-    def __init__(self, faults: list[PlacedFault], designs: Mask) -> None:
+    def __init__(self, faults: list[LocatedFault], designs: Mask) -> None:
         """All faults, and a mask of the designs that have them, of length 1 or n."""
         self.faults, self.designs = faults, designs
         super().__init__(f"{len(faults)} faults of geometry")
@@ -35,13 +35,13 @@ class GeometryFaults:
     """Collects faults, and which designs have them, on the way along a spec."""
 
     def __init__(self) -> None:
-        self.found: list[PlacedFault] = []
+        self.found: list[LocatedFault] = []
         self.designs: Mask = ~EVERY
 
-    def note(self, designs: Mask, place: Place, value: Any, problem: str, remedy: str) -> None:
+    def note(self, designs: Mask, location: Location, value: Any, problem: str, remedy: str) -> None:
         """Notes a fault where there are designs that have it."""
         if designs.any():
-            self.found.append(PlacedFault(place, problem, remedy, value))
+            self.found.append(LocatedFault(location, problem, remedy, value))
             self.designs = self.designs | designs
 
     def check(self) -> None:

@@ -21,9 +21,9 @@ def _converted(value: Any, dimension: str, unit: str) -> Any:
 
 
 class Rule(NamedTuple):
-    """What is wrong at a place of a table, and what to do."""
+    """What is wrong at a location of a table, and what to do."""
 
-    place: tuple[str | int, ...]
+    location: tuple[str | int, ...]
     problem: str
     remedy: str
 
@@ -71,8 +71,10 @@ class Table(BaseModel):
         broken: list[Rule] = []
         table, written, meant = cls._in_first_units(data, broken)
         for rule in cls.rules:
-            broken += [item for item in rule(table) if not (item.place[0] in meant and "missing" in item.problem)]
-        details = [_detail((written.get(str(place[0]), place[0]), *place[1:]), *said) for place, *said in broken]
+            broken += [item for item in rule(table) if not (item.location[0] in meant and "missing" in item.problem)]
+        details = [
+            _detail((written.get(str(location[0]), location[0]), *location[1:]), *said) for location, *said in broken
+        ]
         try:
             model = handler(table)
         except ValidationError as error:
@@ -135,14 +137,14 @@ class Table(BaseModel):
     @classmethod
     def _worded(cls, item: Any, written: dict[str, str]) -> InitErrorDetails:
         """One of pydantic's errors in the user's words; those of tables below are worded already."""
-        place, kind = tuple(item["loc"]), item["type"]
+        location, kind = tuple(item["loc"]), item["type"]
         if kind == "fault":
-            return _detail(place, item["msg"], item["ctx"]["remedy"])
-        name = place[0] if len(place) == 1 else ""
+            return _detail(location, item["msg"], item["ctx"]["remedy"])
+        name = location[0] if len(location) == 1 else ""
         quantity = cls.quantities().get(str(name))
         if kind == "missing":
             names = list(twins(str(name), quantity.dimension)) if quantity else [str(name)]
-            return _detail(place, "is missing", f"add {' or '.join(names)}")
+            return _detail(location, "is missing", f"add {' or '.join(names)}")
         if quantity and kind == "quantity":
             key = written[str(name)]
             limits = quantity.words(cls.keys()[key][1])
@@ -150,14 +152,14 @@ class Table(BaseModel):
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")
             if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
-                return _detail((*place, tag), *_NOT_VARIED)
-            return _detail((*place, tag), "is missing or not known", f"give one of {', '.join(cls.choices[tag])}")
+                return _detail((*location, tag), *_NOT_VARIED)
+            return _detail((*location, tag), "is missing or not known", f"give one of {', '.join(cls.choices[tag])}")
         if kind == "string_pattern_mismatch":
-            return _detail(place, "is no name", "use letters, digits, - and _, and begin with a letter or _")
+            return _detail(location, "is no name", "use letters, digits, - and _, and begin with a letter or _")
         if kind == "literal_error":
-            return _detail(place, f"has to be {item['ctx']['expected']}", "change the value")
+            return _detail(location, f"has to be {item['ctx']['expected']}", "change the value")
         expected = _EXPECTED.get(kind)
-        return _detail(place, f"has to be {expected}" if expected else item["msg"], "change it")
+        return _detail(location, f"has to be {expected}" if expected else item["msg"], "change it")
 
 
 _NOT_VARIED = "cannot be varied: it is no quantity", "use the path of a quantity, such as flow.rate_t_h"
@@ -174,7 +176,7 @@ _EXPECTED = {
 }
 
 
-def _detail(place: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:
+def _detail(location: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:
     """A fault as pydantic carries it; its text is final and holds nothing to fill in."""
     text = problem.replace("{", "(").replace("}", ")")
-    return InitErrorDetails(type=PydanticCustomError("fault", text, {"remedy": remedy}), loc=place, input=None)
+    return InitErrorDetails(type=PydanticCustomError("fault", text, {"remedy": remedy}), loc=location, input=None)

@@ -125,7 +125,7 @@ def numbers_of(design: Design) -> Numbers:
 def columns_of(design: Design) -> tuple[list[Array | float], list[int], list[int]]:
     """The numbers of a row; where each segment's wall begins among them, and where each segment does."""
     columns: list[Array | float] = [design.density, design.gravity, design.volume_rate, design.vertical_ratio]
-    columns += [*design.inlet_place, design.inlet_velocity, design.inlet_slope]
+    columns += [*design.inlet_position, design.inlet_velocity, design.inlet_slope]
     starts, begins = [], []
     for segment in design.segments:
         begins.append(len(columns))

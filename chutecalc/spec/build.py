@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Belt, Contact, Design, Fall, Receiver, Segment
-from chutecalc.fields.faults import GeometryFaults, Place
+from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array, shared
 from chutecalc.physics.belt import discharge
@@ -71,7 +71,7 @@ class _Geometry:
         else:
             assert friction is not None  # the material's own rule
             ratio = vertical_pressure_ratio(friction)
-        velocity, slope, place, belt = self.inlet()
+        velocity, slope, position, belt = self.inlet()
         return Design(
             mass_rate=in_si(flow.rate_t_h, "mass rate"),
             density=in_si(material.density_kg_m3, "density"),
@@ -79,7 +79,7 @@ class _Geometry:
             internal_friction=friction,
             vertical_ratio=ratio,
             equilibrium=self.spec.model.friction_law == "equilibrium",
-            inlet_place=place,
+            inlet_position=position,
             inlet_velocity=velocity,
             inlet_slope=slope,
             belt=belt,
@@ -88,7 +88,7 @@ class _Geometry:
         )
 
     def inlet(self) -> tuple[Array, Array, tuple[Array, Array], Belt | None]:
-        """Velocity, slope and place of the stream where it enters, and the belt it comes from."""
+        """Velocity, slope and position of the stream where it enters, and the belt it comes from."""
         inlet = self.spec.inlet
         x, z = (in_si(item, "length") for item in inlet.at_m)
         if inlet.belt is None:
@@ -113,8 +113,10 @@ class _Geometry:
         sections = {name: build_section(name, section, self.faults) for name, section in self.spec.sections.items()}
         walls = {name: self.wall(liner) for name, liner in self.spec.liners.items()}
         if self.spec.segments[0].kind != "fall":
-            place, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
-            self.faults.note(velocity == 0.0, place, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy)
+            location, remedy = ("inlet", "velocity_m_s"), "give a velocity, or begin with a fall"
+            self.faults.note(
+                velocity == 0.0, location, self.spec.inlet.velocity_m_s, "leaves the stream at rest", remedy
+            )
         slope: Array | None = shared(np.where(velocity == 0.0, VERTICAL, inlet_slope))  # a stream at rest falls
         falling = bool(np.all(slope == np.pi / 2))  # straight down, and past nothing yet that it may not follow
         built: list[Segment] = []
@@ -137,7 +139,7 @@ class _Geometry:
 
     def contact(
         self,
-        place: Place,
+        location: Location,
         name: str,
         segment: model.Flat | model.Arc,
         slope: Array | None,
@@ -145,19 +147,19 @@ class _Geometry:
         walls: dict[str, Wall],
     ) -> Contact:
         """A guiding segment that follows a slope; None where that is the stream's."""
-        section, end_section = section_names(place, segment, self.spec.sections, self.faults)
+        section, end_section = section_names(location, segment, self.spec.sections, self.faults)
         liner = segment.liner or next(iter(self.spec.liners))
         radius: Array | None = None
         length: Array | None = None
         entry: Array | None
         if isinstance(segment, model.Flat):
             entry = exit_ = in_si(segment.slope_deg, "angle")
-            length = self.straight_length(place, segment, exit_)
+            length = self.straight_length(location, segment, exit_)
         else:
             radius = in_si(segment.radius_m, "length")
             exit_ = in_si(segment.to_slope_deg, "angle")
             entry = slope if segment.from_slope_deg is None else in_si(segment.from_slope_deg, "angle")
-            self.check_turn(place, segment, entry, exit_)
+            self.check_turn(location, segment, entry, exit_)
         return Contact(
             name=name,
             kind=segment.kind,
@@ -194,27 +196,27 @@ class _Geometry:
         )
         return yield_locus(normal, shear, strength)
 
-    def straight_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
+    def straight_length(self, location: Location, segment: model.Flat, slope: Array) -> Array:
         """Length of a flat segment, from whichever of its three measures is given."""
-        length = self._flat_length(place, segment, slope)
+        length = self._flat_length(location, segment, slope)
         key = "drop_m" if segment.drop_m is not None else "run_m"
         problem = f"makes the segment {float(length.max()):.3g} m long: more than {LONGEST:g} m"
-        self.faults.note(length > LONGEST, (*place, key), getattr(segment, key), problem, "change it, or the slope")
+        self.faults.note(length > LONGEST, (*location, key), getattr(segment, key), problem, "change it, or the slope")
         return np.minimum(length, LONGEST)
 
-    def _flat_length(self, place: Place, segment: model.Flat, slope: Array) -> Array:
+    def _flat_length(self, location: Location, segment: model.Flat, slope: Array) -> Array:
         """The same, however long."""
         if segment.length_m is not None:
             return in_si(segment.length_m, "length")
         if segment.drop_m is not None:
             problem = "gives a level segment no length"
-            self.faults.note(slope == 0.0, (*place, "drop_m"), segment.drop_m, problem, "give length_m or run_m")
+            self.faults.note(slope == 0.0, (*location, "drop_m"), segment.drop_m, problem, "give length_m or run_m")
             return in_si(segment.drop_m, "length") / np.where(slope != 0.0, np.abs(np.sin(slope)), 1.0)
         problem = "gives a vertical segment no length"
-        self.faults.note(slope == np.pi / 2, (*place, "run_m"), segment.run_m, problem, "give length_m or drop_m")
+        self.faults.note(slope == np.pi / 2, (*location, "run_m"), segment.run_m, problem, "give length_m or drop_m")
         return in_si(segment.run_m, "length") / np.where(slope != np.pi / 2, np.cos(slope), 1.0)
 
-    def check_turn(self, place: Place, segment: model.Arc, entry: Array | None, exit_: Array) -> None:
+    def check_turn(self, location: Location, segment: model.Arc, entry: Array | None, exit_: Array) -> None:
         """A hood has to steepen, a curve to turn; what begins tangent to a falling stream is known only when solved."""
         if entry is None:
             return
@@ -229,4 +231,4 @@ class _Geometry:
                     f"has to be steeper than where the hood begins, {start}: only a roof that steepens guides a stream"
                 )
                 remedy = "give a steeper slope, or make it a curve"
-            self.faults.note(wrong, (*place, "to_slope_deg"), segment.to_slope_deg, problem, remedy)
+            self.faults.note(wrong, (*location, "to_slope_deg"), segment.to_slope_deg, problem, remedy)

@@ -6,7 +6,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from chutecalc.errors import Fault
-from chutecalc.fields.faults import Place, PlacedFault
+from chutecalc.fields.faults import LocatedFault, Location
 from chutecalc.fields.units import same_quantity
 from chutecalc.spec.parse import key_lines
 
@@ -21,32 +21,32 @@ def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
     """
     found = []
     for item in error.errors(include_url=False):
-        place, value = _as_written(tuple(item["loc"]), data)
-        found.append(PlacedFault(place, item["msg"], (item.get("ctx") or {}).get("remedy", ""), value))
-    return located(found, text)
+        location, value = _as_written(tuple(item["loc"]), data)
+        found.append(LocatedFault(location, item["msg"], (item.get("ctx") or {}).get("remedy", ""), value))
+    return _located(found, text)
 
 
-def placed(faults: Iterable[PlacedFault], data: Any, text: str) -> list[Fault]:
+def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> list[Fault]:
     """Faults that name documented keys, at the keys and with the values that the user wrote."""
     found = []
     for fault in faults:
-        *above, key = fault.place
+        *above, key = fault.location
         here = data
         for item in above:
             here = here[item]
         given = next((twin for twin in same_quantity(str(key)) if isinstance(here, dict) and twin in here), key)
         value = here[given] if isinstance(here, dict) and given in here else fault.value
-        found.append(fault._replace(place=(*above, given), value=value))
-    return located(found, text)
+        found.append(fault._replace(location=(*above, given), value=value))
+    return _located(found, text)
 
 
-def located(faults: Iterable[PlacedFault], text: str) -> list[Fault]:
+def _located(faults: Iterable[LocatedFault], text: str) -> list[Fault]:
     """Faults with paths as users write them, lists from 1, and lines: the key's, or that of the table around."""
     lines = key_lines(text)
     found = []
-    for place, problem, remedy, value in faults:
-        path = ".".join(str(item + 1) if isinstance(item, int) else item for item in place)
-        line = next((lines[place[:k]] for k in range(len(place), 0, -1) if place[:k] in lines), None)
+    for location, problem, remedy, value in faults:
+        path = ".".join(str(item + 1) if isinstance(item, int) else item for item in location)
+        line = next((lines[location[:k]] for k in range(len(location), 0, -1) if location[:k] in lines), None)
         found.append(Fault(path, problem, remedy, value_text(value), line))
     return sorted(dict.fromkeys(found), key=lambda fault: fault.line or 0)
 
@@ -65,9 +65,9 @@ def value_text(value: Any) -> str:
     return str(value)
 
 
-def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
-    """The place without the tags that pydantic puts in for kinds and shapes, and what stands there."""
-    place: Place = ()
+def _as_written(loc: Location, data: Any) -> tuple[Location, Any]:
+    """The location without the tags that pydantic puts in for kinds and shapes, and what stands there."""
+    location: Location = ()
     here, tagged = data, False
     for item in loc:
         if item == "[key]":  # pydantic's name for a key itself
@@ -80,5 +80,5 @@ def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
             here = here.get(item)
         else:
             here = here[item] if isinstance(here, list) and isinstance(item, int) and item < len(here) else None
-        place, tagged = (*place, item), False
-    return place, here
+        location, tagged = (*location, item), False
+    return location, here

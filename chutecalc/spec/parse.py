@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
-from chutecalc.fields.faults import Place
+from chutecalc.fields.faults import Location
 
 BASELINE_SUFFIX = ".baseline.toml"
 """Of the file beside a spec that holds what once came out of it, instead of the spec's own ``.toml``."""
@@ -69,11 +69,11 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
         raise SpecError([Fault("", f"is not TOML: {error}", "see https://toml.io")], source) from None
 
 
-def key_lines(text: str) -> dict[Place, int]:
+def key_lines(text: str) -> dict[Location, int]:
     """The line of each table and key, as well as a pass over the text can tell; inside a value it is its key's."""
-    lines: dict[Place, int] = {}
-    counts: dict[Place, int] = {}
-    table: Place = ()
+    lines: dict[Location, int] = {}
+    counts: dict[Location, int] = {}
+    table: Location = ()
     quote = ""
     for number, line in enumerate(text.split("\n"), 1):
         if quote:
@@ -88,19 +88,19 @@ def key_lines(text: str) -> dict[Place, int]:
     return lines
 
 
-def _keys(dotted: str) -> Place:
+def _keys(dotted: str) -> Location:
     """The parts of a dotted key."""
     parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
     return tuple(part.strip("\"'") for part in parts)
 
 
-def _numbered(keys: Place, counts: dict[Place, int], is_list: bool) -> Place:
-    """A table's place with the number of each list item on its way, counted from 0."""
-    place: Place = ()
+def _numbered(keys: Location, counts: dict[Location, int], is_list: bool) -> Location:
+    """A table's location with the number of each list item on its way, counted from 0."""
+    location: Location = ()
     for depth, key in enumerate(keys, 1):
-        place = (*place, key)
+        location = (*location, key)
         if is_list and depth == len(keys):
-            counts[place] = counts.get(place, -1) + 1
-        if place in counts:
-            place = (*place, counts[place])
-    return place
+            counts[location] = counts.get(location, -1) + 1
+        if location in counts:
+            location = (*location, counts[location])
+    return location

@@ -73,15 +73,15 @@ def names(table: dict[str, Any]) -> Iterator[Rule]:
     for number, segment in enumerate(segments if isinstance(segments, list) else []):
         if not isinstance(segment, dict):
             continue
-        place = ("segments", number)
+        location = ("segments", number)
         name = segment.get("name")
         if isinstance(name, str):
             if name in seen:
-                yield Rule((*place, "name"), f"is the name of segment {seen[name]} too", "choose another name")
+                yield Rule((*location, "name"), f"is the name of segment {seen[name]} too", "choose another name")
             seen.setdefault(name, number + 1)
         if _guides(segment):
-            yield from _reference(table, segment, place, "section", "sections")
-            yield from _reference(table, segment, place, "liner", "liners")
+            yield from _reference(table, segment, location, "section", "sections")
+            yield from _reference(table, segment, location, "liner", "liners")
 
 
 def _guides(segment: dict[str, Any]) -> bool:
@@ -91,7 +91,7 @@ def _guides(segment: dict[str, Any]) -> bool:
 
 
 def _reference(
-    table: dict[str, Any], segment: dict[str, Any], place: tuple[str | int, ...], key: str, kinds: str
+    table: dict[str, Any], segment: dict[str, Any], location: tuple[str | int, ...], key: str, kinds: str
 ) -> Iterator[Rule]:
     """One reference of a segment to the sections or liners."""
     defined, named = table.get(kinds), segment.get(key)
@@ -99,11 +99,11 @@ def _reference(
         return
     known = ", ".join(defined)
     if named is None and len(defined) > 1:
-        yield Rule((*place, key), "is missing, and there are several", f"name one of {known}")
+        yield Rule((*location, key), "is missing, and there are several", f"name one of {known}")
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
             problem = f"names {name}, which is not defined in [{kinds}]"
-            yield Rule((*place, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
+            yield Rule((*location, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
 
 
 def downhill(table: dict[str, Any]) -> Iterator[Rule]:
@@ -125,23 +125,25 @@ def placement(table: dict[str, Any]) -> Iterator[Rule]:
         before = listed[number - 1] if number else {}
         after = listed[number + 1] if number + 1 < len(listed) else {}
         starts = [key for key in segment if str(key).startswith("start_")]
-        place = ("segments", number)
+        location = ("segments", number)
         if segment.get("onto_next") is True and not _guides(after):
             yield Rule(
-                (*place, "onto_next"), "needs a segment after it that guides the stream", "add one, or give drop_m"
+                (*location, "onto_next"), "needs a segment after it that guides the stream", "add one, or give drop_m"
             )
         if before.get("onto_next") is True and _guides(segment):
             if not starts:
-                yield Rule((*place, "start_m"), "is missing: the fall before it goes onto_next", "add start_m = [x, z]")
+                yield Rule(
+                    (*location, "start_m"), "is missing: the fall before it goes onto_next", "add start_m = [x, z]"
+                )
             if segment.get("kind") in ("curve", "hood") and not any(
                 str(key).startswith("from_slope_") for key in segment
             ):
                 yield Rule(
-                    (*place, "from_slope_deg"), "is missing: the fall before it goes onto_next", "add from_slope_deg"
+                    (*location, "from_slope_deg"), "is missing: the fall before it goes onto_next", "add from_slope_deg"
                 )
         elif starts:
             remedy = "put a fall with onto_next = true before it, or remove it"
-            yield Rule((*place, starts[0]), "goes with a fall that goes onto_next", remedy)
+            yield Rule((*location, starts[0]), "goes with a fall that goes onto_next", remedy)
 
 
 def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
