@@ -12,6 +12,9 @@ from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Section
 from chutecalc.physics.wall import Wall
 
+VERTICAL = np.array([np.pi / 2])
+"""Slope of what falls straight down, rad."""
+
 
 class Status:
     """How a design, or one of its segments, ends, by number.
@@ -27,12 +30,14 @@ class Status:
 
 
 class Contact(NamedTuple):
-    """A segment that guides the stream: straight, curve, hood or plate."""
+    """A segment that guides the stream, straight or along an arc."""
 
     name: str
     kind: str
     side: float
     """σ: 1 for a floor, -1 for a roof."""
+    deflects: bool
+    """Whether the stream only strikes it, and leaves as the impact sends it."""
     entry_slope: Array | None
     """Drawn slope where it starts; None where it is tangent to the stream that falls into it."""
     exit_slope: Array
@@ -58,6 +63,10 @@ class Contact(NamedTuple):
             return first
         return first + share * (self.end_section.wall_height - first)
 
+    def drawn_end(self, before: Array | None) -> Array:
+        """Slope at which it ends, rad, whatever comes before it."""
+        return self.exit_slope
+
 
 class Fall(NamedTuple):
     """Free flight; down to a level, or to a distance, from its drawn start, or else onto the segment after it."""
@@ -71,6 +80,15 @@ class Fall(NamedTuple):
     def onto_next(self) -> bool:
         """Whether it ends where it lands."""
         return self.drop is None and self.run is None
+
+    @property
+    def deflects(self) -> bool:
+        """Whether it is a surface that the stream only strikes: it is none."""
+        return False
+
+    def drawn_end(self, before: Array | None) -> Array | None:
+        """Slope at which it ends, rad, from that of the segment before it; None where only the stream itself tells."""
+        return VERTICAL if before is not None and (before == VERTICAL).all() else None
 
 
 class Belt(NamedTuple):

@@ -186,7 +186,7 @@ class Function:
         self._recipe: Recipe | None = None
         self._answer: Answer | None = None
         self._design, self._leaves = base, dict[int, int]()
-        if base.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
+        if base.segments[-1].deflects:  # where the stream is as the impact on it leaves it
             return
         before = [parameter.value for parameter in self.parameters]
         try:

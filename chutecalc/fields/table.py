@@ -28,12 +28,15 @@ class Rule(NamedTuple):
     remedy: str
 
 
+Rules = tuple[Callable[[dict[str, Any]], Iterator[Rule]], ...]
+
+
 class Table(BaseModel):
     """A table of a spec: no unknown keys, units by suffix, rules of its own, and every fault in the user's words."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, arbitrary_types_allowed=True, defer_build=True)
 
-    rules: ClassVar[tuple[Callable[[dict[str, Any]], Iterator[Rule]], ...]] = ()
+    rules: ClassVar[Rules] = ()
     """Each yields what is broken in a table, given with the documented keys."""
     choices: ClassVar[dict[str, tuple[str, ...]]] = {}
     """What the keys that tell one kind of table from another may say."""

@@ -41,7 +41,7 @@ def kinds_of(design: Design) -> Kinds:
 def _kind(contact: Contact, design: Design) -> Kind:
     first, last = kind_of(contact.section), contact.end_section and kind_of(contact.end_section)
     pieces = len(contact.wall.starts)
-    return Kind(False, contact.kind == "plate", contact.side, design.equilibrium, pieces, first, last)
+    return Kind(False, contact.deflects, contact.side, design.equilibrium, pieces, first, last)
 
 
 def take(kinds: Kinds) -> records.Course:

@@ -8,21 +8,8 @@ import numpy as np
 
 from chutecalc.fields.table import Rule
 from chutecalc.fields.units import twins
-
-GUIDED = ("straight", "curve", "hood", "plate")
-
-
-def one_of(*keys: str) -> Any:
-    """The rule that exactly one of some keys is given."""
-
-    def rule(table: dict[str, Any]) -> Iterator[Rule]:
-        given = [key for key in keys if key in table]
-        if len(given) != 1:
-            names = ", ".join(keys)
-            problem = f"is one too many: give only one of {names}" if given else f"is missing: give one of {names}"
-            yield Rule((given[-1] if given else keys[0],), problem, "remove the others" if given else f"add {keys[0]}")
-
-    return rule
+from chutecalc.segments.base import Segment
+from chutecalc.segments.registry import KINDS
 
 
 def known_format(table: dict[str, Any]) -> Iterator[Rule]:
@@ -84,10 +71,16 @@ def names(table: dict[str, Any]) -> Iterator[Rule]:
             yield from _reference(table, segment, location, "liner", "liners")
 
 
+def _table_of(segment: dict[str, Any]) -> type[Segment] | None:
+    """The table of a segment's kind; None where it is missing or not known."""
+    kind = segment.get("kind")
+    return KINDS.get(kind) if isinstance(kind, str) else None
+
+
 def _guides(segment: dict[str, Any]) -> bool:
     """Whether a segment says that it guides the stream."""
-    kind = segment.get("kind")
-    return isinstance(kind, str) and kind in GUIDED
+    table = _table_of(segment)
+    return table is not None and table.guides
 
 
 def _reference(
@@ -106,15 +99,6 @@ def _reference(
             yield Rule((*location, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
 
 
-def downhill(table: dict[str, Any]) -> Iterator[Rule]:
-    """A straight floor does not rise."""
-    slope: Any = table.get("slope_deg")
-    # of NumPy's mixin is a number of which a function writes down what is done with it (chutecalc.api.tape)
-    number = isinstance(slope, int | float | np.lib.mixins.NDArrayOperatorsMixin | np.ndarray)
-    if table.get("kind") == "straight" and number and np.any(np.less(slope, 0.0)):
-        yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")
-
-
 def placement(table: dict[str, Any]) -> Iterator[Rule]:
     """A fall that goes onto the next segment, and where that segment is drawn from."""
     segments = table.get("segments")
@@ -124,26 +108,23 @@ def placement(table: dict[str, Any]) -> Iterator[Rule]:
     for number, segment in enumerate(listed):
         before = listed[number - 1] if number else {}
         after = listed[number + 1] if number + 1 < len(listed) else {}
-        starts = [key for key in segment if str(key).startswith("start_")]
-        location = ("segments", number)
+        location, table_of = ("segments", number), _table_of(segment)
         if segment.get("onto_next") is True and not _guides(after):
-            yield Rule(
-                (*location, "onto_next"), "needs a segment after it that guides the stream", "add one, or give drop_m"
-            )
-        if before.get("onto_next") is True and _guides(segment):
-            if not starts:
-                yield Rule(
-                    (*location, "start_m"), "is missing: the fall before it goes onto_next", "add start_m = [x, z]"
-                )
-            if segment.get("kind") in ("curve", "hood") and not any(
-                str(key).startswith("from_slope_") for key in segment
-            ):
-                yield Rule(
-                    (*location, "from_slope_deg"), "is missing: the fall before it goes onto_next", "add from_slope_deg"
-                )
-        elif starts:
+            problem = "needs a segment after it that guides the stream"
+            yield Rule((*location, "onto_next"), problem, "add one, or give drop_m")
+        if before.get("onto_next") is True and table_of is not None and table_of.guides:
+            for key, example in table_of.placed.items():
+                if not _given(segment, key):
+                    yield Rule((*location, key), "is missing: the fall before it goes onto_next", f"add {example}")
+        elif starts := _given(segment, "start_m"):
             remedy = "put a fall with onto_next = true before it, or remove it"
             yield Rule((*location, starts[0]), "goes with a fall that goes onto_next", remedy)
+
+
+def _given(table: dict[str, Any], key: str) -> list[str]:
+    """The keys of a table that are meant for a documented one, whatever unit they end in."""
+    stem, _, _ = key.rpartition("_")
+    return [str(given) for given in table if str(given).startswith(f"{stem}_")]
 
 
 def known_strength(table: dict[str, Any]) -> Iterator[Rule]:

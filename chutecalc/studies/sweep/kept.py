@@ -1,7 +1,6 @@
 """What stays of a chamfered section while its chamfer angle varies."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -9,14 +8,12 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import UsageError
 from chutecalc.fields.units import same_quantity
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.spec.chute_spec import Chamfered, ChuteSpec, Vee
+from chutecalc.sections.registry import SHAPES
+from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.paths import with_values
 
 KEEP = ("base", "width", "depth")
-ROUNDING = 1e-14
 ANGLE = same_quantity("chamfer_deg")
-GIVES = [*same_quantity("base_m"), *same_quantity("chamfer_m")]
-"""Keys whose values follow where the width or the depth is kept."""
 
 
 class Kept:
@@ -34,8 +31,7 @@ class Kept:
         Raises:
             UsageError: what stands against it.
         """
-        self.chute = chute
-        self.depth = keep == "depth"
+        self.chute, self.keep = chute, keep
         parts = [path.split(".") for path in paths]
         varied = [path[1] for path in parts if path[0] == "sections" and len(path) == 3 and path[2] in ANGLE]
         self.names = [] if keep == "base" else [name for name in varied if name in chute.spec.sections]
@@ -45,38 +41,31 @@ class Kept:
             raise UsageError(f"--keep {keep} says what stays while a chamfer angle varies: add beta=15:90:5")
         for name in self.names:
             section = chute.spec.sections[name]
-            if not isinstance(section, Chamfered):
-                what = "a vee has no base that could give way" if isinstance(section, Vee) else "it has no chamfer"
-                raise UsageError(f"--keep {keep} does not go with sections.{name}: {what}")
-            if section.chamfer_m is None:
-                raise UsageError(f"--keep {keep} needs sections.{name}.chamfer_m, the length of the chamfer")
+            if not section.adjustable:
+                takes = ", ".join(shape for shape, table in SHAPES.items() if table.adjustable)
+                raise UsageError(
+                    f"--keep {keep} does not go with sections.{name}, whose shape is {section.shape}: it takes {takes}"
+                )
+            for key in section.adjustable:
+                if getattr(section, key) is None:
+                    raise UsageError(f"--keep {keep} needs sections.{name}.{key}: add it to the spec")
 
     def __call__(self, changes: Mapping[str, Array], count: int) -> tuple[dict[str, Array], Mask]:
-        """What is put at which path, and which designs have a section, shape (count,).
-
-        With angle β, base B and chamfer C, and β₀ that of the spec: C sin β stays for the depth, and B + 2 C cos β for
-        both. Written so that nothing changes, to the last digit, at β = β₀.
-        """
+        """What is put at which path, and which designs have a section, shape (count,)."""
         possible = np.ones(count, dtype=bool)
         if not self.names:
             return dict(changes), possible
         spec = ChuteSpec.model_validate(with_values(self.chute.data, dict(changes), self.chute.source))
         put = {path: values for path, values in changes.items() if not self._gives(path)}
         for name in self.names:
-            section, drawn = spec.sections[name], self.chute.spec.sections[name]
-            assert isinstance(section, Chamfered)
-            assert isinstance(drawn, Chamfered)
-            base, chamfer = np.atleast_1d(section.base_m), np.atleast_1d(section.chamfer_m)
-            angle, before = np.radians(np.atleast_1d(section.chamfer_deg)), np.radians(drawn.chamfer_deg)
-            length = chamfer * (np.sin(before) / np.sin(angle)) if self.depth else chamfer
-            given = base + 2.0 * chamfer * np.cos(before)
-            left = base + 2.0 * (chamfer * np.cos(before) - length * np.cos(angle))
-            left = np.where(np.abs(left) < ROUNDING * given, 0.0, left)  # a vee
-            possible = possible & (left >= 0.0)
-            put |= {f"sections.{name}.base_m": left, f"sections.{name}.chamfer_m": length}
+            values, can_be = spec.sections[name].adjusted(self.chute.spec.sections[name], self.keep)
+            possible = possible & can_be
+            put |= {f"sections.{name}.{key}": value for key, value in values.items()}
         return put, possible
 
     def _gives(self, path: str) -> bool:
         """Whether what is at a path follows here."""
-        parts: list[Any] = path.split(".")
-        return parts[0] == "sections" and parts[1] in self.names and parts[-1] in GIVES
+        table, *name, key = path.split(".")
+        if table != "sections" or name[0] not in self.names:
+            return False
+        return any(key in same_quantity(each) for each in self.chute.spec.sections[name[0]].adjustable)

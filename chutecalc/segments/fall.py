@@ -1,0 +1,43 @@
+"""Free flight."""
+
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from chutecalc import design
+from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantity import in_si
+from chutecalc.fields.rules import one_of
+from chutecalc.physics.arrays import Array
+from chutecalc.segments.base import Context, Segment
+
+
+class Fall(Segment):
+    """Free flight."""
+
+    kind: Literal["fall"]
+    drop_m: Length = Field(None, description="from the drawn end of the segment before it, or the inlet, to its own")
+    run_m: Length = Field(None, description="its horizontal length, instead of its height")
+    onto_next: Literal[True] | None = Field(
+        None, description="instead: to where it meets the next segment, which has start_m"
+    )
+
+    example: ClassVar = """\
+kind = "fall"
+drop_m = 2.0
+"""
+    guides: ClassVar = False
+    rules: ClassVar = (one_of("drop_m", "run_m", "onto_next"),)
+
+    def build(self, context: Context) -> design.Fall:
+        """Return free flight; a stream that falls straight down never comes to a distance."""
+        if self.run_m is not None and context.slope is not None:
+            problem, location = "is never reached: the stream falls straight down", (*context.location, "run_m")
+            context.faults.note(context.slope == np.pi / 2, location, self.run_m, problem, "give drop_m")
+        return design.Fall(context.name, self.kind, _optional(self.drop_m), _optional(self.run_m))
+
+
+def _optional(length: Any) -> Array | None:
+    """A length in m that may be absent."""
+    return None if length is None else in_si(length, "length")

@@ -1,0 +1,55 @@
+"""What flat segments have in common."""
+
+from typing import ClassVar
+
+import numpy as np
+from pydantic import Field
+
+from chutecalc.fields.quantities import Length, Slope
+from chutecalc.fields.quantity import in_si
+from chutecalc.fields.rules import one_of
+from chutecalc.fields.table import Rules
+from chutecalc.physics.arrays import Array
+from chutecalc.segments.base import Context
+from chutecalc.segments.guide import Guide
+
+LONGEST = 1e5
+"""Length that a segment may have, m: as of every length."""
+
+
+class Flat(Guide):
+    """A flat segment, given by its slope and one of its measures."""
+
+    slope_deg: Slope = Field(description="below horizontal")
+    length_m: Length = Field(None, description="along it")
+    drop_m: Length = Field(None, description="its height, instead of its length")
+    run_m: Length = Field(None, description="its horizontal length, instead of its length")
+
+    rules: ClassVar[Rules] = (one_of("length_m", "drop_m", "run_m"),)
+
+    def measured_length(self, context: Context, slope: Array) -> Array:
+        """Return the length, m, from whichever of its three measures is given.
+
+        Args:
+            context: its faults collect measures that give no length, or too large a one.
+            slope: at which it is drawn, rad.
+        """
+        length = self._length(context, slope)
+        key = "drop_m" if self.drop_m is not None else "run_m"
+        problem = f"makes the segment {float(length.max()):.3g} m long: more than {LONGEST:g} m"
+        value, remedy = getattr(self, key), "change it, or the slope"
+        context.faults.note(length > LONGEST, (*context.location, key), value, problem, remedy)
+        return np.minimum(length, LONGEST)
+
+    def _length(self, context: Context, slope: Array) -> Array:
+        """The same, however long."""
+        if self.length_m is not None:
+            return in_si(self.length_m, "length")
+        faults, location = context.faults, context.location
+        if self.drop_m is not None:
+            problem = "gives a level segment no length"
+            faults.note(slope == 0.0, (*location, "drop_m"), self.drop_m, problem, "give length_m or run_m")
+            return in_si(self.drop_m, "length") / np.where(slope != 0.0, np.abs(np.sin(slope)), 1.0)
+        problem = "gives a vertical segment no length"
+        faults.note(slope == np.pi / 2, (*location, "run_m"), self.run_m, problem, "give length_m or drop_m")
+        return in_si(self.run_m, "length") / np.where(slope != np.pi / 2, np.cos(slope), 1.0)

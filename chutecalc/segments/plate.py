@@ -1,0 +1,27 @@
+"""A flat roof that is struck and left: an impact plate."""
+
+from typing import ClassVar, Literal
+
+from chutecalc.design import Contact
+from chutecalc.fields.quantity import in_si
+from chutecalc.physics.motion import ROOF
+from chutecalc.segments.base import Context
+from chutecalc.segments.flat import Flat
+
+
+class Plate(Flat):
+    """A plate: a flat roof that is struck and left."""
+
+    kind: Literal["plate"]
+
+    example: ClassVar = """\
+kind = "plate"                  # a flat roof that the stream strikes and leaves
+slope_deg = 70
+length_m = 0.8
+"""
+
+    def build(self, context: Context) -> Contact:
+        """Return a flat roof that deflects the stream."""
+        slope = in_si(self.slope_deg, "angle")
+        length = self.measured_length(context, slope)
+        return self.contact(context, ROOF, slope, slope, length=length, deflects=True)

@@ -1,0 +1,42 @@
+"""An inclined floor."""
+
+from collections.abc import Iterator
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from chutecalc.design import Contact
+from chutecalc.fields.quantities import Slope
+from chutecalc.fields.quantity import in_si
+from chutecalc.fields.rules import is_numeric
+from chutecalc.fields.table import Rule
+from chutecalc.physics.motion import FLOOR
+from chutecalc.segments.base import Context
+from chutecalc.segments.flat import Flat
+
+
+def downhill(table: dict[str, Any]) -> Iterator[Rule]:
+    """A straight floor does not rise."""
+    slope: Any = table.get("slope_deg")
+    if is_numeric(slope) and np.any(np.less(slope, 0.0)):
+        yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")
+
+
+class Straight(Flat):
+    """A straight: an inclined floor."""
+
+    kind: Literal["straight"]
+    slope_deg: Slope = Field(description="below horizontal, from 0 on")
+
+    example: ClassVar = """\
+kind = "straight"               # an inclined floor
+slope_deg = 50
+length_m = 1.5                  # or drop_m, or run_m
+"""
+    rules: ClassVar = (*Flat.rules, downhill)
+
+    def build(self, context: Context) -> Contact:
+        """Return a straight floor."""
+        slope = in_si(self.slope_deg, "angle")
+        return self.contact(context, FLOOR, slope, slope, length=self.measured_length(context, slope))
