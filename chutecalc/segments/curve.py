@@ -14,7 +14,7 @@ class Curve(Arc):
     kind: Literal["curve"]
 
     example: ClassVar = """\
-kind = "curve"                  # on a floor; one that steepens is a crest
+kind = "curve"                  # a curved floor; one that steepens is a crest
 radius_m = 3.0
 to_slope_deg = 0                # turns from the slope before it to this one
 """

@@ -24,8 +24,8 @@ class Fall(Segment):
     )
 
     example: ClassVar = """\
-kind = "fall"
-drop_m = 2.0
+kind = "fall"                   # free flight
+drop_m = 2.0                    # or run_m, or onto_next = true where the next segment has its own start_m
 """
     guides: ClassVar = False
     rules: ClassVar = (one_of("drop_m", "run_m", "onto_next"),)
