@@ -142,7 +142,13 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
     except (KeyError, IndexError, AttributeError, ValueError, TypeError, StopIteration):
         pass
     raise SpecError(
-        [Fault(path, "is no number that the spec gives", "choose one that it has, or give it one there first")]
+        [
+            Fault(
+                path,
+                "is not a number in the spec",
+                "use the path of a number that it has, or add this one to the spec first",
+            )
+        ]
     )
 
 

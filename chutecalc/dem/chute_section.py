@@ -38,11 +38,11 @@ def section_of(chute: Chute, name: str | None) -> Beds:
     contact = chosen[0]
     section = contact.end_section or contact.section
     if not isinstance(section, Polygon):
-        raise UsageError(f"the section of {contact.name} is circular: the check takes sections of flat walls")
+        raise UsageError(f"the section of {contact.name} has a curved wall, and the check takes flat walls only")
     result = next(result for result in solve(chute).segments if result.name == contact.name)
     area, friction = (float(result.exit[key][0]) for key in ("area_m2", "equivalent_friction"))
     if not math.isfinite(area):
-        raise UsageError(f"the stream does not come to the end of {contact.name}: its status is {result.status[0]}")
+        raise UsageError(f"the stream does not reach the end of {contact.name}: its status is {result.status[0]}")
     trough, vertical_ratio = Trough.of(section), float(design.vertical_ratio[0])
     excess = float(trough.wetting(area, vertical_ratio, design.equilibrium).excess[0])
     return Beds([trough], [area], float(np.arctan(friction / (1.0 + excess))), vertical_ratio)

@@ -75,7 +75,7 @@ class Quantity:
         """One number, or an array of them, as :meth:`check`."""
         if isinstance(value, np.ndarray):
             if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
-                raise PydanticCustomError("quantity", "has to be a number, or one for each design in one dimension,")
+                raise PydanticCustomError("quantity", "has to be a number, or a one-dimensional array of numbers, each")
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
             raise PydanticCustomError("quantity", "has to be a number")

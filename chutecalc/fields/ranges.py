@@ -36,21 +36,24 @@ def _item(name: str, item: str, most: int) -> Array:
     if len(parts) == 1:
         return np.array([float(_number(name, item))])
     if len(parts) != 3:
-        raise UsageError(f"{name}: {item!r} is no range: write FROM:TO:STEP or FROM:TO:#COUNT")
+        raise UsageError(f"{name}: {item!r} is not a range. Give FROM:TO:STEP or FROM:TO:#COUNT.")
     first, last = _number(name, parts[0]), _number(name, parts[1])
     if parts[2].startswith("#"):
         text = parts[2][1:]
         count = int(text) if text.isascii() and text.isdecimal() and len(text) < 20 else 0
         if count < 1 or (count == 1 and first != last):
-            raise UsageError(f"{name}: {parts[2]!r} is no count: write # and a number from 2, such as #16")
+            raise UsageError(f"{name}: {parts[2]!r} is not a count. Give # and a whole number from 2, such as #16.")
         step = (last - first) / max(count - 1, 1)
     else:
         step = _number(name, parts[2])
         if step == 0 or (last - first) / step < 0:
-            raise UsageError(f"{name}: steps of {parts[2].strip()} never lead from {parts[0]} to {parts[1]}")
+            raise UsageError(
+                f"{name}: a step of {parts[2].strip()} does not lead from {parts[0]} to {parts[1]}."
+                " Give a step that is not 0 and has the right sign."
+            )
         count = math.floor((last - first) / step) + 1
     if count > most:
-        raise UsageError(f"{name}: {item} is {count:.3g} values, more than {most:,}: ask for fewer")
+        raise UsageError(f"{name}: {item} has {count:.3g} values, and the limit is {most:,}. Use fewer.")
     common = math.lcm(first.denominator, step.denominator)
     start, stride = int(first * common), int(step * common)
     return np.array([(start + k * stride) / common for k in range(count)])  # integers: each rounded once
@@ -64,4 +67,6 @@ def _number(name: str, text: str) -> Fraction:
             return Fraction(number)
     except InvalidOperation:
         pass
-    raise UsageError(f"{name}: {text.strip()!r} is no number: write some, as 30,45,60, or a range, as 15:90:15")
+    raise UsageError(
+        f"{name}: {text.strip()!r} is not a number. Give numbers such as 30,45,60 or a range such as 15:90:15."
+    )

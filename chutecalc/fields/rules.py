@@ -15,8 +15,11 @@ def one_of(*keys: str) -> Callable[[dict[str, Any]], Iterator[Rule]]:
         given = [key for key in keys if key in table]
         if len(given) != 1:
             names = ", ".join(keys)
-            problem = f"is one too many: give only one of {names}" if given else f"is missing: give one of {names}"
-            yield Rule((given[-1] if given else keys[0],), problem, "remove the others" if given else f"add {keys[0]}")
+            if given:
+                problem = f"is given together with {', '.join(given[:-1])}: give only one of {names}"
+                yield Rule((given[-1],), problem, "remove the others")
+            else:
+                yield Rule((keys[0],), f"is missing: give one of {names}", f"add {keys[0]}")
 
     return rule
 

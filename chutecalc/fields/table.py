@@ -124,13 +124,13 @@ class Table(BaseModel):
             names = list(twins(name, quantity.dimension))
             stem = name.removesuffix("_" + first_unit(quantity.dimension))
             if len(names) > 1 and key == stem:
-                return Rule((key,), "needs its unit", f"write {' or '.join(names)}"), name
+                return Rule((key,), "needs its unit at the end", f"write {' or '.join(names)}"), name
             if len(names) > 1 and key.startswith(stem + "_"):
-                return Rule((key,), "ends in no unit that fits", f"write {' or '.join(names)}"), name
+                return Rule((key,), "does not end in a unit that fits", f"write {' or '.join(names)}"), name
         close = get_close_matches(key, cls.keys(), n=1)
         if close:
-            return Rule((key,), "is not known here", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
-        return Rule((key,), "is not known here", f"known here are {', '.join(cls.model_fields)}"), ""
+            return Rule((key,), "is not a key of this table", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
+        return Rule((key,), "is not a key of this table", f"use one of {', '.join(cls.model_fields)}"), ""
 
     @classmethod
     def _explained(cls, item: Any, meant: set[str]) -> bool:
@@ -156,26 +156,29 @@ class Table(BaseModel):
             tag = str(item["ctx"]["discriminator"]).strip("'")
             if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
                 return _detail((*location, tag), *_NOT_VARIED)
-            return _detail((*location, tag), "is missing or not known", f"give one of {', '.join(cls.choices[tag])}")
+            problem = (
+                f"is not a known {tag}" if isinstance(item["input"], dict) and tag in item["input"] else "is missing"
+            )
+            return _detail((*location, tag), problem, f"use one of {', '.join(cls.choices[tag])}")
         if kind == "string_pattern_mismatch":
-            return _detail(location, "is no name", "use letters, digits, - and _, and begin with a letter or _")
+            return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
         if kind == "literal_error":
             return _detail(location, f"has to be {item['ctx']['expected']}", "change the value")
         expected = _EXPECTED.get(kind)
-        return _detail(location, f"has to be {expected}" if expected else item["msg"], "change it")
+        return _detail(location, expected or item["msg"], "change it")
 
 
-_NOT_VARIED = "cannot be varied: it is no quantity", "use the path of a quantity, such as flow.rate_t_h"
+_NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
 _EXPECTED = {
-    "string_type": "text in quotes",
-    "dict_type": "a table",
-    "model_type": "a table",
-    "model_attributes_type": "a table",
-    "list_type": "a list of tables, each under [[…]]",
-    "too_short": "one table at least",
-    "bool_type": "true or false",
-    "float_type": "a number",
-    "finite_number": "a finite number",
+    "string_type": "has to be text in quotes",
+    "dict_type": "has to be a table",
+    "model_type": "has to be a table",
+    "model_attributes_type": "has to be a table",
+    "list_type": "has to be a list of tables, each under [[…]]",
+    "too_short": "has to have at least one table",
+    "bool_type": "has to be true or false",
+    "float_type": "has to be a number",
+    "finite_number": "has to be a finite number",
 }
 
 

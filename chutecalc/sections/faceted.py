@@ -40,10 +40,12 @@ facets = [{ length_m = 0.25, slope_deg = 5 }, { length_m = 0.2, slope_deg = 40 }
         slopes = [in_si(facet.slope_deg, "angle") for facet in self.facets]
         location = (*location, "facets")
         for number, (lower, upper) in enumerate(pairwise(slopes), 2):
-            value, remedy = self.facets[number - 1].slope_deg, "order them from the centre outwards"
+            value, remedy = self.facets[number - 1].slope_deg, "order the facets from the centre outwards"
             problem = "is flatter than the facet before it"
             faults.note(upper < lower, (*location, number - 1, "slope_deg"), value, problem, remedy)
-        faults.note(slopes[-1] == 0.0, location, None, "are all level, and hold no stream", "add one that rises")
+        faults.note(
+            slopes[-1] == 0.0, location, None, "are all level and cannot hold a stream", "add a facet that rises"
+        )
         value, problem = self.facets[0].slope_deg, "leaves the section no width"
         remedy = "begin with a facet that is less steep"
         faults.note(slopes[0] == np.pi / 2, (*location, 0, "slope_deg"), value, problem, remedy)

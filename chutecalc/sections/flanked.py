@@ -27,6 +27,6 @@ def flanked(
         faults: collects what is wrong: chamfers that rise straight from no base.
     """
     angle = in_si(chamfer_deg, "angle")
-    problem, narrow = "leaves a section without a base no width", (base == 0.0) & (angle == np.pi / 2)
+    problem, narrow = "leaves the section no width, as it has no base", (base == 0.0) & (angle == np.pi / 2)
     faults.note(narrow, (*location, "chamfer_deg"), chamfer_deg, problem, "give less than 90°, or a base")
     return Polygon(base, (length_or_unbounded(chamfer_m),), (angle,), wall_height)

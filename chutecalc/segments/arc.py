@@ -33,7 +33,7 @@ class Arc(Guide):
 
     def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
         """Return which designs do not turn as they have to between two slopes, rad, the problem and the remedy."""
-        problem = f"leaves the curve no length: it begins at {degrees(entry)}"
+        problem = f"leaves the arc no length: it begins at {degrees(entry)} too"
         return exit_ == entry, problem, "give another slope"
 
 

@@ -33,7 +33,7 @@ drop_m = 2.0                    # or run_m, or onto_next = true where the next s
     def build(self, context: Context) -> design.Fall:
         """Return free flight; a stream that falls straight down never comes to a distance."""
         if self.run_m is not None and context.slope is not None:
-            problem, location = "is never reached: the stream falls straight down", (*context.location, "run_m")
+            problem, location = "is never reached, as the stream falls straight down", (*context.location, "run_m")
             context.faults.note(context.slope == np.pi / 2, location, self.run_m, problem, "give drop_m")
         return design.Fall(context.name, self.kind, _optional(self.drop_m), _optional(self.run_m))
 

@@ -36,8 +36,8 @@ class Flat(Guide):
         """
         length = self._length(context, slope)
         key = "drop_m" if self.drop_m is not None else "run_m"
-        problem = f"makes the segment {float(length.max()):.3g} m long: more than {LONGEST:g} m"
-        value, remedy = getattr(self, key), "change it, or the slope"
+        problem = f"makes the segment {float(length.max()):.3g} m long, and the limit is {LONGEST:g} m"
+        value, remedy = getattr(self, key), "change it or the slope"
         context.faults.note(length > LONGEST, (*context.location, key), value, problem, remedy)
         return np.minimum(length, LONGEST)
 
@@ -47,9 +47,9 @@ class Flat(Guide):
             return in_si(self.length_m, "length")
         faults, location = context.faults, context.location
         if self.drop_m is not None:
-            problem = "gives a level segment no length"
+            problem = "does not give the length of a level segment"
             faults.note(slope == 0.0, (*location, "drop_m"), self.drop_m, problem, "give length_m or run_m")
             return in_si(self.drop_m, "length") / np.where(slope != 0.0, np.abs(np.sin(slope)), 1.0)
-        problem = "gives a vertical segment no length"
+        problem = "does not give the length of a vertical segment"
         faults.note(slope == np.pi / 2, (*location, "run_m"), self.run_m, problem, "give length_m or drop_m")
         return in_si(self.run_m, "length") / np.where(slope != np.pi / 2, np.cos(slope), 1.0)

@@ -70,7 +70,7 @@ class Guide(Segment):
             return self.section or next(iter(context.sections)), None
         first, last = self.section
         if not context.sections[first].is_like(context.sections[last]):
-            problem = f"tapers from {first} to {last}, which differ in more than numbers"
+            problem = f"tapers from {first} to {last}, which differ in more than their numbers"
             remedy = "give both the same shape and the same keys"
             context.faults.note(EVERY, (*context.location, "section"), None, problem, remedy)
             return first, None

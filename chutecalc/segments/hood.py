@@ -31,6 +31,6 @@ to_slope_deg = 80
     def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
         """Return which designs do not steepen between two slopes, rad, the problem and the remedy."""
         problem = (
-            f"has to be steeper than where the hood begins, {degrees(entry)}: only a roof that steepens guides a stream"
+            f"has to be steeper than the start of the hood, {degrees(entry)}: only a roof that steepens guides a stream"
         )
-        return exit_ <= entry, problem, "give a steeper slope, or make it a curve"
+        return exit_ <= entry, problem, "give a steeper slope, or use a curve"

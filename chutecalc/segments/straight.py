@@ -20,7 +20,9 @@ def downhill(table: dict[str, Any]) -> Iterator[Rule]:
     """A straight floor does not rise."""
     slope: Any = table.get("slope_deg")
     if is_numeric(slope) and np.any(np.less(slope, 0.0)):
-        yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")
+        yield Rule(
+            ("slope_deg",), "has to be at least 0: a straight floor does not rise", "change the value, or use a curve"
+        )
 
 
 class Straight(Flat):

@@ -129,8 +129,8 @@ class _Geometry:
         """A stream that enters at rest needs a fall."""
         if self.spec.segments[0].guides:
             location, value = ("inlet", "velocity_m_s"), self.spec.inlet.velocity_m_s
-            remedy = "give a velocity, or begin with a fall"
-            self.faults.note(velocity == 0.0, location, value, "leaves the stream at rest", remedy)
+            remedy = "give a velocity above 0, or begin with a fall"
+            self.faults.note(velocity == 0.0, location, value, "leaves the stream at rest on the first segment", remedy)
 
     def lining(self, liner: model.Liner) -> Lining:
         """A liner in numbers."""

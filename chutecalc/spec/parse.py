@@ -25,7 +25,7 @@ def read_text(path: Path) -> str:
         return decode(path.read_bytes(), str(path))
     except FileNotFoundError:
         raise SpecError(
-            [Fault("", "there is no such file", "check the name, or write one with chutecalc new")], str(path)
+            [Fault("", "there is no such file", "check the name, or create one with chutecalc new")], str(path)
         ) from None
     except IsADirectoryError:
         raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
@@ -57,16 +57,16 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
     except tomllib.TOMLDecodeError as error:
         message = str(error)
         found = re.search(r"\(at line (\d+), column (\d+)\)", message)
-        problem = "is not TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
+        problem = "is not valid TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
         if found:
             fault = Fault("", f"{problem}, column {found[2]}", "see https://toml.io", line=int(found[1]))
         else:
             fault = Fault("", problem, "see https://toml.io")
         raise SpecError([fault], source) from None
     except RecursionError:
-        raise SpecError([Fault("", "is nested too deeply", "a spec has three levels")], source) from None
+        raise SpecError([Fault("", "is nested too deeply", "use at most four levels of tables")], source) from None
     except ValueError as error:  # what tomllib lets through: an integer of thousands of digits
-        raise SpecError([Fault("", f"is not TOML: {error}", "see https://toml.io")], source) from None
+        raise SpecError([Fault("", f"is not valid TOML: {error}", "see https://toml.io")], source) from None
 
 
 def key_lines(text: str) -> dict[Location, int]:

@@ -21,10 +21,8 @@ def known_format(table: dict[str, Any]) -> Iterator[Rule]:
 def some_friction(table: dict[str, Any]) -> Iterator[Rule]:
     """What the pressure on the walls follows from."""
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:
-        problem = "internal_friction_deg or pressure_ratio is needed"
-        yield Rule(
-            ("internal_friction_deg",), problem, "add internal_friction_deg, the effective angle of internal friction"
-        )
+        problem, remedy = "is missing: give it or pressure_ratio", "add the effective angle of internal friction"
+        yield Rule(("internal_friction_deg",), problem, remedy)
 
 
 def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
@@ -35,22 +33,22 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
     if not all(isinstance(item, int | float | np.ndarray) for row in rows for item in row):
         return
     if len(rows) < 2:
-        yield Rule(("yield_locus_kpa",), "has to have two rows at least", "add a row [normal stress, shear stress]")
+        yield Rule(("yield_locus_kpa",), "has to have at least two rows", "add a row [normal stress, shear stress]")
     for number, (one, other) in enumerate(pairwise(rows), 2):
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
-            problem = f"falls at row {number}: normal stress has to rise from row to row, and shear stress not to fall"
+            problem = f"is out of order at row {number}: normal stress has to rise, and shear stress must not fall"
             yield Rule(("yield_locus_kpa",), problem, "sort the rows")
     if rows and np.any(np.less_equal(rows[0][0], 0.0)):
-        yield Rule(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "leave that row out")
+        yield Rule(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "remove that row")
 
 
 def one_inlet(table: dict[str, Any]) -> Iterator[Rule]:
     """A velocity along a slope, or a belt."""
     for key, names in (("velocity_m_s", " or ".join(twins("velocity_m_s", "velocity"))), ("slope_deg", "slope_deg")):
         if "belt" in table and key in table:
-            yield Rule((key,), "is what the belt gives", "remove it, or the table [inlet.belt]")
+            yield Rule((key,), "follows from the belt", "remove it, or remove [inlet.belt]")
         elif "belt" not in table and key not in table:
-            yield Rule((key,), "is missing", f"add {names}, or a table [inlet.belt]")
+            yield Rule((key,), "is missing", f"add {names}, or describe the belt in [inlet.belt]")
 
 
 def names(table: dict[str, Any]) -> Iterator[Rule]:
@@ -64,7 +62,7 @@ def names(table: dict[str, Any]) -> Iterator[Rule]:
         name = segment.get("name")
         if isinstance(name, str):
             if name in seen:
-                yield Rule((*location, "name"), f"is the name of segment {seen[name]} too", "choose another name")
+                yield Rule((*location, "name"), f"is already the name of segment {seen[name]}", "choose another name")
             seen.setdefault(name, number + 1)
         if _guides(segment):
             yield from _reference(table, segment, location, "section", "sections")
@@ -92,7 +90,7 @@ def _reference(
         return
     known = ", ".join(defined)
     if named is None and len(defined) > 1:
-        yield Rule((*location, key), "is missing, and there are several", f"name one of {known}")
+        yield Rule((*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}")
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
             problem = f"names {name}, which is not defined in [{kinds}]"
@@ -111,14 +109,14 @@ def placement(table: dict[str, Any]) -> Iterator[Rule]:
         location, table_of = ("segments", number), _table_of(segment)
         if segment.get("onto_next") is True and not _guides(after):
             problem = "needs a segment after it that guides the stream"
-            yield Rule((*location, "onto_next"), problem, "add one, or give drop_m")
+            yield Rule((*location, "onto_next"), problem, "add one, or give drop_m instead")
         if before.get("onto_next") is True and table_of is not None and table_of.guides:
             for key, example in table_of.placed.items():
                 if not _given(segment, key):
-                    yield Rule((*location, key), "is missing: the fall before it goes onto_next", f"add {example}")
+                    yield Rule((*location, key), "is missing, and needed after onto_next = true", f"add {example}")
         elif starts := _given(segment, "start_m"):
-            remedy = "put a fall with onto_next = true before it, or remove it"
-            yield Rule((*location, starts[0]), "goes with a fall that goes onto_next", remedy)
+            remedy = "put a fall with onto_next = true before the segment, or remove this key"
+            yield Rule((*location, starts[0]), "is only for a segment after onto_next = true", remedy)
 
 
 def _given(table: dict[str, Any], key: str) -> list[str]:
@@ -137,5 +135,5 @@ def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
     for name, liner in liners.items():
         for key in liner if isinstance(liner, dict) else ():
             if key == "own_material" or str(key).startswith("yield_locus_"):
-                problem = "needs the material's effective angle of internal friction: no wall resists more than it does"
+                problem = "needs the material's effective angle of internal friction, the upper limit of wall friction"
                 yield Rule(("liners", name, key), problem, "add material.internal_friction_deg")

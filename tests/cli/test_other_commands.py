@@ -27,7 +27,7 @@ def test_new_writes_a_spec_that_runs_and_never_overwrites(capsys, tmp_path, monk
     capsys.readouterr()
     (tmp_path / "chute.toml").write_text("mine", encoding="utf-8")
     assert main(["new"]) == 2
-    assert "chute.toml exists" in capsys.readouterr().err
+    assert "chute.toml already exists" in capsys.readouterr().err
     assert (tmp_path / "chute.toml").read_text(encoding="utf-8") == "mine"
     assert main(["new", "no/such/folder.toml"]) == 2
     assert main(["new", "-"]) == 0

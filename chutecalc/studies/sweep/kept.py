@@ -38,17 +38,17 @@ class Kept:
         if keep not in KEEP:
             raise UsageError(f"--keep has to be {', '.join(KEEP)}, not {keep}")
         if keep != "base" and not varied:
-            raise UsageError(f"--keep {keep} says what stays while a chamfer angle varies: add beta=15:90:5")
+            raise UsageError(f"--keep {keep} applies while a chamfer angle varies. Add one, such as beta=15:90:5.")
         for name in self.names:
             section = chute.spec.sections[name]
             if not section.adjustable:
-                takes = ", ".join(shape for shape, table in SHAPES.items() if table.adjustable)
+                takes = " or ".join(shape for shape, table in SHAPES.items() if table.adjustable)
                 raise UsageError(
-                    f"--keep {keep} does not go with sections.{name}, whose shape is {section.shape}: it takes {takes}"
+                    f"--keep {keep} cannot be used with sections.{name}: its shape is {section.shape}, not {takes}"
                 )
             for key in section.adjustable:
                 if getattr(section, key) is None:
-                    raise UsageError(f"--keep {keep} needs sections.{name}.{key}: add it to the spec")
+                    raise UsageError(f"--keep {keep} needs sections.{name}.{key}. Add it to the spec.")
 
     def __call__(self, changes: Mapping[str, Array], count: int) -> tuple[dict[str, Array], Mask]:
         """What is put at which path, and which designs have a section, shape (count,)."""

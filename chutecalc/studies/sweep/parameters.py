@@ -50,7 +50,7 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
         except UsageError as error:
             faults.append(str(error))
     names = [parameter.name for parameter in found]
-    faults += [f"{name} is given twice: keep one of them" for name in dict.fromkeys(names) if names.count(name) > 1]
+    faults += [f"{name} is given twice. Keep one of them." for name in dict.fromkeys(names) if names.count(name) > 1]
     if faults:
         raise UsageError("\n".join(faults))
     return found
@@ -67,7 +67,7 @@ def split_argument(argument: str, bare: dict[str, str]) -> tuple[str, Array]:
     if not equals and name in bare:
         return name, read_values(name, bare[name])
     if not (name and equals):
-        raise UsageError(f"{argument!r} has no values: write NAME=VALUES, such as beta=15:90:5 or rate=500,1000")
+        raise UsageError(f"{argument!r} has no values. Write NAME=VALUES, such as beta=15:90:5 or rate=500,1000.")
     return name, read_values(name, text)
 
 
@@ -82,7 +82,7 @@ def _parameter(argument: str, chute: Chute) -> Parameter:
             return Parameter(meant[name], tuple(_paths(name, table, meant[name], chute)), values)
     if "." not in name:
         known = ", ".join(SHORT)
-        raise UsageError(f"{name} is no short name ({known}) and no path, such as segments.1.drop_m")
+        raise UsageError(f"{name} is neither a short name ({known}) nor a path such as segments.1.drop_m")
     return Parameter(name, (name,), values)
 
 
@@ -100,13 +100,13 @@ def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
     paths = [f"{path}.{key}" for path in found]
     if not found:
         others = [f"{path}.{own}" for path, entry in _all_tables(chute.data) for own in entry if own in twins]
-        remedy = f"choose {' or '.join(others)}" if others else "choose another parameter, by its path"
-        raise UsageError(f"{name}: the spec has no {key} in its {table}; {remedy}")
+        remedy = f"Use {' or '.join(others)}." if others else "Use the path of another number."
+        raise UsageError(f"{name}: the spec has no {key} in its {table}. {remedy}")
     if name.partition("_")[0] == "delta" and "pressure_ratio" in chute.data["material"]:
-        raise UsageError(f"{name}: K_v is given by material.pressure_ratio, whatever δ is: choose that, or remove it")
+        raise UsageError(f"{name}: material.pressure_ratio sets K_v, whatever δ is. Vary that, or remove it.")
     many = {repr(tables[path][own]) for path, own in found.items()}
     if len(found) > 1 and (table == "segments" or (key in same_quantity("base_m") and len(many) > 1)):
-        raise UsageError(f"{name}: there are several, choose {' or '.join(paths)}")
+        raise UsageError(f"{name}: the spec has several. Use {' or '.join(paths)}.")
     return paths
 
 
