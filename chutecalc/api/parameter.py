@@ -14,7 +14,7 @@ from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.paths import is_number
 
 Limits = tuple[float, float]
-ASKED = {"gt": operator.gt, "ge": operator.ge, "lt": operator.lt, "le": operator.le}
+COMPARISONS = {"gt": operator.gt, "ge": operator.ge, "lt": operator.lt, "le": operator.le}
 """How a quantity's bounds are asked for."""
 
 
@@ -43,11 +43,11 @@ class Parameter(NamedTuple):
         return value
 
     @property
-    def given(self) -> float:
+    def value_in_unit(self) -> float:
         """In the unit of its path."""
         return float(convert(self.value, self.quantity.dimension, first_unit(self.quantity.dimension), self.unit))
 
-    def put(self, value: Any) -> None:
+    def set_value(self, value: Any) -> None:
         """Has the spec say so."""
         if not self.indices:
             self.table.__dict__[self.key] = value  # a model is frozen against everybody else
@@ -57,7 +57,7 @@ class Parameter(NamedTuple):
             rows = rows[index]
         rows[self.indices[-1]] = value
 
-    def converted(self, value: Any) -> Any:
+    def to_first_unit(self, value: Any) -> Any:
         """To the dimension's first unit."""
         return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
 
@@ -66,21 +66,21 @@ class Parameter(NamedTuple):
         """The limits, infinite where none were asked for."""
         return self.limits or (-math.inf, math.inf)
 
-    def within(self, value: Any) -> Any:
+    def is_within(self, value: Any) -> Any:
         """Whether a number is within them, or which of several are."""
         low, high = self.bounds
         return (value >= low) & (value <= high)
 
-    def asks(self, value: Traced) -> bool:
+    def accepts(self, value: Traced) -> bool:
         """Whether the spec's bounds, and the rules of its table, let a converted value be; asked on its tape."""
         table = {key: item for key, item in self.table.__dict__.items() if item is not None}
         table |= {} if self.indices else {self.key: value}
         finite = bool(value - value == 0.0)
-        within = [bool(ASKED[name](value, limit)) for name, limit in self.quantity.bounds.items()]
-        return finite and all(within) and not any(True for rule in self.table.rules for _ in rule(table))
+        bounded = [bool(COMPARISONS[name](value, limit)) for name, limit in self.quantity.bounds.items()]
+        return finite and all(bounded) and not any(True for rule in self.table.rules for _ in rule(table))
 
 
-def names_of(given: Any, what: str) -> tuple[str, ...]:
+def check_names(given: Any, what: str) -> tuple[str, ...]:
     """Names that somebody asks for.
 
     Raises:
@@ -92,7 +92,7 @@ def names_of(given: Any, what: str) -> tuple[str, ...]:
     return names
 
 
-def check_once(parameters: Sequence[Parameter]) -> None:
+def check_distinct(parameters: Sequence[Parameter]) -> None:
     """That no number is given twice.
 
     Raises:

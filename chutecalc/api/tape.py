@@ -27,7 +27,7 @@ class Tape:
         self.varied = 0
         self._constants: dict[tuple[float, float], Slot] = {}
 
-    def number(self, value: float) -> "Traced":
+    def new_variable(self, value: float) -> "Traced":
         """The next number that is varied; all before anything else."""
         self.varied += 1
         return Traced(self, np.array([value], dtype=float), self.new_slot(float(value)))
@@ -53,7 +53,7 @@ class Tape:
             self._constants[key] = self.new_slot(value)
         return self._constants[key]
 
-    def do(self, name: str, *slots: Slot) -> Slot:
+    def record(self, name: str, *slots: Slot) -> Slot:
         """An operation; tells where its result goes."""
         found = self.new_slot()
         self.steps += [CODE[name], *slots, *[0] * (3 - len(slots)), found]
@@ -61,7 +61,7 @@ class Tape:
 
     def check(self, slot: Slot, answer: bool) -> None:
         """An answer that has to stay what it is."""
-        holds = self.do("not", self.do("not", slot))  # whatever is not 0 is true
+        holds = self.record("not", self.record("not", slot))  # whatever is not 0 is true
         self.steps += [CODE["check"], holds, self.slot(answer), 0, 0]
 
     def recipe(self, taken: Sequence[Any], width: int = replay.WIDTH) -> replay.Recipe:
@@ -70,7 +70,7 @@ class Tape:
         return replay.Recipe(self.steps, self.values, slots, self.varied, width)
 
 
-def again(recipe: replay.Recipe, numbers: Array) -> Array | None:
+def run_recipe(recipe: replay.Recipe, numbers: Array) -> Array | None:
     """What is asked for, a row for each row of varied numbers; None where an answer changes."""
     if numbers.shape[1] != recipe.varied:  # the compiled loop does not look
         raise TypeError(f"takes {recipe.varied} numbers, not {numbers.shape[1]}")
@@ -87,27 +87,27 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
     def __array_ufunc__(self, function: Any, method: str, *inputs: Any, **options: Any) -> Any:
         if method != "__call__" or options or function not in _OPERATIONS:
             return NotImplemented
-        return self._made(function, _OPERATIONS[function], inputs)
+        return self._result(function, _OPERATIONS[function], inputs)
 
     def __array_function__(self, function: Any, types: Any, arguments: Any, options: Any) -> Any:
         if function is np.where and len(arguments) == 3 and not options:
-            return self._made(np.where, _plain("choose"), arguments)
+            return self._result(np.where, _plain("choose"), arguments)
         if function in (np.any, np.all, np.atleast_1d) and not options:
-            return self._same(function(self.value))
+            return self._reshaped(function(self.value))
         return NotImplemented
 
-    def _made(self, function: Callable[..., Any], operation: Callable[..., Slot], inputs: Sequence[Any]) -> "Traced":
+    def _result(self, function: Callable[..., Any], operation: Callable[..., Slot], inputs: Sequence[Any]) -> "Traced":
         value = function(*(item.value if isinstance(item, Traced) else item for item in inputs))
         return Traced(self.tape, value, operation(self.tape, *(self.tape.slot(item) for item in inputs)))
 
-    def _same(self, value: Any) -> "Traced":
+    def _reshaped(self, value: Any) -> "Traced":
         """The same number in another shape."""
         if np.size(value) != 1:
             raise TypeError("more than one number")
         return Traced(self.tape, value, self.slot)
 
     def __getitem__(self, key: Any) -> Any:
-        return self._same(self.value[key])
+        return self._reshaped(self.value[key])
 
     def __len__(self) -> int:
         return len(self.value)
@@ -118,11 +118,11 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
 
     def any(self) -> Any:
         """Whether any is true: of one, itself."""
-        return self._same(self.value.any())
+        return self._reshaped(self.value.any())
 
     def all(self) -> Any:
         """Whether all are."""
-        return self._same(self.value.all())
+        return self._reshaped(self.value.all())
 
     def max(self) -> Any:
         """For words alone: nobody is told of other numbers."""
@@ -135,40 +135,40 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
 
 
 def _plain(name: str) -> Callable[..., Slot]:
-    return lambda tape, *slots: tape.do(name, *slots)
+    return lambda tape, *slots: tape.record(name, *slots)
 
 
 def _swapped(name: str) -> Callable[..., Slot]:
-    return lambda tape, one, other: tape.do(name, other, one)
+    return lambda tape, one, other: tape.record(name, other, one)
 
 
 def _negative(tape: Tape, one: Slot) -> Slot:
-    return tape.do("multiply", one, tape.slot(-1.0))
+    return tape.record("multiply", one, tape.slot(-1.0))
 
 
 def _absolute(tape: Tape, one: Slot) -> Slot:
-    size = tape.do("choose", tape.do("less", one, tape.slot(0.0)), _negative(tape, one), one)
-    return tape.do("add", size, tape.slot(0.0))  # −0 is 0
+    size = tape.record("choose", tape.record("less", one, tape.slot(0.0)), _negative(tape, one), one)
+    return tape.record("add", size, tape.slot(0.0))  # −0 is 0
 
 
 def _least(tape: Tape, one: Slot, other: Slot) -> Slot:
-    return _first(tape, tape.do("less", one, other), one, other)
+    return _first(tape, tape.record("less", one, other), one, other)
 
 
 def _largest(tape: Tape, one: Slot, other: Slot) -> Slot:
-    return _first(tape, tape.do("less", other, one), one, other)
+    return _first(tape, tape.record("less", other, one), one, other)
 
 
 def _first(tape: Tape, better: Slot, one: Slot, other: Slot) -> Slot:
     """The one that is better, or no number."""
-    none = tape.do("not", tape.do("equal", one, one))
-    return tape.do("choose", tape.do("or", better, none), one, other)
+    none = tape.record("not", tape.record("equal", one, one))
+    return tape.record("choose", tape.record("or", better, none), one, other)
 
 
 def _power(tape: Tape, one: Slot, exponent: Slot) -> Slot:
     if exponent != tape.slot(2.0):
         raise TypeError("a power that is no square")
-    return tape.do("multiply", one, one)
+    return tape.record("multiply", one, one)
 
 
 _OPERATIONS: dict[Any, Callable[..., Slot]] = {
@@ -181,7 +181,7 @@ _OPERATIONS: dict[Any, Callable[..., Slot]] = {
     np.greater: _swapped("less"),
     np.greater_equal: _swapped("less_equal"),
     np.equal: _plain("equal"),
-    np.not_equal: lambda tape, one, other: tape.do("not", tape.do("equal", one, other)),
+    np.not_equal: lambda tape, one, other: tape.record("not", tape.record("equal", one, other)),
     np.bitwise_and: _plain("and"),
     np.bitwise_or: _plain("or"),
     np.invert: _plain("not"),
@@ -196,6 +196,6 @@ _OPERATIONS: dict[Any, Callable[..., Slot]] = {
     np.minimum: _least,
     np.maximum: _largest,
     np.power: _power,
-    np.square: lambda tape, one: tape.do("multiply", one, one),
+    np.square: lambda tape, one: tape.record("multiply", one, one),
 }
 """What NumPy's functions are in operations of :mod:`chutecalc.core.replay`, of numbers that are numbers."""

@@ -9,7 +9,7 @@ from chutecalc.physics.arrays import Mask
 Location = tuple[str | int, ...]
 """Where something stands in a spec's data: keys, and numbers of list items from 0."""
 
-EVERY = np.ones(1, dtype=bool)
+ALL_DESIGNS = np.ones(1, dtype=bool)
 """All designs."""
 
 
@@ -36,7 +36,7 @@ class GeometryFaults:
 
     def __init__(self) -> None:
         self.found: list[LocatedFault] = []
-        self.designs: Mask = ~EVERY
+        self.designs: Mask = ~ALL_DESIGNS
 
     def note(self, designs: Mask, location: Location, value: Any, problem: str, remedy: str) -> None:
         """Notes a fault where there are designs that have it."""
@@ -44,7 +44,7 @@ class GeometryFaults:
             self.found.append(LocatedFault(location, problem, remedy, value))
             self.designs = self.designs | designs
 
-    def check(self) -> None:
+    def raise_any(self) -> None:
         """Raises all faults.
 
         Raises:

@@ -1,4 +1,4 @@
-"""How a spec's fields are declared: a quantity is a number with a dimension, bounds and unit twins."""
+"""How a spec's fields are declared: a quantity is a number with a dimension, bounds and unit unit_keys."""
 
 from math import isfinite
 from typing import Any
@@ -52,9 +52,9 @@ class Quantity:
     def json_bounds(self, unit: str) -> dict[str, float]:
         """The bounds as JSON Schema names them, in one of the dimension's units."""
         names = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
-        return {names[name]: limit for name, limit in self.limits(unit).items()}
+        return {names[name]: limit for name, limit in self.bounds_in(unit).items()}
 
-    def limits(self, unit: str) -> dict[str, float]:
+    def bounds_in(self, unit: str) -> dict[str, float]:
         """The bounds in one of the dimension's units."""
         start = first_unit(self.dimension)
         return {name: convert(limit, self.dimension, start, unit) for name, limit in self.bounds.items()}
@@ -69,9 +69,9 @@ class Quantity:
             if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
                 raise PydanticCustomError("quantity", f"has to be {_LISTS[self.shape]}, each")
             return [self._checked(item, shape[1:]) for item in value]
-        return self.number(value)
+        return self.check_number(value)
 
-    def number(self, value: Any) -> Any:
+    def check_number(self, value: Any) -> Any:
         """One number, or an array of them, as :meth:`check`."""
         if isinstance(value, np.ndarray):
             if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
@@ -93,11 +93,11 @@ class Quantity:
             raise PydanticCustomError("quantity", "has to be")
         return value
 
-    def words(self, unit: str) -> str:
+    def bounds_text(self, unit: str) -> str:
         """The bounds as people read them in one of the units: ``greater than 0 mm and at most 90 mm``."""
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
         shown = "°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip()
-        return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.limits(unit).items())
+        return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.bounds_in(unit).items())
 
 
 _LISTS = {(2,): "a list of two numbers", (None, 2): "a list of rows of two numbers"}

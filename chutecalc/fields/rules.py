@@ -5,21 +5,21 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.fields.table import Rule
+from chutecalc.fields.table import Violation
 
 
-def one_of(*keys: str) -> Callable[[dict[str, Any]], Iterator[Rule]]:
+def one_of(*keys: str) -> Callable[[dict[str, Any]], Iterator[Violation]]:
     """The rule that exactly one of some keys is given."""
 
-    def rule(table: dict[str, Any]) -> Iterator[Rule]:
+    def rule(table: dict[str, Any]) -> Iterator[Violation]:
         given = [key for key in keys if key in table]
         if len(given) != 1:
             names = ", ".join(keys)
             if given:
                 problem = f"is given together with {', '.join(given[:-1])}: give only one of {names}"
-                yield Rule((given[-1],), problem, "remove the others")
+                yield Violation((given[-1],), problem, "remove the others")
             else:
-                yield Rule((keys[0],), f"is missing: give one of {names}", f"add {keys[0]}")
+                yield Violation((keys[0],), f"is missing: give one of {names}", f"add {keys[0]}")
 
     return rule
 

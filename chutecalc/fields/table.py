@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from chutecalc.fields.quantity import Quantity
-from chutecalc.fields.units import convert, first_unit, twins
+from chutecalc.fields.units import convert, first_unit, unit_keys
 
 
 def _converted(value: Any, dimension: str, unit: str) -> Any:
@@ -20,7 +20,7 @@ def _converted(value: Any, dimension: str, unit: str) -> Any:
     return convert(value, dimension, unit, first_unit(dimension)) if number else value
 
 
-class Rule(NamedTuple):
+class Violation(NamedTuple):
     """What is wrong at a location of a table, and what to do."""
 
     location: tuple[str | int, ...]
@@ -28,7 +28,7 @@ class Rule(NamedTuple):
     remedy: str
 
 
-Rules = tuple[Callable[[dict[str, Any]], Iterator[Rule]], ...]
+Rules = tuple[Callable[[dict[str, Any]], Iterator[Violation]], ...]
 
 
 class Table(BaseModel):
@@ -60,7 +60,7 @@ class Table(BaseModel):
         for name in cls.model_fields:
             quantity = cls.quantities().get(name)
             known |= (
-                {key: (name, unit) for key, unit in twins(name, quantity.dimension).items()}
+                {key: (name, unit) for key, unit in unit_keys(name, quantity.dimension).items()}
                 if quantity
                 else {name: (name, "")}
             )
@@ -71,7 +71,7 @@ class Table(BaseModel):
     def _check(cls, data: Any, handler: Any) -> Any:
         if not isinstance(data, dict):
             return handler(data)
-        broken: list[Rule] = []
+        broken: list[Violation] = []
         table, written, meant = cls._in_first_units(data, broken)
         for rule in cls.rules:
             broken += [item for item in rule(table) if not (item.location[0] in meant and "missing" in item.problem)]
@@ -89,7 +89,7 @@ class Table(BaseModel):
 
     @classmethod
     def _in_first_units(
-        cls, data: dict[str, Any], broken: list[Rule]
+        cls, data: dict[str, Any], broken: list[Violation]
     ) -> tuple[dict[str, Any], dict[str, str], set[str]]:
         """The table with documented keys and units alone, as what the user wrote them, and keys whose fault is told."""
         table: dict[str, Any] = {}
@@ -104,33 +104,33 @@ class Table(BaseModel):
                 continue
             name, unit = known[key]
             if name in written:
-                broken.append(Rule((key,), f"is given twice, as {written[name]} and as {key}", "keep one of them"))
+                broken.append(Violation((key,), f"is given twice, as {written[name]} and as {key}", "keep one of them"))
                 continue
             written[name] = key
             quantity = cls.quantities().get(name)
             if quantity is None and isinstance(value, np.ndarray):
-                broken.append(Rule((key,), *_NOT_VARIED))
+                broken.append(Violation((key,), *_NOT_VARIED))
                 meant.add(name)
                 continue
             table[name] = _converted(value, quantity.dimension, unit) if quantity else value
         return table, written, meant
 
     @classmethod
-    def _unknown(cls, key: str) -> tuple[Rule, str]:
+    def _unknown(cls, key: str) -> tuple[Violation, str]:
         """A key that the table does not have, and the documented key that was meant, as far as can be told."""
         from difflib import get_close_matches
 
         for name, quantity in cls.quantities().items():
-            names = list(twins(name, quantity.dimension))
+            names = list(unit_keys(name, quantity.dimension))
             stem = name.removesuffix("_" + first_unit(quantity.dimension))
             if len(names) > 1 and key == stem:
-                return Rule((key,), "needs its unit at the end", f"write {' or '.join(names)}"), name
+                return Violation((key,), "needs its unit at the end", f"write {' or '.join(names)}"), name
             if len(names) > 1 and key.startswith(stem + "_"):
-                return Rule((key,), "does not end in a unit that fits", f"write {' or '.join(names)}"), name
+                return Violation((key,), "does not end in a unit that fits", f"write {' or '.join(names)}"), name
         close = get_close_matches(key, cls.keys(), n=1)
         if close:
-            return Rule((key,), "is not a key of this table", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
-        return Rule((key,), "is not a key of this table", f"use one of {', '.join(cls.model_fields)}"), ""
+            return Violation((key,), "is not a key of this table", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
+        return Violation((key,), "is not a key of this table", f"use one of {', '.join(cls.model_fields)}"), ""
 
     @classmethod
     def _explained(cls, item: Any, meant: set[str]) -> bool:
@@ -146,11 +146,11 @@ class Table(BaseModel):
         name = location[0] if len(location) == 1 else ""
         quantity = cls.quantities().get(str(name))
         if kind == "missing":
-            names = list(twins(str(name), quantity.dimension)) if quantity else [str(name)]
+            names = list(unit_keys(str(name), quantity.dimension)) if quantity else [str(name)]
             return _detail(location, "is missing", f"add {' or '.join(names)}")
         if quantity and kind == "quantity":
             key = written[str(name)]
-            limits = quantity.words(cls.keys()[key][1])
+            limits = quantity.bounds_text(cls.keys()[key][1])
             return _detail((key,), f"{item['msg']} {limits}".rstrip(), "change the value")
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")

@@ -75,10 +75,10 @@ def first_unit(dimension: str) -> str:
     return next(iter(UNITS[dimension]))
 
 
-def twins(key: str, dimension: str) -> dict[str, str]:
+def unit_keys(key: str, dimension: str) -> dict[str, str]:
     """The keys that name the same field in each unit of its dimension, the documented one first.
 
-    >>> twins("radius_m", "length")
+    >>> unit_keys("radius_m", "length")
     {'radius_m': 'm', 'radius_mm': 'mm', 'radius_in': 'in', 'radius_ft': 'ft'}
     """
     stem = key.removesuffix(first_unit(dimension))
@@ -86,7 +86,7 @@ def twins(key: str, dimension: str) -> dict[str, str]:
 
 
 def same_quantity(key: str) -> list[str]:
-    """A key and all its unit twins, told from its ending alone.
+    """A key and all its unit unit_keys, told from its ending alone.
 
     >>> same_quantity("slope_rad"), same_quantity("name")
     (['slope_deg', 'slope_rad'], ['name'])

@@ -5,7 +5,7 @@ from typing import Annotated, ClassVar
 from pydantic import Field
 
 from chutecalc.design import Contact
-from chutecalc.fields.faults import EVERY
+from chutecalc.fields.faults import ALL_DESIGNS
 from chutecalc.fields.quantities import Position
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array
@@ -72,6 +72,6 @@ class Guide(Segment):
         if not context.sections[first].is_like(context.sections[last]):
             problem = f"tapers from {first} to {last}, which differ in more than their numbers"
             remedy = "give both the same shape and the same keys"
-            context.faults.note(EVERY, (*context.location, "section"), None, problem, remedy)
+            context.faults.note(ALL_DESIGNS, (*context.location, "section"), None, problem, remedy)
             return first, None
         return first, last if last != first else None

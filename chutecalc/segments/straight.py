@@ -10,17 +10,17 @@ from chutecalc.design import Contact
 from chutecalc.fields.quantities import Slope
 from chutecalc.fields.quantity import in_si
 from chutecalc.fields.rules import is_numeric
-from chutecalc.fields.table import Rule
+from chutecalc.fields.table import Violation
 from chutecalc.physics.motion import FLOOR
 from chutecalc.segments.base import Context
 from chutecalc.segments.flat import Flat
 
 
-def downhill(table: dict[str, Any]) -> Iterator[Rule]:
+def downhill(table: dict[str, Any]) -> Iterator[Violation]:
     """A straight floor does not rise."""
     slope: Any = table.get("slope_deg")
     if is_numeric(slope) and np.any(np.less(slope, 0.0)):
-        yield Rule(
+        yield Violation(
             ("slope_deg",), "has to be at least 0: a straight floor does not rise", "change the value, or use a curve"
         )
 

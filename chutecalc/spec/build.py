@@ -28,7 +28,7 @@ def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None
     """
     geometry = _Geometry(spec, drawn_slopes or {})
     design = geometry.design()
-    geometry.faults.check()
+    geometry.faults.raise_any()
     return design
 
 

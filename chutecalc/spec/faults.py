@@ -34,7 +34,7 @@ def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> lis
         here = data
         for item in above:
             here = here[item]
-        given = next((twin for twin in same_quantity(str(key)) if isinstance(here, dict) and twin in here), key)
+        given = next((other for other in same_quantity(str(key)) if isinstance(here, dict) and other in here), key)
         value = here[given] if isinstance(here, dict) and given in here else fault.value
         found.append(fault._replace(location=(*above, given), value=value))
     return _located(found, text)

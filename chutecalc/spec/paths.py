@@ -12,7 +12,7 @@ OPTIONAL_TABLES = ("model", "receiver", "belt")
 
 
 def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> dict[str, Any]:
-    """A copy of a spec's data with values put at paths; the unit twin of a key replaces it.
+    """A copy of a spec's data with values put at paths; a key in another unit is replaced.
 
     Args:
         data: nested tables as the user wrote them.

@@ -6,26 +6,26 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.fields.table import Rule
-from chutecalc.fields.units import twins
+from chutecalc.fields.table import Violation
+from chutecalc.fields.units import unit_keys
 from chutecalc.segments.base import Segment
 from chutecalc.segments.registry import KINDS
 
 
-def known_format(table: dict[str, Any]) -> Iterator[Rule]:
+def known_format(table: dict[str, Any]) -> Iterator[Violation]:
     """The number of the format is an integer; pydantic takes true and 1.0 for 1."""
     if "format" in table and type(table["format"]) is not int:
-        yield Rule(("format",), "has to be 1", "change the value")
+        yield Violation(("format",), "has to be 1", "change the value")
 
 
-def some_friction(table: dict[str, Any]) -> Iterator[Rule]:
+def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
     """What the pressure on the walls follows from."""
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:
         problem, remedy = "is missing: give it or pressure_ratio", "add the effective angle of internal friction"
-        yield Rule(("internal_friction_deg",), problem, remedy)
+        yield Violation(("internal_friction_deg",), problem, remedy)
 
 
-def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
+def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
     """A yield locus has two rows at least; normal stress rises from row to row, shear stress does not fall."""
     rows = table.get("yield_locus_kpa")
     if not isinstance(rows, list) or not all(isinstance(row, list) and len(row) == 2 for row in rows):
@@ -33,25 +33,30 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
     if not all(isinstance(item, int | float | np.ndarray) for row in rows for item in row):
         return
     if len(rows) < 2:
-        yield Rule(("yield_locus_kpa",), "has to have at least two rows", "add a row [normal stress, shear stress]")
+        yield Violation(
+            ("yield_locus_kpa",), "has to have at least two rows", "add a row [normal stress, shear stress]"
+        )
     for number, (one, other) in enumerate(pairwise(rows), 2):
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
             problem = f"is out of order at row {number}: normal stress has to rise, and shear stress must not fall"
-            yield Rule(("yield_locus_kpa",), problem, "sort the rows")
+            yield Violation(("yield_locus_kpa",), problem, "sort the rows")
     if rows and np.any(np.less_equal(rows[0][0], 0.0)):
-        yield Rule(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "remove that row")
+        yield Violation(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "remove that row")
 
 
-def one_inlet(table: dict[str, Any]) -> Iterator[Rule]:
+def one_inlet(table: dict[str, Any]) -> Iterator[Violation]:
     """A velocity along a slope, or a belt."""
-    for key, names in (("velocity_m_s", " or ".join(twins("velocity_m_s", "velocity"))), ("slope_deg", "slope_deg")):
+    for key, names in (
+        ("velocity_m_s", " or ".join(unit_keys("velocity_m_s", "velocity"))),
+        ("slope_deg", "slope_deg"),
+    ):
         if "belt" in table and key in table:
-            yield Rule((key,), "follows from the belt", "remove it, or remove [inlet.belt]")
+            yield Violation((key,), "follows from the belt", "remove it, or remove [inlet.belt]")
         elif "belt" not in table and key not in table:
-            yield Rule((key,), "is missing", f"add {names}, or describe the belt in [inlet.belt]")
+            yield Violation((key,), "is missing", f"add {names}, or describe the belt in [inlet.belt]")
 
 
-def names(table: dict[str, Any]) -> Iterator[Rule]:
+def names(table: dict[str, Any]) -> Iterator[Violation]:
     """Sections and liners are named where there are several, and defined where they are named; segments are unique."""
     segments = table.get("segments")
     seen: dict[str, int] = {}
@@ -62,7 +67,9 @@ def names(table: dict[str, Any]) -> Iterator[Rule]:
         name = segment.get("name")
         if isinstance(name, str):
             if name in seen:
-                yield Rule((*location, "name"), f"is already the name of segment {seen[name]}", "choose another name")
+                yield Violation(
+                    (*location, "name"), f"is already the name of segment {seen[name]}", "choose another name"
+                )
             seen.setdefault(name, number + 1)
         if _guides(segment):
             yield from _reference(table, segment, location, "section", "sections")
@@ -83,21 +90,21 @@ def _guides(segment: dict[str, Any]) -> bool:
 
 def _reference(
     table: dict[str, Any], segment: dict[str, Any], location: tuple[str | int, ...], key: str, kinds: str
-) -> Iterator[Rule]:
+) -> Iterator[Violation]:
     """One reference of a segment to the sections or liners."""
     defined, named = table.get(kinds), segment.get(key)
     if not isinstance(defined, dict) or not defined:
         return
     known = ", ".join(defined)
     if named is None and len(defined) > 1:
-        yield Rule((*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}")
+        yield Violation((*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}")
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
             problem = f"names {name}, which is not defined in [{kinds}]"
-            yield Rule((*location, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
+            yield Violation((*location, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
 
 
-def placement(table: dict[str, Any]) -> Iterator[Rule]:
+def placement(table: dict[str, Any]) -> Iterator[Violation]:
     """A fall that goes onto the next segment, and where that segment is drawn from."""
     segments = table.get("segments")
     listed = [
@@ -109,14 +116,14 @@ def placement(table: dict[str, Any]) -> Iterator[Rule]:
         location, table_of = ("segments", number), _table_of(segment)
         if segment.get("onto_next") is True and not _guides(after):
             problem = "needs a segment after it that guides the stream"
-            yield Rule((*location, "onto_next"), problem, "add one, or give drop_m instead")
+            yield Violation((*location, "onto_next"), problem, "add one, or give drop_m instead")
         if before.get("onto_next") is True and table_of is not None and table_of.guides:
             for key, example in table_of.placed.items():
                 if not _given(segment, key):
-                    yield Rule((*location, key), "is missing, and needed after onto_next = true", f"add {example}")
+                    yield Violation((*location, key), "is missing, and needed after onto_next = true", f"add {example}")
         elif starts := _given(segment, "start_m"):
             remedy = "put a fall with onto_next = true before the segment, or remove this key"
-            yield Rule((*location, starts[0]), "is only for a segment after onto_next = true", remedy)
+            yield Violation((*location, starts[0]), "is only for a segment after onto_next = true", remedy)
 
 
 def _given(table: dict[str, Any], key: str) -> list[str]:
@@ -125,7 +132,7 @@ def _given(table: dict[str, Any], key: str) -> list[str]:
     return [str(given) for given in table if str(given).startswith(f"{stem}_")]
 
 
-def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
+def known_strength(table: dict[str, Any]) -> Iterator[Violation]:
     """What depends on the material's own strength needs that strength."""
     material, liners = table.get("material"), table.get("liners")
     if not isinstance(material, dict) or not isinstance(liners, dict):
@@ -136,4 +143,4 @@ def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
         for key in liner if isinstance(liner, dict) else ():
             if key == "own_material" or str(key).startswith("yield_locus_"):
                 problem = "needs the material's effective angle of internal friction, the upper limit of wall friction"
-                yield Rule(("liners", name, key), problem, "add material.internal_friction_deg")
+                yield Violation(("liners", name, key), problem, "add material.internal_friction_deg")

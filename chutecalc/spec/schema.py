@@ -4,12 +4,12 @@ from typing import Any
 
 from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.table import Table
-from chutecalc.fields.units import twins
+from chutecalc.fields.units import unit_keys
 from chutecalc.spec.chute_spec import ChuteSpec
 
 
 def json_schema() -> dict[str, Any]:
-    """The JSON Schema of a chute spec; where a key has unit twins, exactly one of them is asked for."""
+    """The JSON Schema of a chute spec; where a key has unit unit_keys, exactly one of them is asked for."""
     schema = ChuteSpec.model_json_schema()
     tables = {table.__name__: table for table in _all(Table)}
     for name, definition in schema["$defs"].items():
@@ -24,13 +24,13 @@ def _all(table: type[Table]) -> list[type[Table]]:
 
 
 def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> None:
-    """Puts the unit twins of every key beside it, with bounds in their units."""
+    """Puts the unit unit_keys of every key beside it, with bounds in their units."""
     required = set(definition.get("required", []))
     choices: list[dict[str, Any]] = []
     for key, quantity in quantities.items():
         own = definition["properties"].pop(key)
         own.pop("default", None)
-        names = twins(key, quantity.dimension)
+        names = unit_keys(key, quantity.dimension)
         for name, unit in names.items():
             kept = {item: own[item] for item in ("description", "title", "x-dimension") if item in own}
             definition["properties"][name] = kept | quantity.json_type(unit)

@@ -18,7 +18,7 @@ SHORT = {
     "base": ("sections", "base_m"),
 }
 """Short names: the table that they are looked for in, and the key."""
-BARE = {"beta": "15:90:5", "delta": "30:55:5"}
+DEFAULT_VALUES = {"beta": "15:90:5", "delta": "30:55:5"}
 """What a short name means that stands without values."""
 
 
@@ -36,7 +36,7 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
     """The parameters that arguments mean for a chute.
 
     Args:
-        arguments: ``name=values`` each, or a name of :data:`BARE` alone.
+        arguments: ``name=values`` each, or a name of :data:`DEFAULT_VALUES` alone.
         chute: whose keys short names stand for.
 
     Raises:
@@ -56,16 +56,16 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
     return found
 
 
-def split_argument(argument: str, bare: dict[str, str]) -> tuple[str, Array]:
+def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]:
     """Name and values of an argument.
 
     Raises:
-        UsageError: it has no values, and is none of the names that may stand ``bare``.
+        UsageError: it has no values, and is none of the names that may stand without values.
     """
     name, equals, text = argument.partition("=")
     name = name.strip()
-    if not equals and name in bare:
-        return name, read_values(name, bare[name])
+    if not equals and name in defaults:
+        return name, read_values(name, defaults[name])
     if not (name and equals):
         raise UsageError(f"{argument!r} has no values. Write NAME=VALUES, such as beta=15:90:5 or rate=500,1000.")
     return name, read_values(name, text)
@@ -73,13 +73,13 @@ def split_argument(argument: str, bare: dict[str, str]) -> tuple[str, Array]:
 
 def _parameter(argument: str, chute: Chute) -> Parameter:
     """One argument."""
-    name, values = split_argument(argument, BARE)
+    name, values = split_argument(argument, DEFAULT_VALUES)
     for short, (table, key) in SHORT.items():
-        twins = same_quantity(key)
-        stem = min(twins, key=len).rpartition("_")[0]
-        meant = {short: key} | {twin.replace(stem, short, 1): twin for twin in twins} | {twin: twin for twin in twins}
-        if name in meant:
-            return Parameter(meant[name], tuple(_paths(name, table, meant[name], chute)), values)
+        keys = same_quantity(key)
+        stem = min(keys, key=len).rpartition("_")[0]
+        spellings = {short: key} | {each.replace(stem, short, 1): each for each in keys} | {each: each for each in keys}
+        if name in spellings:
+            return Parameter(spellings[name], tuple(_paths(name, table, spellings[name], chute)), values)
     if "." not in name:
         known = ", ".join(SHORT)
         raise UsageError(f"{name} is neither a short name ({known}) nor a path such as segments.1.drop_m")
@@ -92,14 +92,12 @@ def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
     Raises:
         UsageError: there is none, or it is not clear which is meant.
     """
-    twins = same_quantity(key)
+    keys = same_quantity(key)
     tables = dict(_tables(chute.data.get(table), table))
-    found = {
-        path: next(twin for twin in twins if twin in entry) for path, entry in tables.items() if {*twins} & {*entry}
-    }
+    found = {path: next(each for each in keys if each in entry) for path, entry in tables.items() if {*keys} & {*entry}}
     paths = [f"{path}.{key}" for path in found]
     if not found:
-        others = [f"{path}.{own}" for path, entry in _all_tables(chute.data) for own in entry if own in twins]
+        others = [f"{path}.{own}" for path, entry in _all_tables(chute.data) for own in entry if own in keys]
         remedy = f"Use {' or '.join(others)}." if others else "Use the path of another number."
         raise UsageError(f"{name}: the spec has no {key} in its {table}. {remedy}")
     if name.partition("_")[0] == "delta" and "pressure_ratio" in chute.data["material"]:

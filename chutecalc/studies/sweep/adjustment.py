@@ -16,7 +16,7 @@ KEEP = ("base", "width", "depth")
 ANGLE = same_quantity("chamfer_deg")
 
 
-class Kept:
+class SectionAdjustment:
     """The sections whose angle a sweep varies, and what stays of them beside it."""
 
     def __init__(self, chute: Chute, paths: Sequence[str], keep: str = "base") -> None:
@@ -50,20 +50,20 @@ class Kept:
                 if getattr(section, key) is None:
                     raise UsageError(f"--keep {keep} needs sections.{name}.{key}. Add it to the spec.")
 
-    def __call__(self, changes: Mapping[str, Array], count: int) -> tuple[dict[str, Array], Mask]:
+    def apply(self, changes: Mapping[str, Array], count: int) -> tuple[dict[str, Array], Mask]:
         """What is put at which path, and which designs have a section, shape (count,)."""
         possible = np.ones(count, dtype=bool)
         if not self.names:
             return dict(changes), possible
         spec = ChuteSpec.model_validate(with_values(self.chute.data, dict(changes), self.chute.source))
-        put = {path: values for path, values in changes.items() if not self._gives(path)}
+        put = {path: values for path, values in changes.items() if not self._is_adjusted(path)}
         for name in self.names:
             values, can_be = spec.sections[name].adjusted(self.chute.spec.sections[name], self.keep)
             possible = possible & can_be
             put |= {f"sections.{name}.{key}": value for key, value in values.items()}
         return put, possible
 
-    def _gives(self, path: str) -> bool:
+    def _is_adjusted(self, path: str) -> bool:
         """Whether what is at a path follows here."""
         table, *name, key = path.split(".")
         if table != "sections" or name[0] not in self.names:
