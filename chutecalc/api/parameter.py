@@ -1,4 +1,4 @@
-"""A number of a checked spec that is to be varied: where it stands, its unit, its bounds."""
+"""A number of a checked spec that a function varies: where it stands, its unit and its limits."""
 
 import math
 import operator
@@ -14,29 +14,35 @@ from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.paths import is_number
 
 Limits = tuple[float, float]
+"""Least and greatest value."""
 COMPARISONS = {"gt": operator.gt, "ge": operator.ge, "lt": operator.lt, "le": operator.le}
-"""How a quantity's bounds are asked for."""
+"""The comparison that each bound of a quantity stands for."""
 
 
 class Parameter(NamedTuple):
-    """A number of the spec that is varied."""
+    """A number of a spec that is varied."""
 
     path: str
+    """Key path, as given."""
     table: Table
-    """That it stands in, with its documented key and, of a list, the indices in it."""
+    """Table of the checked spec that it stands in."""
     key: str
+    """Documented key in that table."""
     indices: tuple[int, ...]
+    """Indices from 0 in the lists that the key holds; empty for a single number."""
     unit: str
+    """Suffix of the unit of the path."""
     limits: Limits | None
+    """In the unit of the path; None for the bounds of the spec alone."""
 
     @property
     def quantity(self) -> Quantity:
-        """Its bounds and its dimension."""
+        """Declaration of the quantity: its dimension and bounds."""
         return self.table.quantities()[self.key]
 
     @property
     def value(self) -> Any:
-        """In the dimension's first unit, as the spec has it."""
+        """Value in the dimension's first unit, as the spec has it."""
         value = getattr(self.table, self.key)
         for index in self.indices:
             value = value[index]
@@ -44,11 +50,15 @@ class Parameter(NamedTuple):
 
     @property
     def value_in_unit(self) -> float:
-        """In the unit of its path."""
+        """Value in the unit of the path."""
         return float(convert(self.value, self.quantity.dimension, first_unit(self.quantity.dimension), self.unit))
 
     def set_value(self, value: Any) -> None:
-        """Has the spec say so."""
+        """Put a value into the spec.
+
+        Args:
+            value: in the dimension's first unit.
+        """
         if not self.indices:
             self.table.__dict__[self.key] = value  # a model is frozen against everybody else
             return
@@ -58,21 +68,33 @@ class Parameter(NamedTuple):
         rows[self.indices[-1]] = value
 
     def to_first_unit(self, value: Any) -> Any:
-        """To the dimension's first unit."""
+        """Convert a value from the unit of the path to the dimension's first unit.
+
+        Args:
+            value: a number, an array, or a :class:`~chutecalc.api.tape.Traced`.
+        """
         return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
 
     @property
     def bounds(self) -> Limits:
-        """The limits, infinite where none were asked for."""
+        """Limits in the unit of the path; infinite if there are none."""
         return self.limits or (-math.inf, math.inf)
 
     def is_within(self, value: Any) -> Any:
-        """Whether a number is within them, or which of several are."""
+        """Return whether a number is within the limits, or the mask of an array's numbers that are.
+
+        Args:
+            value: in the unit of the path.
+        """
         low, high = self.bounds
         return (value >= low) & (value <= high)
 
     def accepts(self, value: Traced) -> bool:
-        """Whether the spec's bounds, and the rules of its table, let a converted value be; asked on its tape."""
+        """Return whether a value keeps the bounds of its quantity and the rules of its table; its tape records that.
+
+        Args:
+            value: in the dimension's first unit.
+        """
         table = {key: item for key, item in self.table.__dict__.items() if item is not None}
         table |= {} if self.indices else {self.key: value}
         finite = bool(value - value == 0.0)
@@ -81,10 +103,17 @@ class Parameter(NamedTuple):
 
 
 def check_names(given: Any, what: str) -> tuple[str, ...]:
-    """Names that somebody asks for.
+    """Return names as a tuple.
+
+    Args:
+        given: a list of names, or a mapping that has them as keys.
+        what: the names are, for the message.
 
     Raises:
-        UsageError: they are none.
+        UsageError: It is empty, a single text, or not all of it is text.
+
+    >>> check_names(["flow.rate_t_h"], "parameters")
+    ('flow.rate_t_h',)
     """
     names = () if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
     if not names or not all(isinstance(name, str) for name in names):
@@ -93,10 +122,13 @@ def check_names(given: Any, what: str) -> tuple[str, ...]:
 
 
 def check_distinct(parameters: Sequence[Parameter]) -> None:
-    """That no number is given twice.
+    """Check that no number of a spec is varied twice.
+
+    Args:
+        parameters: of one spec.
 
     Raises:
-        SpecError: some are.
+        SpecError: Several parameters are the same number.
     """
     seen: dict[tuple[int, str, tuple[int, ...]], str] = {}
     faults = []
@@ -112,11 +144,16 @@ def check_distinct(parameters: Sequence[Parameter]) -> None:
 
 
 def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter:
-    """Where a path leads in a checked spec.
+    """Return the number at a key path of a checked spec.
+
+    Args:
+        spec: to be varied.
+        path: key path, in any unit, with names or numbers of list items.
+        limits: in the unit of the path, or None.
 
     Raises:
-        SpecError: to no number.
-        UsageError: limits that are none.
+        SpecError: There is no number at the path.
+        UsageError: The limits are not two numbers, the lower one first.
     """
     try:
         wrong = limits is not None and not float(limits[0]) <= float(limits[1])
@@ -153,7 +190,7 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
 
 
 def _index(part: str) -> int:
-    """Where in a list a number of a path leads."""
+    """Return the index from 0 of a list item, from its number in a path."""
     if not is_number(part) or int(part) == 0:
         raise IndexError("they are counted from 1")
     return int(part) - 1

@@ -1,8 +1,8 @@
-"""What NumPy does with some numbers, written down to be done again with others, compiled.
+"""Records what NumPy does with some numbers, so that compiled code can repeat it with others.
 
-What follows from a varied number is a :class:`Traced`: it has the value that it has now, and every operation that it
-goes through is written down. Where a program asks whether something holds, the answer is written down too: with other
-numbers that give another answer the record is of no use, and says so.
+What follows from a varied number is a :class:`Traced`: it holds its present value, and the tape records every operation
+on it. Where a program branches on a comparison, the tape records its outcome as well: for numbers with another outcome
+the record does not hold, and running it says so.
 """
 
 import math
@@ -19,7 +19,13 @@ Slot = int
 
 
 class Tape:
-    """What was done, in order. Each value is one number, that of one design."""
+    """A record of operations in order, on the numbers of one design.
+
+    Attributes:
+        values: present value of each slot.
+        steps: operations as :mod:`chutecalc.core.replay` reads them: code, three arguments, result.
+        varied: how many numbers are varied; they have the first slots.
+    """
 
     def __init__(self) -> None:
         self.values: list[float] = []
@@ -28,20 +34,31 @@ class Tape:
         self._constants: dict[tuple[float, float], Slot] = {}
 
     def new_variable(self, value: float) -> "Traced":
-        """The next number that is varied; all before anything else."""
+        """Return a number that is varied. All have to be made before anything else is recorded.
+
+        Args:
+            value: its present value, in any unit.
+        """
         self.varied += 1
         return Traced(self, np.array([value], dtype=float), self.new_slot(float(value)))
 
     def new_slot(self, value: float = np.nan) -> Slot:
-        """A slot for one more value."""
+        """Return a slot for one more value.
+
+        Args:
+            value: its present value, in any unit.
+        """
         self.values.append(value)
         return len(self.values) - 1
 
     def slot(self, item: Any) -> Slot:
-        """Where a number is; what never changes takes a slot too.
+        """Return the slot of a number; a constant gets one when it is first used.
+
+        Args:
+            item: a :class:`Traced`, or anything that NumPy takes for one number.
 
         Raises:
-            TypeError: it is more than one number.
+            TypeError: It is more than one number.
         """
         if isinstance(item, Traced):
             return item.slot
@@ -54,24 +71,52 @@ class Tape:
         return self._constants[key]
 
     def record(self, name: str, *slots: Slot) -> Slot:
-        """An operation; tells where its result goes."""
+        """Record an operation and return the slot of its result.
+
+        Args:
+            name: of the operation, one of :data:`chutecalc.core.replay.NAMES`.
+            slots: of its arguments, at most three.
+        """
         found = self.new_slot()
         self.steps += [CODE[name], *slots, *[0] * (3 - len(slots)), found]
         return found
 
     def check(self, slot: Slot, answer: bool) -> None:
-        """An answer that has to stay what it is."""
+        """Record that a condition must keep its outcome.
+
+        Args:
+            slot: of the condition; any number but 0 is true.
+            answer: its present outcome.
+        """
         holds = self.record("not", self.record("not", slot))  # whatever is not 0 is true
         self.steps += [CODE["check"], holds, self.slot(answer), 0, 0]
 
     def recipe(self, taken: Sequence[Any], width: int = replay.WIDTH) -> replay.Recipe:
-        """What to do for so many designs at once, and the numbers to tell of each, varied or not."""
+        """Return the record in the form that compiled code runs.
+
+        Args:
+            taken: the results of each design, traced or constant.
+            width: how many designs are worked out at once.
+        """
         slots = [self.slot(item) for item in taken]
         return replay.Recipe(self.steps, self.values, slots, self.varied, width)
 
 
 def run_recipe(recipe: replay.Recipe, numbers: Array) -> Array | None:
-    """What is asked for, a row for each row of varied numbers; None where an answer changes."""
+    """Return the results of a record for other numbers; None if a condition has another outcome for any of them.
+
+    Args:
+        recipe: of :meth:`Tape.recipe`.
+        numbers: the varied ones in their units, shape (designs, varied).
+
+    Returns:
+        The results in their units, shape (designs, results), or None.
+
+    >>> tape = Tape()
+    >>> recipe = tape.recipe([2.0 * tape.new_variable(1.0)])
+    >>> run_recipe(recipe, np.array([[3.0], [4.0]])).tolist()
+    [[6.0], [8.0]]
+    """
     if numbers.shape[1] != recipe.varied:  # the compiled loop does not look
         raise TypeError(f"takes {recipe.varied} numbers, not {numbers.shape[1]}")
     out = np.empty((len(numbers), len(recipe.taken)))
@@ -79,7 +124,13 @@ def run_recipe(recipe: replay.Recipe, numbers: Array) -> Array | None:
 
 
 class Traced(np.lib.mixins.NDArrayOperatorsMixin):
-    """An array of one design whose value follows from varied numbers."""
+    """An array of one number that follows from varied numbers.
+
+    Attributes:
+        tape: that records it.
+        value: present value, an array of one number.
+        slot: of the value on the tape.
+    """
 
     def __init__(self, tape: Tape, value: Any, slot: Slot) -> None:
         self.tape, self.value, self.slot = tape, value, slot
@@ -101,7 +152,7 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return Traced(self.tape, value, operation(self.tape, *(self.tape.slot(item) for item in inputs)))
 
     def _reshaped(self, value: Any) -> "Traced":
-        """The same number in another shape."""
+        """Return the same number in another shape."""
         if np.size(value) != 1:
             raise TypeError("more than one number")
         return Traced(self.tape, value, self.slot)
@@ -117,20 +168,20 @@ class Traced(np.lib.mixins.NDArrayOperatorsMixin):
         return bool(self.value)
 
     def any(self) -> Any:
-        """Whether any is true: of one, itself."""
+        """Return the number itself, as any of one."""
         return self._reshaped(self.value.any())
 
     def all(self) -> Any:
-        """Whether all are."""
+        """Return the number itself, as all of one."""
         return self._reshaped(self.value.all())
 
     def max(self) -> Any:
-        """For words alone: nobody is told of other numbers."""
+        """Return the present value, for messages alone: it is not recorded."""
         return self.value.max()
 
     @property
     def flat(self) -> Any:
-        """For words alone, likewise."""
+        """Present value for messages alone: it is not recorded."""
         return self.value.flat
 
 
@@ -160,7 +211,7 @@ def _largest(tape: Tape, one: Slot, other: Slot) -> Slot:
 
 
 def _first(tape: Tape, better: Slot, one: Slot, other: Slot) -> Slot:
-    """The one that is better, or no number."""
+    """Return the better of two numbers; NaN if one is NaN."""
     none = tape.record("not", tape.record("equal", one, one))
     return tape.record("choose", tape.record("or", better, none), one, other)
 
@@ -198,4 +249,4 @@ _OPERATIONS: dict[Any, Callable[..., Slot]] = {
     np.power: _power,
     np.square: lambda tape, one: tape.record("multiply", one, one),
 }
-"""What NumPy's functions are in operations of :mod:`chutecalc.core.replay`, of numbers that are numbers."""
+"""NumPy's functions as operations of :mod:`chutecalc.core.replay`."""

@@ -1,4 +1,4 @@
-"""``chutecalc new``: a spec to start from."""
+"""``chutecalc new``: writes a spec to start from."""
 
 import typer
 

@@ -1,4 +1,4 @@
-"""The section of a real chute, with the stream's own area in it, as a trough."""
+"""The section of a chute, filled to the stream's flow area, as a trough of the discrete-element check."""
 
 import math
 
@@ -13,14 +13,14 @@ from chutecalc.physics.section import Polygon
 
 
 def section_of(chute: Chute, name: str | None) -> Beds:
-    """The section in which a segment ends, with the stream's area and wall friction there.
+    """Return the section at the end of a segment, with the stream's flow area and wall friction there.
 
     Args:
         chute: of one design.
-        name: of the segment; None where only one guides the stream.
+        name: of the segment; None if only one segment guides the stream.
 
     Raises:
-        UsageError: no such segment, an arc of a circle as section, or a stream that does not come so far.
+        UsageError: There is no such segment, its section has a curved wall, or the stream does not reach its end.
 
     >>> import chutecalc
     >>> found = section_of(chutecalc.parse(chutecalc.STARTER), "spoon")

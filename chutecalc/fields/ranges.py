@@ -10,19 +10,23 @@ from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 
 MOST = 100_000_000
-"""Numbers of a range, where nothing less is asked for."""
+"""Most numbers that a range may have, unless a caller allows fewer."""
 
 
 def read_values(name: str, text: str, most: int = MOST) -> Array:
-    """Numbers and ranges, in decimal arithmetic.
+    """Return the numbers of a list of numbers and ranges, worked out in decimal arithmetic.
 
     Args:
-        name: for messages.
-        text: items between commas: numbers, ``a:b:step`` with b where a step lands on it, ``a:b:#n`` for n numbers.
-        most: numbers of a range.
+        name: of the argument, for messages.
+        text: items between commas: a number; ``a:b:step``, which includes b if a step lands on it; or ``a:b:#n`` for n
+            numbers from a to b.
+        most: numbers that a range may have.
+
+    Returns:
+        The numbers in the units of the text, in its order, shape (numbers,).
 
     Raises:
-        UsageError: what is none of these.
+        UsageError: An item is neither a number nor a range, or a range has too many numbers.
 
     >>> read_values("beta", "0.1:0.3:0.1").tolist(), read_values("beta", "15:90:#4").tolist()
     ([0.1, 0.2, 0.3], [15.0, 40.0, 65.0, 90.0])

@@ -42,5 +42,10 @@ def variants(package: ModuleType, base: type[Variant], tag: str) -> dict[str, ty
 
 
 def union(tables: dict[str, type[Variant]], tag: str) -> Any:
-    """Return the type of a field that takes any of some tables, told apart by their tag."""
+    """Return the type of a field that takes any of some tables.
+
+    Args:
+        tables: by tag value, as :func:`variants` returns them.
+        tag: name of the key that tells them apart.
+    """
     return Annotated[reduce(or_, tables.values()), Field(discriminator=tag)]

@@ -9,7 +9,14 @@ from chutecalc.fields.table import Violation
 
 
 def one_of(*keys: str) -> Callable[[dict[str, Any]], Iterator[Violation]]:
-    """The rule that exactly one of some keys is given."""
+    """Return the rule that exactly one of some keys is given.
+
+    Args:
+        keys: documented keys of a table.
+
+    >>> [broken.problem for broken in one_of("drop_m", "run_m")({})]
+    ['is missing: give one of drop_m, run_m']
+    """
 
     def rule(table: dict[str, Any]) -> Iterator[Violation]:
         given = [key for key in keys if key in table]
@@ -25,5 +32,9 @@ def one_of(*keys: str) -> Callable[[dict[str, Any]], Iterator[Violation]]:
 
 
 def is_numeric(value: Any) -> bool:
-    """Whether a value can be compared with a number: a number, an array, or what stands for one on a tape."""
+    """Return whether a value can be compared with a number.
+
+    Args:
+        value: of a table; a number, an array, and what a tape records in their place can.
+    """
     return isinstance(value, int | float | np.lib.mixins.NDArrayOperatorsMixin | np.ndarray)

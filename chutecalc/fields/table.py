@@ -1,4 +1,4 @@
-"""The tables of a spec: no unknown keys, units by suffix, rules of their own, and every fault in the user's words."""
+"""The base class of a spec's tables: units by suffix, no unknown keys, rules between keys, faults in plain words."""
 
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -13,7 +13,7 @@ from chutecalc.fields.units import convert, first_unit, unit_keys
 
 
 def _converted(value: Any, dimension: str, unit: str) -> Any:
-    """Numbers, also in lists, in the dimension's first unit; what is none stays for the check to find."""
+    """Return numbers, also in lists, in the dimension's first unit; anything else stays for the check to find."""
     if isinstance(value, list | tuple):
         return [_converted(item, dimension, unit) for item in value]
     number = isinstance(value, int | float | np.number | np.ndarray) and not isinstance(value, bool)
@@ -21,7 +21,7 @@ def _converted(value: Any, dimension: str, unit: str) -> Any:
 
 
 class Violation(NamedTuple):
-    """What is wrong at a location of a table, and what to do."""
+    """A rule that a table breaks: the location within the table, what is wrong, and what to do."""
 
     location: tuple[str | int, ...]
     problem: str
@@ -32,19 +32,23 @@ Rules = tuple[Callable[[dict[str, Any]], Iterator[Violation]], ...]
 
 
 class Table(BaseModel):
-    """A table of a spec: no unknown keys, units by suffix, rules of its own, and every fault in the user's words."""
+    """A table of a spec.
+
+    Every quantity may be given in any unit of its dimension, by the ending of its key. Unknown keys and broken rules
+    are faults, each with a problem and a remedy in plain words.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, arbitrary_types_allowed=True, defer_build=True)
 
     rules: ClassVar[Rules] = ()
-    """Each yields what is broken in a table, given with the documented keys."""
+    """Functions that yield what is broken in a table, which they get with documented keys alone."""
     choices: ClassVar[dict[str, tuple[str, ...]]] = {}
-    """What the keys that tell one kind of table from another may say."""
+    """Key that tells variants of the tables below apart, ``kind`` or ``shape``, to its known values."""
 
     @classmethod
     @cache
     def quantities(cls) -> dict[str, Quantity]:
-        """The fields that carry a quantity."""
+        """Return the fields that are quantities, by their documented keys."""
         return {
             name: item
             for name, field in cls.model_fields.items()
@@ -55,7 +59,7 @@ class Table(BaseModel):
     @classmethod
     @cache
     def keys(cls) -> dict[str, tuple[str, str]]:
-        """Every key that the table takes: the documented key that it stands for, and its unit."""
+        """Return every key that the table takes, with its documented key and the suffix of its unit."""
         known: dict[str, tuple[str, str]] = {}
         for name in cls.model_fields:
             quantity = cls.quantities().get(name)
@@ -91,7 +95,7 @@ class Table(BaseModel):
     def _in_first_units(
         cls, data: dict[str, Any], broken: list[Violation]
     ) -> tuple[dict[str, Any], dict[str, str], set[str]]:
-        """The table with documented keys and units alone, as what the user wrote them, and keys whose fault is told."""
+        """Return the table with documented keys and first units, those keys as written, and keys that have a fault."""
         table: dict[str, Any] = {}
         written: dict[str, str] = {}
         meant: set[str] = set()
@@ -117,7 +121,7 @@ class Table(BaseModel):
 
     @classmethod
     def _unknown(cls, key: str) -> tuple[Violation, str]:
-        """A key that the table does not have, and the documented key that was meant, as far as can be told."""
+        """Return the fault of an unknown key, and the documented key that was probably meant."""
         from difflib import get_close_matches
 
         for name, quantity in cls.quantities().items():
@@ -134,12 +138,12 @@ class Table(BaseModel):
 
     @classmethod
     def _explained(cls, item: Any, meant: set[str]) -> bool:
-        """Whether a missing key has been told of already: given without its unit, or misspelt."""
+        """Return whether a missing key has a fault already: it is given without its unit, or misspelt."""
         return item["type"] == "missing" and len(item["loc"]) == 1 and item["loc"][0] in meant
 
     @classmethod
     def _worded(cls, item: Any, written: dict[str, str]) -> InitErrorDetails:
-        """One of pydantic's errors in the user's words; those of tables below are worded already."""
+        """Return one of pydantic's errors in plain words; those of tables below are in plain words already."""
         location, kind = tuple(item["loc"]), item["type"]
         if kind == "fault":
             return _detail(location, item["msg"], item["ctx"]["remedy"])
@@ -183,6 +187,6 @@ _EXPECTED = {
 
 
 def _detail(location: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:
-    """A fault as pydantic carries it; its text is final and holds nothing to fill in."""
+    """Return a fault as pydantic carries it; its text is final and has no placeholders."""
     text = problem.replace("{", "(").replace("}", ")")
     return InitErrorDetails(type=PydanticCustomError("fault", text, {"remedy": remedy}), loc=location, input=None)

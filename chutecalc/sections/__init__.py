@@ -1,1 +1,1 @@
-"""Cross-sections, a shape to a module: its keys, rules, geometry and example. A new module here is a new shape."""
+"""Cross-sections, one module to a shape: its keys, rules, geometry and example. A new module is a new shape."""

@@ -1,4 +1,4 @@
-"""What all cross-section shapes have in common."""
+"""The base class of all cross-section shapes."""
 
 from typing import Any, ClassVar
 
@@ -13,31 +13,40 @@ from chutecalc.physics import section
 from chutecalc.physics.arrays import Array, Mask
 
 UNBOUNDED = np.array([np.inf])
-"""A length without end, m."""
+"""Length of what has no end, m, shape (1,)."""
 
 
 class Section(Table):
-    """A cross-section."""
+    """A cross-section.
+
+    A shape derives from it, with its value of ``shape`` as a ``Literal``, its keys, :attr:`example` and :meth:`build`.
+    """
 
     shape: str
-    wall_height_m: Length = Field(None, description="of the walls above the floor; deeper than that chokes")
+    wall_height_m: Length = Field(
+        None, description="height of the walls above the floor; a deeper stream chokes the chute"
+    )
 
     example: ClassVar[str] = ""
-    """TOML of such a section, below its header; the starter shows it."""
+    """TOML of such a section without its header, for the starter."""
     adjustable: ClassVar[tuple[str, ...]] = ()
-    """Keys whose values :meth:`adjusted` gives; none where the shape has no such method."""
+    """Keys whose values :meth:`adjusted` returns; empty for a shape without that method."""
 
     def build(self, location: Location, faults: GeometryFaults) -> section.Section:
-        """Return the section in numbers.
+        """Return the section in numbers, in SI units.
 
         Args:
             location: of the section in the spec's data.
-            faults: collects what is wrong with its geometry.
+            faults: collects faults of its geometry.
         """
         raise NotImplementedError
 
     def is_like(self, other: "Section") -> bool:
-        """Whether the section differs from another one in numbers only, so that a segment may taper between them."""
+        """Return whether the section differs from another one in numbers only: a segment may taper between them.
+
+        Args:
+            other: section of any shape.
+        """
         return type(self) is type(other) and self.model_fields_set == other.model_fields_set
 
     def adjusted(self, drawn: Any, keep: str) -> tuple[dict[str, Array], Mask]:
@@ -59,5 +68,12 @@ class Section(Table):
 
 
 def length_or_unbounded(value: Any) -> Array:
-    """Return an optional length in m, of length 1 or n; infinite where it is not given."""
+    """Return an optional length in m, shape (1,) or (designs,); infinite if it is not given.
+
+    Args:
+        value: in m, or None.
+
+    >>> length_or_unbounded(None).tolist(), length_or_unbounded(0.4).tolist()
+    ([inf], [0.4])
+    """
     return UNBOUNDED if value is None else in_si(value, "length")

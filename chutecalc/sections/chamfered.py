@@ -22,7 +22,9 @@ class Chamfered(Section):
     shape: Literal["chamfered"]
     base_m: Depth = Field(description="width of the centre section")
     chamfer_deg: ChamferAngle = Field(description="angle of the chamfers from the plane of the centre section")
-    chamfer_m: Length = Field(None, description="length of a chamfer; vertical walls above it; no top without it")
+    chamfer_m: Length = Field(
+        None, description="length of a chamfer, with vertical walls above it; without it the chamfer has no top"
+    )
 
     example: ClassVar = """\
 shape = "chamfered"
@@ -33,7 +35,12 @@ chamfer_deg = 45
     adjustable: ClassVar = ("base_m", "chamfer_m")
 
     def build(self, location: Location, faults: GeometryFaults) -> Polygon:
-        """Return a centre section between two chamfers."""
+        """Return a centre section between two chamfers.
+
+        Args:
+            location: of the section in the spec's data.
+            faults: collects faults of its geometry.
+        """
         base = in_si(self.base_m, "length")
         return flanked(base, self.chamfer_deg, self.chamfer_m, self.wall_height, location, faults)
 

@@ -12,10 +12,10 @@ from chutecalc.sections.base import Section
 
 
 class Circular(Section):
-    """The lower half of a circle, vertical walls above it."""
+    """The lower half of a circle, with vertical walls above it."""
 
     shape: Literal["circular"]
-    radius_m: Length = Field(description="of the circle")
+    radius_m: Length = Field(description="radius of the circle")
 
     example: ClassVar = """\
 shape = "circular"              # lower half of a circle, vertical walls above it
@@ -23,5 +23,10 @@ radius_m = 0.4
 """
 
     def build(self, location: Location, faults: GeometryFaults) -> Circle:
-        """Return an arc below vertical walls."""
+        """Return an arc below vertical walls.
+
+        Args:
+            location: of the section in the spec's data.
+            faults: collects faults of its geometry.
+        """
         return Circle(in_si(self.radius_m, "length"), self.wall_height)

@@ -17,8 +17,10 @@ from chutecalc.sections.base import Section
 class Facet(Table):
     """A flat wall."""
 
-    length_m: Length = Field(description="along the section")
-    slope_deg: Annotated[Number, Quantity("angle", ge=0, le=90)] = Field(description="from the plane of the section")
+    length_m: Length = Field(description="length along the section")
+    slope_deg: Annotated[Number, Quantity("angle", ge=0, le=90)] = Field(
+        description="slope from the plane of the section"
+    )
 
 
 class Faceted(Section):
@@ -26,7 +28,7 @@ class Faceted(Section):
 
     shape: Literal["facets"]
     facets: list[Facet] = Field(
-        min_length=1, description="of one side, from the centre outwards, none flatter than the one before"
+        min_length=1, description="facets of one side, from the centre outwards, none flatter than the one before"
     )
 
     example: ClassVar = """\
@@ -35,7 +37,12 @@ facets = [{ length_m = 0.25, slope_deg = 5 }, { length_m = 0.2, slope_deg = 40 }
 """
 
     def build(self, location: Location, faults: GeometryFaults) -> Polygon:
-        """Return facets from the centre outwards; those that are level are the centre section."""
+        """Return facets from the centre outwards; those that are level are the centre section.
+
+        Args:
+            location: of the section in the spec's data.
+            faults: collects faults of its geometry.
+        """
         lengths = [in_si(facet.length_m, "length") for facet in self.facets]
         slopes = [in_si(facet.slope_deg, "angle") for facet in self.facets]
         location = (*location, "facets")
@@ -52,5 +59,9 @@ facets = [{ length_m = 0.25, slope_deg = 5 }, { length_m = 0.2, slope_deg = 40 }
         return Polygon(np.zeros(1), tuple(lengths), tuple(slopes), self.wall_height)
 
     def is_like(self, other: Section) -> bool:
-        """Whether the section differs from another one in numbers only: both have the same count of facets."""
+        """Return whether the section differs from another one in numbers only: it has as many facets.
+
+        Args:
+            other: section of any shape.
+        """
         return super().is_like(other) and isinstance(other, Faceted) and len(self.facets) == len(other.facets)

@@ -1,4 +1,4 @@
-"""What sections with two chamfers, or with two flanks, have in common."""
+"""Geometry that chamfered and vee sections share."""
 
 from typing import Annotated, Any
 
@@ -19,12 +19,12 @@ def flanked(
     """Return a centre section between two chamfers.
 
     Args:
-        base: width of the centre section, m, of length 1 or n; 0 where the flanks meet.
+        base: width of the centre section, m, shape (1,) or (designs,); 0 if the flanks meet.
         chamfer_deg: angle of the chamfers to the centre section, deg, as the spec has it.
-        chamfer_m: length of a chamfer, m, likewise; None for one that has no top.
+        chamfer_m: length of a chamfer, m, or None if it has no top.
         wall_height: of the walls above the floor, m.
         location: of the section in the spec's data.
-        faults: collects what is wrong: chamfers that rise straight from no base.
+        faults: collects vertical chamfers without a base between them.
     """
     angle = in_si(chamfer_deg, "angle")
     problem, narrow = "leaves the section no width, as it has no base", (base == 0.0) & (angle == np.pi / 2)

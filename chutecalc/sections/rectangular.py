@@ -15,7 +15,7 @@ class Rectangular(Section):
     """A rectangle."""
 
     shape: Literal["rectangular"]
-    width_m: Length = Field(description="between the walls")
+    width_m: Length = Field(description="width between the walls")
 
     example: ClassVar = """\
 shape = "rectangular"
@@ -23,5 +23,10 @@ width_m = 0.8                   # between the walls
 """
 
     def build(self, location: Location, faults: GeometryFaults) -> Polygon:
-        """Return a centre section between two vertical walls."""
+        """Return a centre section between two vertical walls.
+
+        Args:
+            location: of the section in the spec's data.
+            faults: collects faults of its geometry.
+        """
         return Polygon(in_si(self.width_m, "length"), (), (), self.wall_height)

@@ -7,7 +7,7 @@ from chutecalc.fields.registry import union, variants
 from chutecalc.sections.base import Section
 
 SHAPES = variants(chutecalc.sections, Section, "shape")
-"""Shape to its table."""
+"""Tables of the shapes by the value of their key ``shape``."""
 
 if TYPE_CHECKING:
     AnySection = Section

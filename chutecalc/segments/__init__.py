@@ -1,1 +1,1 @@
-"""Segments, a kind to a module: its keys, rules, build and example. A new module here is a new kind."""
+"""Segments, one module to a kind: its keys, rules, numbers and example. A new module is a new kind."""

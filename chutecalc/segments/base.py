@@ -1,4 +1,4 @@
-"""What all kinds of segment have in common."""
+"""The base class of all kinds of segment."""
 
 from collections.abc import Mapping
 from typing import ClassVar, NamedTuple
@@ -19,46 +19,56 @@ class Lining(NamedTuple):
     """A liner in numbers."""
 
     wall: Wall
-    """Its friction law."""
+    """Friction law."""
     measured: tuple[Array, Array] | None
-    """Least and greatest normal stress of the yield locus's rows, Pa; None for other liners."""
+    """Least and greatest normal stress of the yield locus, Pa; None for other liners."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
 
 
 class Context(NamedTuple):
-    """What a segment is built from beside its own table."""
+    """What the numbers of a segment follow from, beside its own table."""
 
     location: Location
     """Of the segment in the spec's data."""
     name: str
+    """Of the segment, also where the spec gives it none."""
     slope: Array | None
-    """At which the segment before it is drawn to end, rad; None where only the stream itself tells."""
+    """At which the segment before it is drawn to end, rad below horizontal; None if the stream's velocity decides."""
     tangent: Array | None
-    """At which a curve begins that is tangent to what comes before it, rad; None where only the stream itself tells."""
+    """At which an arc begins that is tangent to what comes before it, rad; None if the stream's velocity decides."""
     sections: Mapping[str, Section]
-    """Of the spec, by name."""
+    """Tables of the spec's sections, by name."""
     drawn_sections: Mapping[str, DrawnSection]
-    """The same in numbers."""
+    """The same sections in numbers."""
     linings: Mapping[str, Lining]
-    """Of the spec, by the name of the liner."""
+    """The spec's liners in numbers, by name."""
     faults: GeometryFaults
-    """Collects what is wrong."""
+    """Collects faults of geometry."""
 
 
 class Segment(Table):
-    """A segment."""
+    """A segment.
+
+    A kind derives from it, with its value of ``kind`` as a ``Literal``, its keys, :attr:`example` and :meth:`build`.
+    """
 
     kind: str
-    name: Name | None = Field(None, description="how paths, tables and findings call it; its kind without it")
+    name: Name | None = Field(
+        None, description="name of the segment in paths, tables and findings; its kind if not given"
+    )
 
     example: ClassVar[str] = ""
-    """TOML of such a segment, below its header; the starter shows it."""
+    """TOML of such a segment without its header, for the starter."""
     guides: ClassVar[bool] = True
     """Whether it guides the stream, and so has a section and a liner."""
     placed: ClassVar[dict[str, str]] = {}
-    """Keys that it needs after a fall that goes ``onto_next``, each with what to add."""
+    """Keys that it needs after a fall with ``onto_next``, each with what to add."""
 
     def build(self, context: Context) -> design.Segment:
-        """Return the segment in numbers."""
+        """Return the segment in numbers, in SI units.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+        """
         raise NotImplementedError

@@ -20,5 +20,9 @@ to_slope_deg = 0                # turns from the slope before it to this one
 """
 
     def build(self, context: Context) -> Contact:
-        """Return an arc of a floor."""
+        """Return an arc of a floor.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+        """
         return self.arc(context, FLOOR)

@@ -17,10 +17,12 @@ class Fall(Segment):
     """Free flight."""
 
     kind: Literal["fall"]
-    drop_m: Length = Field(None, description="from the drawn end of the segment before it, or the inlet, to its own")
-    run_m: Length = Field(None, description="its horizontal length, instead of its height")
+    drop_m: Length = Field(
+        None, description="height from its drawn start, the end of the segment before it or the inlet, to its end"
+    )
+    run_m: Length = Field(None, description="horizontal length of the fall, instead of its height")
     onto_next: Literal[True] | None = Field(
-        None, description="instead: to where it meets the next segment, which has start_m"
+        None, description="true for a fall to where the stream meets the next segment, which has start_m"
     )
 
     example: ClassVar = """\
@@ -31,7 +33,11 @@ drop_m = 2.0                    # or run_m, or onto_next = true where the next s
     rules: ClassVar = (one_of("drop_m", "run_m", "onto_next"),)
 
     def build(self, context: Context) -> design.Fall:
-        """Return free flight; a stream that falls straight down never comes to a distance."""
+        """Return free flight to a level, to a distance or onto the next segment.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+        """
         if self.run_m is not None and context.slope is not None:
             problem, location = "is never reached, as the stream falls straight down", (*context.location, "run_m")
             context.faults.note(context.slope == np.pi / 2, location, self.run_m, problem, "give drop_m")
@@ -39,5 +45,5 @@ drop_m = 2.0                    # or run_m, or onto_next = true where the next s
 
 
 def _optional(length: Any) -> Array | None:
-    """A length in m that may be absent."""
+    """Return a length in m, or None."""
     return None if length is None else in_si(length, "length")

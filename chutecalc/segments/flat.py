@@ -1,4 +1,4 @@
-"""What flat segments have in common."""
+"""The base class of flat segments."""
 
 from typing import ClassVar
 
@@ -14,25 +14,27 @@ from chutecalc.segments.base import Context
 from chutecalc.segments.guide import Guide
 
 LONGEST = 1e5
-"""Length that a segment may have, m: as of every length."""
+"""Greatest length of a segment, m, as of every length in a spec."""
 
 
 class Flat(Guide):
     """A flat segment, given by its slope and one of its measures."""
 
-    slope_deg: Slope = Field(description="below horizontal")
-    length_m: Length = Field(None, description="along it")
-    drop_m: Length = Field(None, description="its height, instead of its length")
-    run_m: Length = Field(None, description="its horizontal length, instead of its length")
+    slope_deg: Slope = Field(description="slope below horizontal")
+    length_m: Length = Field(None, description="length along the segment")
+    drop_m: Length = Field(None, description="height of the segment, instead of its length")
+    run_m: Length = Field(None, description="horizontal length of the segment, instead of its length")
 
     rules: ClassVar[Rules] = (one_of("length_m", "drop_m", "run_m"),)
 
     def measured_length(self, context: Context, slope: Array) -> Array:
-        """Return the length, m, from whichever of its three measures is given.
+        """Return the length, m, shape (1,) or (designs,), from whichever of its three measures is given.
+
+        A drop gives drop/|sin a| and a run gives run/cos a.
 
         Args:
             context: its faults collect measures that give no length, or too large a one.
-            slope: at which it is drawn, rad.
+            slope: a, rad below horizontal.
         """
         length = self._length(context, slope)
         key = "drop_m" if self.drop_m is not None else "run_m"
@@ -42,7 +44,7 @@ class Flat(Guide):
         return np.minimum(length, LONGEST)
 
     def _length(self, context: Context, slope: Array) -> Array:
-        """The same, however long."""
+        """Return the length, m, without its upper limit."""
         if self.length_m is not None:
             return in_si(self.length_m, "length")
         faults, location = context.faults, context.location

@@ -1,4 +1,4 @@
-"""What segments that guide the stream have in common."""
+"""The base class of segments that guide the stream."""
 
 from typing import Annotated, ClassVar
 
@@ -16,10 +16,10 @@ class Guide(Segment):
     """A segment that guides the stream."""
 
     section: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = Field(
-        None, description="its cross-section, or that at its start and at its end; not needed where there is one only"
+        None, description="name of its section, or of those at its start and its end; needed if the spec has several"
     )
-    liner: str | None = Field(None, description="its liner; not needed where there is one only")
-    start_m: Position = Field(None, description="x and z of where it is drawn from, after a fall that goes onto_next")
+    liner: str | None = Field(None, description="name of its liner; needed if the spec has several")
+    start_m: Position = Field(None, description="x and z of its drawn start, after a fall with onto_next")
 
     placed: ClassVar[dict[str, str]] = {"start_m": "start_m = [x, z]"}
 
@@ -36,13 +36,13 @@ class Guide(Segment):
         """Return the segment in numbers, with its section and liner.
 
         Args:
-            context: what it is built from.
+            context: what the numbers follow from, beside this table.
             side: ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
-            entry_slope: at which it begins, rad; None where it is tangent to the stream that falls into it.
-            exit_slope: at which it ends, rad.
-            radius: of a curve, m; None for a straight.
-            length: of a straight, m; None for a curve.
-            deflects: whether the stream only strikes it.
+            entry_slope: at its start, rad below horizontal; None if it is tangent to the stream that falls into it.
+            exit_slope: at its end, rad below horizontal.
+            radius: of an arc, m; None for a straight.
+            length: of a straight, m; None for an arc.
+            deflects: whether the stream only strikes it, as an impact plate.
         """
         first, last = self._section_names(context)
         start = None if self.start_m is None else (in_si(self.start_m[0], "length"), in_si(self.start_m[1], "length"))

@@ -16,7 +16,7 @@ class Hood(Arc):
     """A hood: a curved roof that carries the stream."""
 
     kind: Literal["hood"]
-    to_slope_deg: Slope = Field(description="slope at its end, below horizontal; it has to steepen")
+    to_slope_deg: Slope = Field(description="slope at its end, below horizontal; steeper than at its start")
 
     example: ClassVar = """\
 kind = "hood"                   # a curved roof that carries the stream; has to steepen
@@ -25,11 +25,19 @@ to_slope_deg = 80
 """
 
     def build(self, context: Context) -> Contact:
-        """Return an arc of a roof."""
+        """Return an arc of a roof.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+        """
         return self.arc(context, ROOF)
 
     def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
-        """Return which designs do not steepen between two slopes, rad, the problem and the remedy."""
+        """Return the mask of designs whose hood does not steepen, with problem and remedy.
+
+        Args:
+            entry, exit_: slopes at its start and end, rad below horizontal.
+        """
         problem = (
             f"has to be steeper than the start of the hood, {degrees(entry)}: only a roof that steepens guides a stream"
         )

@@ -1,4 +1,4 @@
-"""A flat roof that is struck and left: an impact plate."""
+"""A flat impact plate."""
 
 from typing import ClassVar, Literal
 
@@ -10,7 +10,7 @@ from chutecalc.segments.flat import Flat
 
 
 class Plate(Flat):
-    """A plate: a flat roof that is struck and left."""
+    """An impact plate: a flat roof that the stream strikes and leaves."""
 
     kind: Literal["plate"]
 
@@ -21,7 +21,11 @@ length_m = 0.8
 """
 
     def build(self, context: Context) -> Contact:
-        """Return a flat roof that deflects the stream."""
+        """Return a flat roof that deflects the stream.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+        """
         slope = in_si(self.slope_deg, "angle")
         length = self.measured_length(context, slope)
         return self.contact(context, ROOF, slope, slope, length=length, deflects=True)

@@ -7,7 +7,7 @@ from chutecalc.fields.registry import union, variants
 from chutecalc.segments.base import Segment
 
 KINDS = variants(chutecalc.segments, Segment, "kind")
-"""Kind to its table."""
+"""Tables of the kinds by the value of their key ``kind``."""
 
 if TYPE_CHECKING:
     AnySegment = Segment

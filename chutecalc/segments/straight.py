@@ -17,7 +17,11 @@ from chutecalc.segments.flat import Flat
 
 
 def downhill(table: dict[str, Any]) -> Iterator[Violation]:
-    """A straight floor does not rise."""
+    """A straight floor does not rise.
+
+    Args:
+        table: of a straight, with documented keys.
+    """
     slope: Any = table.get("slope_deg")
     if is_numeric(slope) and np.any(np.less(slope, 0.0)):
         yield Violation(
@@ -29,7 +33,7 @@ class Straight(Flat):
     """A straight: an inclined floor."""
 
     kind: Literal["straight"]
-    slope_deg: Slope = Field(description="below horizontal, from 0 on")
+    slope_deg: Slope = Field(description="slope below horizontal, at least 0")
 
     example: ClassVar = """\
 kind = "straight"               # an inclined floor
@@ -39,6 +43,10 @@ length_m = 1.5                  # or drop_m, or run_m
     rules: ClassVar = (*Flat.rules, downhill)
 
     def build(self, context: Context) -> Contact:
-        """Return a straight floor."""
+        """Return a straight floor.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+        """
         slope = in_si(self.slope_deg, "angle")
         return self.contact(context, FLOOR, slope, slope, length=self.measured_length(context, slope))

@@ -1,4 +1,4 @@
-"""A checked spec as numbers: names resolved, units in SI, slopes along the chain, and the faults of geometry."""
+"""Turns a checked spec into numbers: SI units, names resolved, drawn slopes from segment to segment."""
 
 from collections.abc import Mapping
 
@@ -16,15 +16,15 @@ from chutecalc.spec import chute_spec as model
 
 
 def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None) -> Design:
-    """The numeric description of a chute.
+    """Return the numeric description of a chute.
 
     Args:
         spec: the checked spec; its numbers may be arrays of length 1 or n.
-        drawn_slopes: entry slopes, by number of the segment from 0, of curves tangent to a falling stream where another
-            design has fixed them; else they follow the stream.
+        drawn_slopes: entry slopes, rad, by index of the segment, of arcs that begin tangent to a falling stream, where
+            another design has fixed them. Without one, such an arc follows the stream.
 
     Raises:
-        GeometryError: all faults of geometry.
+        GeometryError: All faults of geometry.
     """
     geometry = _Geometry(spec, drawn_slopes or {})
     design = geometry.design()
@@ -33,7 +33,11 @@ def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None
 
 
 def segment_names(spec: model.ChuteSpec) -> list[str]:
-    """What each segment is called: its name, or its kind, with a number where that is taken."""
+    """Return the name of each segment; one without a name is called by its kind, numbered where that is taken.
+
+    Args:
+        spec: the checked spec.
+    """
     names: list[str] = []
     taken = {segment.name for segment in spec.segments if segment.name}
     for segment in spec.segments:
@@ -45,14 +49,14 @@ def segment_names(spec: model.ChuteSpec) -> list[str]:
 
 
 class _Geometry:
-    """One pass along the spec; collects faults on its way."""
+    """One pass through the spec, which collects faults of geometry."""
 
     def __init__(self, spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
         self.spec, self.drawn_slopes = spec, drawn_slopes
         self.faults = GeometryFaults()
 
     def design(self) -> Design:
-        """The design; of no use where there are faults."""
+        """Return the design; it is of no use if there are faults."""
         material, flow = self.spec.material, self.spec.flow
         friction = None if material.internal_friction_deg is None else in_si(material.internal_friction_deg, "angle")
         if material.pressure_ratio is not None:
@@ -77,7 +81,7 @@ class _Geometry:
         )
 
     def inlet(self) -> tuple[Array, Array, tuple[Array, Array], Belt | None]:
-        """Velocity, slope and position of the stream where it enters, and the belt it comes from."""
+        """Return velocity, slope and position of the stream where it enters, and the belt that it comes from."""
         inlet = self.spec.inlet
         x, z = (in_si(item, "length") for item in inlet.at_m)
         if inlet.belt is None:
@@ -90,7 +94,7 @@ class _Geometry:
         return leaves.velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
 
     def receiver(self) -> Receiver | None:
-        """The belt below, if there is one."""
+        """Return the receiving belt, or None."""
         belt = self.spec.receiver
         if belt is None:
             return None
@@ -98,7 +102,7 @@ class _Geometry:
         return Receiver(in_si(belt.velocity_m_s, "velocity"), in_si(belt.slope_deg, "angle"), friction)
 
     def segments(self, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
-        """The segments, each with the slope at which it is drawn."""
+        """Return the segments, each with the slopes at which it is drawn."""
         tables = self.spec.segments
         sections = {
             name: section.build(("sections", name), self.faults) for name, section in self.spec.sections.items()
@@ -126,14 +130,14 @@ class _Geometry:
         return tuple(built)
 
     def check_start(self, velocity: Array) -> None:
-        """A stream that enters at rest needs a fall."""
+        """Note a fault where the stream enters at rest on a segment that guides it."""
         if self.spec.segments[0].guides:
             location, value = ("inlet", "velocity_m_s"), self.spec.inlet.velocity_m_s
             remedy = "give a velocity above 0, or begin with a fall"
             self.faults.note(velocity == 0.0, location, value, "leaves the stream at rest on the first segment", remedy)
 
     def lining(self, liner: model.Liner) -> Lining:
-        """A liner in numbers."""
+        """Return a liner in numbers."""
         rows, slip_ratio = liner.yield_locus_kpa, in_si(liner.slip_ratio, "number")
         if liner.friction_deg is not None:
             return Lining(constant_wall(np.tan(in_si(liner.friction_deg, "angle"))), None, slip_ratio)

@@ -1,4 +1,4 @@
-"""Pydantic's errors as faults, with the value that stands there and its line."""
+"""Faults as users see them: with the key path and the value as written, and the line."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -12,12 +12,12 @@ from chutecalc.spec.parse import key_lines
 
 
 def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
-    """All faults of a spec, in the order of its lines.
+    """Return all faults that checking a spec found, in the order of its lines.
 
     Args:
-        error: what checking the spec raised; :class:`~chutecalc.fields.table.Table` has put it into words.
-        data: the spec as the user wrote it.
-        text: that it comes from, empty where there is none.
+        error: raised by the check, in the words of :class:`~chutecalc.fields.table.Table`.
+        data: nested tables as the user wrote them.
+        text: TOML text of the data, for line numbers; empty if there is none.
     """
     found = []
     for item in error.errors(include_url=False):
@@ -27,7 +27,13 @@ def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
 
 
 def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> list[Fault]:
-    """Faults that name documented keys, at the keys and with the values that the user wrote."""
+    """Return faults of geometry, in the order of the spec's lines.
+
+    Args:
+        faults: whose locations have documented keys; the keys and values that the user wrote take their place.
+        data: nested tables as the user wrote them.
+        text: TOML text of the data, for line numbers; empty if there is none.
+    """
     found = []
     for fault in faults:
         *above, key = fault.location
@@ -41,7 +47,7 @@ def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> lis
 
 
 def _located(faults: Iterable[LocatedFault], text: str) -> list[Fault]:
-    """Faults with paths as users write them, lists from 1, and lines: the key's, or that of the table around."""
+    """Return faults with key paths, list items counted from 1, and the line of the key or of the table around it."""
     lines = key_lines(text)
     found = []
     for location, problem, remedy, value in faults:
@@ -52,7 +58,15 @@ def _located(faults: Iterable[LocatedFault], text: str) -> list[Fault]:
 
 
 def value_text(value: Any) -> str:
-    """A value as it stands in a TOML file; a varied one by its extremes, a table or nothing as nothing."""
+    """Return a value as a TOML file has it; an array as its extremes, a table or None as empty text.
+
+    Args:
+        value: any value of a spec's data.
+
+    >>> import numpy as np
+    >>> value_text(True), value_text("spoon"), value_text(np.array([2.0, 3.0])), value_text({})
+    ('true', '"spoon"', '2 to 3', '')
+    """
     if value is None or isinstance(value, dict | list):
         return ""
     if isinstance(value, bool):
@@ -66,7 +80,7 @@ def value_text(value: Any) -> str:
 
 
 def _as_written(loc: Location, data: Any) -> tuple[Location, Any]:
-    """The location without the tags that pydantic puts in for kinds and shapes, and what stands there."""
+    """Return the location without the tags that pydantic inserts for kinds and shapes, and the value there."""
     location: Location = ()
     here, tagged = data, False
     for item in loc:

@@ -1,4 +1,4 @@
-"""Reading a spec's text: from a file, with the line of every key."""
+"""Reads the text of a spec from a file, parses it, and finds the line of each key."""
 
 import re
 import tomllib
@@ -9,17 +9,20 @@ from chutecalc.errors import Fault, SpecError
 from chutecalc.fields.faults import Location
 
 BASELINE_SUFFIX = ".baseline.toml"
-"""Of the file beside a spec that holds what once came out of it, instead of the spec's own ``.toml``."""
+"""Ending of a baseline's file, in place of the ``.toml`` of the spec beside it."""
 
 _HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
 _KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
 
 
 def read_text(path: Path) -> str:
-    """The text of a spec file.
+    """Return the text of a spec file.
+
+    Args:
+        path: of the file.
 
     Raises:
-        SpecError: there is no such file, it cannot be read, or it is not UTF-8.
+        SpecError: The file does not exist, cannot be read, or is not UTF-8.
     """
     try:
         return decode(path.read_bytes(), str(path))
@@ -34,10 +37,14 @@ def read_text(path: Path) -> str:
 
 
 def decode(data: bytes, source: str) -> str:
-    """The text of a spec's bytes, whatever the locale says.
+    """Return the text of a spec's bytes, which are UTF-8 whatever the locale; line ends become line feeds.
+
+    Args:
+        data: content of the file, with or without a byte order mark.
+        source: what messages call the spec.
 
     Raises:
-        SpecError: it is not UTF-8.
+        SpecError: The bytes are not UTF-8.
     """
     try:
         return data.decode("utf-8-sig").replace("\r\n", "\n")
@@ -47,10 +54,17 @@ def decode(data: bytes, source: str) -> str:
 
 
 def parse_text(text: str, source: str) -> dict[str, Any]:
-    """A spec's text as nested tables.
+    r"""Return a spec's text as nested tables.
+
+    Args:
+        text: TOML.
+        source: what messages call the spec.
 
     Raises:
-        SpecError: it is no TOML; with the line.
+        SpecError: The text is not TOML; the fault has the line where that is known.
+
+    >>> parse_text("[flow]\nrate_t_h = 1000", "spoon.toml")
+    {'flow': {'rate_t_h': 1000}}
     """
     try:
         return tomllib.loads(text)
@@ -70,7 +84,14 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
 
 
 def key_lines(text: str) -> dict[Location, int]:
-    """The line of each table and key, as well as a pass over the text can tell; inside a value it is its key's."""
+    r"""Return the line, from 1, of each table and key, as well as a pass over the lines can tell.
+
+    Args:
+        text: TOML. Lines inside a value of several lines count as the line of its key.
+
+    >>> key_lines("[flow]\nrate_t_h = 1000")
+    {('flow',): 1, ('flow', 'rate_t_h'): 2}
+    """
     lines: dict[Location, int] = {}
     counts: dict[Location, int] = {}
     table: Location = ()
@@ -89,13 +110,13 @@ def key_lines(text: str) -> dict[Location, int]:
 
 
 def _keys(dotted: str) -> Location:
-    """The parts of a dotted key."""
+    """Return the parts of a dotted key."""
     parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
     return tuple(part.strip("\"'") for part in parts)
 
 
 def _numbered(keys: Location, counts: dict[Location, int], is_list: bool) -> Location:
-    """A table's location with the number of each list item on its way, counted from 0."""
+    """Return a table's location, with the index of each list item that it lies in."""
     location: Location = ()
     for depth, key in enumerate(keys, 1):
         location = (*location, key)

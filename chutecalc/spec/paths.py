@@ -1,4 +1,4 @@
-"""Key paths, one grammar everywhere: ``segments.2.radius_m``, ``segments.spoon.radius_m``."""
+"""Puts values at key paths: ``segments.2.radius_m``, or by name ``segments.spoon.radius_m``."""
 
 import copy
 from typing import Any
@@ -8,19 +8,23 @@ from chutecalc.fields.units import same_quantity
 from chutecalc.spec.faults import value_text
 
 OPTIONAL_TABLES = ("model", "receiver", "belt")
-"""Tables that a path may lead to before they are written; the check that follows refuses them elsewhere."""
+"""Tables that a path creates where they are missing; the check that follows refuses them in the wrong place."""
 
 
 def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> dict[str, Any]:
-    """A copy of a spec's data with values put at paths; a key in another unit is replaced.
+    """Return a copy of a spec's data with values put at key paths.
 
     Args:
         data: nested tables as the user wrote them.
-        changes: path to value, a number, text, or an array of designs.
+        changes: key path to value: a number, text, or an array with an entry for each design. The same quantity in
+            another unit is replaced.
         source: what messages call the spec.
 
     Raises:
-        SpecError: paths that lead nowhere, all of them. Whether a key is known is for the check that follows.
+        SpecError: Paths to tables that do not exist, all of them. The last key is left to the check that follows.
+
+    >>> with_values({"flow": {"rate_t_h": 1000}}, {"flow.rate_kg_s": 250.0}, "spec")
+    {'flow': {'rate_kg_s': 250.0}}
     """
     changed = copy.deepcopy(data)
     done: dict[tuple[int, str], str] = {}
@@ -31,7 +35,7 @@ def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> d
 
 
 def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str], str]) -> Fault | None:
-    """Puts one value; the fault where there is no such table, or where an earlier path has put the same quantity."""
+    """Put one value; return the fault of a path to no table, or to a quantity that has a value already."""
     *tables, key = path.split(".")
     here: Any = data
     for number, item in enumerate(tables):
@@ -91,5 +95,12 @@ def _names(tables: list[Any]) -> list[str]:
 
 
 def is_number(item: str) -> bool:
-    """Whether part of a path counts in a list, from 1."""
+    """Return whether a part of a key path is the number of a list item.
+
+    Args:
+        item: the part.
+
+    >>> is_number("2"), is_number("spoon")
+    (True, False)
+    """
     return item.isascii() and item.isdecimal()

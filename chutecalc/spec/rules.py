@@ -1,4 +1,4 @@
-"""What has to go together in a table of a spec, beyond what each of its keys says."""
+"""Rules between the keys of a table, and between the tables of a spec."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -13,23 +13,23 @@ from chutecalc.segments.registry import KINDS
 
 
 def known_format(table: dict[str, Any]) -> Iterator[Violation]:
-    """The number of the format is an integer; pydantic takes true and 1.0 for 1."""
+    """The format is the integer 1; pydantic takes true and 1.0 for it too."""
     if "format" in table and type(table["format"]) is not int:
         yield Violation(("format",), "has to be 1", "change the value")
 
 
 def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
-    """What the pressure on the walls follows from."""
+    """A material has an angle of internal friction or a pressure ratio."""
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:
         problem, remedy = "is missing: give it or pressure_ratio", "add the effective angle of internal friction"
         yield Violation(("internal_friction_deg",), problem, remedy)
 
 
 def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
-    """A yield locus has two rows at least; normal stress rises from row to row, shear stress does not fall."""
+    """A yield locus has at least two rows; normal stress rises from row to row, shear stress does not fall."""
     rows = table.get("yield_locus_kpa")
     if not isinstance(rows, list) or not all(isinstance(row, list) and len(row) == 2 for row in rows):
-        return  # said already
+        return  # has a fault already
     if not all(isinstance(item, int | float | np.ndarray) for row in rows for item in row):
         return
     if len(rows) < 2:
@@ -45,7 +45,7 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
 
 
 def one_inlet(table: dict[str, Any]) -> Iterator[Violation]:
-    """A velocity along a slope, or a belt."""
+    """An inlet has a velocity and a slope, or a belt."""
     for key, names in (
         ("velocity_m_s", " or ".join(unit_keys("velocity_m_s", "velocity"))),
         ("slope_deg", "slope_deg"),
@@ -77,13 +77,13 @@ def names(table: dict[str, Any]) -> Iterator[Violation]:
 
 
 def _table_of(segment: dict[str, Any]) -> type[Segment] | None:
-    """The table of a segment's kind; None where it is missing or not known."""
+    """Return the table of a segment's kind; None if the kind is missing or not known."""
     kind = segment.get("kind")
     return KINDS.get(kind) if isinstance(kind, str) else None
 
 
 def _guides(segment: dict[str, Any]) -> bool:
-    """Whether a segment says that it guides the stream."""
+    """Return whether a segment is of a kind that guides the stream."""
     table = _table_of(segment)
     return table is not None and table.guides
 
@@ -91,7 +91,7 @@ def _guides(segment: dict[str, Any]) -> bool:
 def _reference(
     table: dict[str, Any], segment: dict[str, Any], location: tuple[str | int, ...], key: str, kinds: str
 ) -> Iterator[Violation]:
-    """One reference of a segment to the sections or liners."""
+    """Check the names of sections, or of a liner, that a segment gives."""
     defined, named = table.get(kinds), segment.get(key)
     if not isinstance(defined, dict) or not defined:
         return
@@ -105,7 +105,7 @@ def _reference(
 
 
 def placement(table: dict[str, Any]) -> Iterator[Violation]:
-    """A fall that goes onto the next segment, and where that segment is drawn from."""
+    """A fall that goes onto the next segment needs one, and that segment needs a position of its own."""
     segments = table.get("segments")
     listed = [
         segment if isinstance(segment, dict) else {} for segment in (segments if isinstance(segments, list) else [])
@@ -127,13 +127,13 @@ def placement(table: dict[str, Any]) -> Iterator[Violation]:
 
 
 def _given(table: dict[str, Any], key: str) -> list[str]:
-    """The keys of a table that are meant for a documented one, whatever unit they end in."""
+    """Return the keys of a table that stand for a documented one, whatever unit they end in."""
     stem, _, _ = key.rpartition("_")
     return [str(given) for given in table if str(given).startswith(f"{stem}_")]
 
 
 def known_strength(table: dict[str, Any]) -> Iterator[Violation]:
-    """What depends on the material's own strength needs that strength."""
+    """A liner whose friction the material's own strength limits needs that strength."""
     material, liners = table.get("material"), table.get("liners")
     if not isinstance(material, dict) or not isinstance(liners, dict):
         return

@@ -1,4 +1,4 @@
-"""The spec as JSON Schema: pydantic's, with every key in each of its units."""
+"""The JSON Schema of a spec: pydantic's own, with every key in each of its units."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from chutecalc.spec.chute_spec import ChuteSpec
 
 
 def json_schema() -> dict[str, Any]:
-    """The JSON Schema of a chute spec; where a key has unit unit_keys, exactly one of them is asked for."""
+    """Return the JSON Schema of a chute spec. Of the keys of a quantity in its units one at most may be given."""
     schema = ChuteSpec.model_json_schema()
     tables = {table.__name__: table for table in _all(Table)}
     for name, definition in schema["$defs"].items():
@@ -19,12 +19,12 @@ def json_schema() -> dict[str, Any]:
 
 
 def _all(table: type[Table]) -> list[type[Table]]:
-    """A table and all below it."""
+    """Return a table and all that derive from it."""
     return [table] + [item for child in table.__subclasses__() for item in _all(child)]
 
 
 def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> None:
-    """Puts the unit unit_keys of every key beside it, with bounds in their units."""
+    """Put the keys in other units beside each key of a definition, with bounds in those units."""
     required = set(definition.get("required", []))
     choices: list[dict[str, Any]] = []
     for key, quantity in quantities.items():

@@ -1,4 +1,4 @@
-"""What stays of a chamfered section while its chamfer angle varies."""
+"""Adjusts the other dimensions of a section while a sweep varies its chamfer angle: the option ``--keep``."""
 
 from collections.abc import Mapping, Sequence
 
@@ -17,19 +17,23 @@ ANGLE = same_quantity("chamfer_deg")
 
 
 class SectionAdjustment:
-    """The sections whose angle a sweep varies, and what stays of them beside it."""
+    """Adjusts the sections whose chamfer angle a sweep varies.
+
+    Attributes:
+        names: of the sections that are adjusted; empty for ``base``.
+    """
 
     def __init__(self, chute: Chute, paths: Sequence[str], keep: str = "base") -> None:
-        """Checks that it can be kept.
+        """Check that the sections can be adjusted.
 
         Args:
             chute: that is varied.
-            paths: all that are varied.
-            keep: ``base`` and the chamfer's length; the overall ``width`` and that length, while the base gives way; or
-                the ``depth``, the chamfer's height, and the overall width, while base and length give way.
+            paths: key paths of all numbers that are varied.
+            keep: what stays as it is: ``base`` and the chamfer's length; the overall ``width`` and that length, while
+                the base is adjusted; or the ``depth`` of the chamfer and the overall width, while both are adjusted.
 
         Raises:
-            UsageError: what stands against it.
+            UsageError: ``keep`` is not known, no chamfer angle is varied, or a section has no such dimensions.
         """
         self.chute, self.keep = chute, keep
         parts = [path.split(".") for path in paths]
@@ -51,7 +55,12 @@ class SectionAdjustment:
                     raise UsageError(f"--keep {keep} needs sections.{name}.{key}. Add it to the spec.")
 
     def apply(self, changes: Mapping[str, Array], count: int) -> tuple[dict[str, Array], Mask]:
-        """What is put at which path, and which designs have a section, shape (count,)."""
+        """Return the changes with the adjusted dimensions, and the mask of designs whose section can be built.
+
+        Args:
+            changes: key path to values in the units of the path, shape (1,) or (count,).
+            count: number of designs.
+        """
         possible = np.ones(count, dtype=bool)
         if not self.names:
             return dict(changes), possible
@@ -64,7 +73,7 @@ class SectionAdjustment:
         return put, possible
 
     def _is_adjusted(self, path: str) -> bool:
-        """Whether what is at a path follows here."""
+        """Return whether the number at a path is adjusted, and so is not varied itself."""
         table, *name, key = path.split(".")
         if table != "sections" or name[0] not in self.names:
             return False

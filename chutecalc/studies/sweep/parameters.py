@@ -1,4 +1,4 @@
-"""What a sweep varies: arguments such as ``beta=15:90:5`` as spec paths and values."""
+"""Reads what a sweep varies: arguments such as ``beta=15:90:5`` as key paths and values."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -17,30 +17,36 @@ SHORT = {
     "radius": ("segments", "radius_m"),
     "base": ("sections", "base_m"),
 }
-"""Short names: the table that they are looked for in, and the key."""
+"""Short name to the tables that it is looked up in, and the key there."""
 DEFAULT_VALUES = {"beta": "15:90:5", "delta": "30:55:5"}
-"""What a short name means that stands without values."""
+"""Values of a short name that is given without any."""
 
 
 class Parameter(NamedTuple):
-    """A quantity that is varied."""
+    """A quantity that a sweep varies."""
 
     name: str
-    """Of its column: the key of a short name, else the path as given."""
+    """Name of its column: the key of a short name, else the path as given."""
     paths: tuple[str, ...]
-    """Where its values go; each takes the same one."""
+    """Key paths that get its value; all get the same one."""
     values: Array
+    """In the units of the paths, shape (values,)."""
 
 
 def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
-    """The parameters that arguments mean for a chute.
+    """Return the parameters that some arguments stand for.
 
     Args:
-        arguments: ``name=values`` each, or a name of :data:`DEFAULT_VALUES` alone.
-        chute: whose keys short names stand for.
+        arguments: ``NAME=VALUES`` each, or a name of :data:`DEFAULT_VALUES` alone.
+        chute: in whose spec short names are looked up.
 
     Raises:
-        UsageError: all that is wrong with them.
+        UsageError: Any of the arguments is wrong; the message has a line for each.
+
+    >>> import chutecalc
+    >>> (rate,) = read_parameters(["rate=500,1000"], chutecalc.parse(chutecalc.STARTER))
+    >>> rate.name, rate.paths, rate.values.tolist()
+    ('rate_t_h', ('flow.rate_t_h',), [500.0, 1000.0])
     """
     found: list[Parameter] = []
     faults: list[str] = []
@@ -57,10 +63,17 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
 
 
 def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]:
-    """Name and values of an argument.
+    """Return the name and the values of an argument.
+
+    Args:
+        argument: ``NAME=VALUES``, or a name alone.
+        defaults: values, as text, of names that may stand alone.
 
     Raises:
-        UsageError: it has no values, and is none of the names that may stand without values.
+        UsageError: The argument has no values, or they are not numbers.
+
+    >>> split_argument("rate=500,1000", {})
+    ('rate', array([ 500., 1000.]))
     """
     name, equals, text = argument.partition("=")
     name = name.strip()
@@ -72,7 +85,7 @@ def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]
 
 
 def _parameter(argument: str, chute: Chute) -> Parameter:
-    """One argument."""
+    """Return the parameter that an argument stands for."""
     name, values = split_argument(argument, DEFAULT_VALUES)
     for short, (table, key) in SHORT.items():
         keys = same_quantity(key)
@@ -87,10 +100,10 @@ def _parameter(argument: str, chute: Chute) -> Parameter:
 
 
 def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
-    """The paths that a short name stands for.
+    """Return the key paths that a short name stands for.
 
     Raises:
-        UsageError: there is none, or it is not clear which is meant.
+        UsageError: The spec has no such key, or several that may be meant.
     """
     keys = same_quantity(key)
     tables = dict(_tables(chute.data.get(table), table))
@@ -109,7 +122,7 @@ def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
 
 
 def _tables(tables: Any, path: str) -> Iterator[tuple[str, dict[str, Any]]]:
-    """The tables of one kind by their paths: one, those of a list, or those that have names."""
+    """Yield tables of the spec with their paths: the items of a list, named tables, or one table."""
     if isinstance(tables, list):
         for number, entry in enumerate(tables, 1):
             yield f"{path}.{entry.get('name', number)}", entry
@@ -121,6 +134,6 @@ def _tables(tables: Any, path: str) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _all_tables(data: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """All tables of a spec by their paths."""
+    """Yield all tables of a spec with their paths."""
     for table in ("flow", "material", "liners", "sections", "inlet", "segments", "receiver"):
         yield from _tables(data.get(table), table)
