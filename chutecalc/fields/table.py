@@ -80,7 +80,8 @@ class Table(BaseModel):
         for rule in cls.rules:
             broken += [item for item in rule(table) if not (item.location[0] in meant and "missing" in item.problem)]
         details = [
-            _detail((written.get(str(location[0]), location[0]), *location[1:]), *said) for location, *said in broken
+            _detail((written.get(str(location[0]), location[0]), *location[1:]), problem, remedy)
+            for location, problem, remedy in broken
         ]
         try:
             model = handler(table)

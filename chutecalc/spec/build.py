@@ -102,7 +102,12 @@ class _Geometry:
         return Receiver(in_si(belt.velocity_m_s, "velocity"), in_si(belt.slope_deg, "angle"), friction)
 
     def segments(self, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
-        """Return the segments, each with the slopes at which it is drawn."""
+        """Return the segments, each with the slopes at which it is drawn.
+
+        Args:
+            velocity: of the stream where it enters, m/s.
+            inlet_slope: of the stream there, rad below horizontal.
+        """
         tables = self.spec.segments
         sections = {
             name: section.build(("sections", name), self.faults) for name, section in self.spec.sections.items()
@@ -130,14 +135,22 @@ class _Geometry:
         return tuple(built)
 
     def check_start(self, velocity: Array) -> None:
-        """Note a fault where the stream enters at rest on a segment that guides it."""
+        """Note a fault if the stream enters at rest on a segment that guides it.
+
+        Args:
+            velocity: of the stream where it enters, m/s.
+        """
         if self.spec.segments[0].guides:
             location, value = ("inlet", "velocity_m_s"), self.spec.inlet.velocity_m_s
             remedy = "give a velocity above 0, or begin with a fall"
             self.faults.note(velocity == 0.0, location, value, "leaves the stream at rest on the first segment", remedy)
 
     def lining(self, liner: model.Liner) -> Lining:
-        """Return a liner in numbers."""
+        """Return a liner in numbers.
+
+        Args:
+            liner: its table of the spec.
+        """
         rows, slip_ratio = liner.yield_locus_kpa, in_si(liner.slip_ratio, "number")
         if liner.friction_deg is not None:
             return Lining(constant_wall(np.tan(in_si(liner.friction_deg, "angle"))), None, slip_ratio)

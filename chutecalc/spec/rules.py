@@ -13,20 +13,32 @@ from chutecalc.segments.registry import KINDS
 
 
 def known_format(table: dict[str, Any]) -> Iterator[Violation]:
-    """The format is the integer 1; pydantic takes true and 1.0 for it too."""
+    """Yield a fault if the format is not the integer 1; pydantic takes true and 1.0 for it too.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     if "format" in table and type(table["format"]) is not int:
         yield Violation(("format",), "has to be 1", "change the value")
 
 
 def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
-    """A material has an angle of internal friction or a pressure ratio."""
+    """Yield a fault if a material has neither an angle of internal friction nor a pressure ratio.
+
+    Args:
+        table: of a material, with documented keys.
+    """
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:
         problem, remedy = "is missing: give it or pressure_ratio", "add the effective angle of internal friction"
         yield Violation(("internal_friction_deg",), problem, remedy)
 
 
 def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
-    """A yield locus has at least two rows; normal stress rises from row to row, shear stress does not fall."""
+    """Yield faults of a yield locus: too few rows, falling stresses, a first row without normal stress.
+
+    Args:
+        table: of a liner, with documented keys.
+    """
     rows = table.get("yield_locus_kpa")
     if not isinstance(rows, list) or not all(isinstance(row, list) and len(row) == 2 for row in rows):
         return  # has a fault already
@@ -45,7 +57,11 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
 
 
 def one_inlet(table: dict[str, Any]) -> Iterator[Violation]:
-    """An inlet has a velocity and a slope, or a belt."""
+    """Yield faults of an inlet that has not either a velocity and a slope, or a belt.
+
+    Args:
+        table: of the inlet, with documented keys.
+    """
     for key, names in (
         ("velocity_m_s", " or ".join(unit_keys("velocity_m_s", "velocity"))),
         ("slope_deg", "slope_deg"),
@@ -57,7 +73,11 @@ def one_inlet(table: dict[str, Any]) -> Iterator[Violation]:
 
 
 def names(table: dict[str, Any]) -> Iterator[Violation]:
-    """Sections and liners are named where there are several, and defined where they are named; segments are unique."""
+    """Yield faults of names: of segments with the same one, of sections and liners that are needed or not defined.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     segments = table.get("segments")
     seen: dict[str, int] = {}
     for number, segment in enumerate(segments if isinstance(segments, list) else []):
@@ -105,7 +125,11 @@ def _reference(
 
 
 def placement(table: dict[str, Any]) -> Iterator[Violation]:
-    """A fall that goes onto the next segment needs one, and that segment needs a position of its own."""
+    """Yield faults of a fall with ``onto_next`` without such a segment, and of drawn starts that miss or lack a fall.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     segments = table.get("segments")
     listed = [
         segment if isinstance(segment, dict) else {} for segment in (segments if isinstance(segments, list) else [])
@@ -133,7 +157,11 @@ def _given(table: dict[str, Any], key: str) -> list[str]:
 
 
 def known_strength(table: dict[str, Any]) -> Iterator[Violation]:
-    """A liner whose friction the material's own strength limits needs that strength."""
+    """Yield faults of liners whose friction the material's own strength limits, if that is not known.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     material, liners = table.get("material"), table.get("liners")
     if not isinstance(material, dict) or not isinstance(liners, dict):
         return

@@ -32,8 +32,8 @@ def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> N
         own.pop("default", None)
         names = unit_keys(key, quantity.dimension)
         for name, unit in names.items():
-            kept = {item: own[item] for item in ("description", "title", "x-dimension") if item in own}
-            definition["properties"][name] = kept | quantity.json_type(unit)
+            shared = {item: own[item] for item in ("description", "title", "x-dimension") if item in own}
+            definition["properties"][name] = shared | quantity.json_type(unit)
         one = [{"required": [name]} for name in names]
         if key in required:
             required.discard(key)
