@@ -1,10 +1,10 @@
-"""``chutecalc schema``: the spec as JSON Schema."""
+"""``chutecalc schema``: prints the JSON Schema of a spec."""
 
 import typer
 
 
 def schema() -> int:
-    """Print the JSON Schema of a spec, with which editors complete and check it."""
+    """Print the JSON Schema of a spec, with which editors complete keys and check values."""
     import json
 
     from chutecalc.spec.schema import json_schema

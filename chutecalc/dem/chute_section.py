@@ -20,7 +20,7 @@ def section_of(chute: Chute, name: str | None) -> Beds:
         name: Name of the segment; None where only one segment guides the stream.
 
     Raises:
-        UsageError: There is no such segment, its section is circular, or the stream does not reach its end.
+        UsageError: There is no such segment, its section has a curved wall, or the stream does not reach its end.
 
     >>> import chutecalc
     >>> found = section_of(chutecalc.parse(chutecalc.STARTER), "spoon")
@@ -37,7 +37,7 @@ def section_of(chute: Chute, name: str | None) -> Beds:
     contact = chosen[0]
     section = contact.end_section or contact.section
     if not isinstance(section, Polygon):
-        raise UsageError(f"the section of {contact.name} is circular. Choose a segment whose section has flat walls")
+        raise UsageError(f"the section of {contact.name} has a curved wall. Choose a segment with flat walls only")
     result = next(result for result in solve(chute).segments if result.name == contact.name)
     area, friction = (float(result.exit[key][0]) for key in ("area_m2", "equivalent_friction"))
     if not math.isfinite(area):

@@ -12,7 +12,7 @@ SQUARE = 1e-9
 
 def entering(design: Design) -> Numbers:
     """The stream where it enters, each of length 1 or n; from a belt also v²/(g r) and its lower edge."""
-    x, z = design.inlet_place
+    x, z = design.inlet_position
     numbers = {
         "x_m": x,
         "z_m": z,

@@ -12,6 +12,8 @@ LEVELS = [
     {"errors", "core"},
     {"physics"},
     {"design", "fields"},
+    {"sections"},
+    {"segments"},
     {"spec", "solver"},
     {"results"},
     {"api"},

@@ -22,9 +22,9 @@ from chutecalc.results.columns import COLUMNS, WAYS, row_columns
 from chutecalc.results.exits import NOT_AT_EXIT, named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
+from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, select_rows
 from chutecalc.studies.sweep.grid import Grid
-from chutecalc.studies.sweep.kept import Kept
 from chutecalc.studies.sweep.parameters import Parameter
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
@@ -85,7 +85,7 @@ class Sweep:
         self.grid = Grid(parameters, parallel)
         self.columns = self._columns(columns)
         self._check_values()
-        self.kept = Kept(chute, [path for parameter in parameters for path in parameter.paths], keep)
+        self.adjustment = SectionAdjustment(chute, [path for parameter in parameters for path in parameter.paths], keep)
         if self.top and self.profiles:
             raise UsageError("--top selects designs. It cannot be used with --points or --stations")
         if self.top and self.top.column not in self.header:
@@ -194,7 +194,9 @@ class Sweep:
     def _pieces(self, rows: Index) -> Iterator[tuple[Index, Block]]:
         """Yield numbers and columns of rows, without designs that cannot be built."""
         given = zip(self.parameters, self.grid.at(rows), strict=True)
-        changes, possible = self.kept({path: values for each, values in given for path in each.paths}, len(rows))
+        changes, possible = self.adjustment.apply(
+            {path: values for each, values in given for path in each.paths}, len(rows)
+        )
         if not possible.all():
             if possible.any():
                 yield from self._pieces(rows[possible])

@@ -89,7 +89,7 @@ class ShownRows:
         """What is varied, and how."""
         sweep = self.sweep
         lists = [f"{parameter.name} ({len(parameter.values):,})" for parameter in sweep.parameters]
-        how = f", {sweep.keep} kept" if sweep.kept.names else ""
+        how = f", {sweep.keep} kept" if sweep.adjustment.names else ""
         top = (
             sweep.top and f", the {sweep.top.rows} of {'largest' if sweep.top.largest else 'least'} {sweep.top.column}"
         )
