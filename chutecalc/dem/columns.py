@@ -1,6 +1,7 @@
 """The columns of the check, one row a case."""
 
-from chutecalc.results.columns import COLUMNS, Column
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS
 
 DEM_COLUMNS = {
     column.name: column

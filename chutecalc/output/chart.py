@@ -4,7 +4,8 @@ import numpy as np
 
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
-from chutecalc.results.columns import COLUMNS, Column
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solution import Solution
 
 CHARTED = ("velocity_m_s", "depth_m")

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from chutecalc.api.chute import Chute
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
-from chutecalc.results.columns import COLUMNS, quantity_text
+from chutecalc.results.column import quantity_text
+from chutecalc.results.columns import COLUMNS
 from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, Finding
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solution import Solution

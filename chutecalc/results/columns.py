@@ -1,64 +1,6 @@
 """The one catalogue of columns: what tables, CSV, JSON and plots call a quantity, and how people read it."""
 
-import math
-import re
-from typing import Any, NamedTuple
-
-from chutecalc.fields.units import TEXT, convert
-
-
-class Column(NamedTuple):
-    """A quantity along the stream."""
-
-    name: str
-    """In CSV and JSON and from Python, with its unit."""
-    heading: str
-    symbol: str
-    meaning: str
-    dimension: str = ""
-    """Empty for text; ``number`` for what has no unit."""
-    unit: str = ""
-    digits: int = 3
-    """Decimals that people are shown."""
-    us_unit: str = ""
-    us_digits: int = 1
-
-    def shown(self, value: float, units: str) -> str:
-        """A number as people are shown it; nothing where it does not exist.
-
-        >>> COLUMNS["depth_m"].shown(0.0254, "us"), COLUMNS["depth_m"].shown(float("nan"), "metric")
-        ('1.00', '')
-        """
-        if value != value:
-            return ""
-        if math.isinf(value):
-            return "∞" if value > 0 else "-∞"
-        if units == "us" and self.us_unit:
-            return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
-        return f"{value:.{self.digits}f}"
-
-    def converted(self, values: Any, units: str) -> Any:
-        """Numbers in the unit of :meth:`unit_text`.
-
-        >>> round(COLUMNS["velocity_m_s"].converted(1.5, "us"), 1)
-        295.3
-        """
-        return convert(values, self.dimension, self.unit, self.us_unit) if units == "us" and self.us_unit else values
-
-    def label(self, units: str) -> str:
-        """As an axis is labelled: what it is, its symbol and its unit.
-
-        >>> COLUMNS["velocity_m_s"].label("us"), COLUMNS["equivalent_friction"].label("metric")
-        ('velocity v, fpm', 'equivalent friction μ_e')
-        """
-        named = self.heading if self.heading != self.symbol else re.split("[;,:]", self.meaning)[0]
-        return ", ".join(part for part in (f"{named} {self.symbol}".strip(), self.unit_text(units)) if part)
-
-    def unit_text(self, units: str) -> str:
-        """The unit that goes with :meth:`shown`."""
-        unit = self.us_unit if units == "us" and self.us_unit else self.unit
-        return TEXT.get(unit, unit)
-
+from chutecalc.results.column import Column
 
 COLUMNS = {
     column.name: column
@@ -121,23 +63,6 @@ COLUMNS = {
 }
 """Station columns in the order of the CSV."""
 
-FRICTION_COLUMNS = {
-    column.name: column
-    for column in (
-        Column("chamfer_deg", "β", "β", "chamfer angle", "angle", "deg", 1),
-        Column("internal_friction_deg", "δ", "δ", "effective angle of internal friction", "angle", "deg", 1),
-        Column("base_m", "base", "B", "width of the centre section", "length", "m", 4, "in", 2),
-        COLUMNS["chamfer_wetted_m"],
-        COLUMNS["depth_m"],
-        Column("pressure_ratio", "K", "K", "pressure on a chamfer over that on the centre section", "number", "", 4),
-        COLUMNS["equivalent_friction"]._replace(digits=5),
-        Column("status", "status", "", "ok, or impossible: a section that cannot be"),
-    )
-}
-"""Columns of the friction study, in the order of the CSV."""
-
-WAYS = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
-"""What a sweep's rows tell of a station column, by the first word of their names."""
 RECEIVER_COLUMNS = {
     column.name: column
     for column in (
@@ -157,47 +82,3 @@ RECEIVER_COLUMNS = {
     )
 }
 """What a stream does to the belt that it goes to; in a sweep's rows behind ``receiver_``."""
-_ALONG_ALONE = ("s_m", "x_m", "z_m", "time_s")
-
-
-def row_columns() -> dict[str, Column]:
-    """What a sweep's rows can tell of a design, by name.
-
-    >>> row_columns()["max_depth_m"].label("metric")
-    'max depth H, m'
-    """
-    found = {
-        "status": Column("status", "status", "", "how the design ends; impossible: a section that cannot be"),
-        "findings": Column("findings", "findings", "", "codes of the findings, see README"),
-        "error_estimate": Column("error_estimate", "error", "", "of the exit velocity, relative", "number", "", 14),
-    }
-    for way, where in WAYS.items():
-        for name, column in COLUMNS.items():
-            if column.dimension and (way == "exit" or name not in _ALONG_ALONE):
-                symbol = "" if column.heading == column.symbol else column.symbol
-                found[f"{way}_{name}"] = column._replace(
-                    name=f"{way}_{name}", heading=f"{way} {column.heading}", symbol=symbol, meaning=where
-                )
-    return found | {
-        f"receiver_{name}": column._replace(name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()
-    }
-
-
-_PEOPLE = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
-"""Units that messages change for people in the United States."""
-_INCHES = ("depth_m", "chamfer_m", "wall_height_m")
-
-
-def quantity_text(name: str, value: float, units: str) -> str:
-    """A number of a message with its unit, told from the end of its name.
-
-    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us")
-    ('1.5 m/s', '12 in')
-    """
-    known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
-    unit = known[-1] if known else ""
-    if units == "us" and unit in _PEOPLE:
-        dimension, other = ("length", "in") if name in _INCHES else _PEOPLE[unit]
-        value, unit = convert(value, dimension, unit, other), other
-    shown = TEXT.get(unit, unit)
-    return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

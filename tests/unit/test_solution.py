@@ -5,7 +5,8 @@ import pytest
 
 import chutecalc
 from chutecalc.fields.units import UNITS, convert, twins
-from chutecalc.results.columns import COLUMNS, quantity_text
+from chutecalc.results.column import quantity_text
+from chutecalc.results.columns import COLUMNS
 from tests.conftest import chute
 
 FALL_AND_SPOON = [

@@ -18,11 +18,12 @@ from chutecalc.api.chute import Chute, check_tolerance, solve
 from chutecalc.design import Status
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Index
-from chutecalc.results.columns import COLUMNS, WAYS, row_columns
+from chutecalc.results.columns import COLUMNS
 from chutecalc.results.exits import NOT_AT_EXIT, named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
+from chutecalc.studies.sweep.columns import WAYS, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.kept import Kept
 from chutecalc.studies.sweep.parameters import Parameter
@@ -56,7 +57,7 @@ class Sweep:
             parallel: their lists go side by side, rather than in all combinations.
             keep: what stays of a section while its chamfer angle varies, see
                 :class:`~chutecalc.studies.sweep.kept.Kept`.
-            columns: names of those wanted, of :func:`chutecalc.results.columns.row_columns`, or of stations.
+            columns: names of those wanted, of :func:`chutecalc.studies.sweep.columns.row_columns`, or of stations.
             top: which rows are wanted; all, without it.
             points, spacing: rows are stations then, as of :meth:`chutecalc.Solution.stations`.
             rtol: as of :func:`chutecalc.solve`.

@@ -1,0 +1,31 @@
+"""The columns that the rows of a sweep can have."""
+
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+
+WAYS = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
+"""What a sweep's rows tell of a station column, by the first word of their names."""
+_ALONG_ALONE = ("s_m", "x_m", "z_m", "time_s")
+
+
+def row_columns() -> dict[str, Column]:
+    """What a sweep's rows can tell of a design, by name.
+
+    >>> row_columns()["max_depth_m"].label("metric")
+    'max depth H, m'
+    """
+    found = {
+        "status": Column("status", "status", "", "how the design ends; impossible: a section that cannot be"),
+        "findings": Column("findings", "findings", "", "codes of the findings, see README"),
+        "error_estimate": Column("error_estimate", "error", "", "of the exit velocity, relative", "number", "", 14),
+    }
+    for way, where in WAYS.items():
+        for name, column in COLUMNS.items():
+            if column.dimension and (way == "exit" or name not in _ALONG_ALONE):
+                symbol = "" if column.heading == column.symbol else column.symbol
+                found[f"{way}_{name}"] = column._replace(
+                    name=f"{way}_{name}", heading=f"{way} {column.heading}", symbol=symbol, meaning=where
+                )
+    return found | {
+        f"receiver_{name}": column._replace(name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()
+    }
