@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.fields.units import TEXT, first_unit
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.results.belts import RECEIVER_COLUMNS
+from chutecalc.results.columns import COLUMNS
 from chutecalc.spec.chute_spec import ChuteSpec
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "nomenclature.md"

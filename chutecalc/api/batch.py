@@ -9,8 +9,8 @@ import numpy as np
 from chutecalc.api.chute import Chute, check_tolerance
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.results.columns import COLUMNS
-from chutecalc.results.exits import NOT_AT_EXIT, Exits, at_ends
+from chutecalc.results.columns import AT_EXIT
+from chutecalc.results.exits import Exits, at_ends
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
@@ -41,7 +41,7 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
     """
     check_tolerance(rtol)
     names = [columns] if isinstance(columns, str) else list(columns)
-    unknown = [name for name in names if name not in COLUMNS or name in NOT_AT_EXIT]
+    unknown = [name for name in names if name not in AT_EXIT]
     if unknown:
         which = ", ".join(unknown)
         raise UsageError(

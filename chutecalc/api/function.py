@@ -13,10 +13,10 @@ from chutecalc.core.replay import Recipe
 from chutecalc.design import Design, Status
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.results.belts import received
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
-from chutecalc.results.exits import NOT_AT_EXIT, asked_of, at_ends, named
-from chutecalc.results.trajectory import asked, at_exit
+from chutecalc.results.belts import RECEIVER_COLUMNS, received
+from chutecalc.results.columns import AT_EXIT
+from chutecalc.results.exits import asked_of, at_ends, named
+from chutecalc.results.part import asked, at_exit
 from chutecalc.solver.chain import answer_of, run_ends
 from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of
 from chutecalc.solver.effort import effort
@@ -169,7 +169,7 @@ class Function:
         return [np.where(well, known[name], np.nan) for name in self.outputs]
 
     def _check_outputs(self, spec: ChuteSpec) -> None:
-        known = {"error_estimate", *(f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT)}
+        known = {"error_estimate", *(f"exit_{name}" for name in AT_EXIT)}
         known |= {f"receiver_{name}" for name in RECEIVER_COLUMNS} if spec.receiver else set()
         unknown = [name for name in self.outputs if name not in known]
         if unknown:

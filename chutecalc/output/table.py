@@ -13,7 +13,7 @@ from chutecalc.api.chute import Chute
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
 from chutecalc.results.column import quantity_text
-from chutecalc.results.columns import COLUMNS
+from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, Finding
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solution import Solution
@@ -21,18 +21,6 @@ from chutecalc.results.solution import Solution
 if TYPE_CHECKING:
     from rich.console import Console
 
-SHOWN = (
-    "s_m",
-    "slope_deg",
-    "velocity_m_s",
-    "depth_m",
-    "equivalent_friction",
-    "pressure_kpa",
-    "wear_w_m2",
-    "froude",
-    "time_s",
-)
-"""Columns of the tables for people."""
 COLOURS = {FAILURE: "bold red", WARNING: "yellow", NOTE: "cyan"}
 NO_WRAP = 100_000
 
@@ -109,14 +97,14 @@ class Printer:
         table = self._new_table(["segment"])
         for k, segment in enumerate(stations["segment"][0].tolist()):
             if stations["s_m"][0, k] == stations["s_m"][0, k]:
-                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in SHOWN)])
+                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in IN_TABLES)])
         self.table(table)
 
     def comparison(self, runs: Sequence[tuple[Chute, Solution]]) -> None:
         """Several chutes beside each other, at their ends."""
         table = self._new_table(["spec", "status"], "comparison")
         for chute, solution in runs:
-            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in SHOWN)
+            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in IN_TABLES)
             table.row([chute.source, str(solution.status[0]), *cells])
         self.table(table)
 
@@ -140,20 +128,20 @@ class Printer:
             if any(
                 _exceeds(-way.minimum[name][0], -way.entry[name][0], -way.exit[name][0])
                 for name in way.minimum
-                if name in SHOWN
+                if name in IN_TABLES
             ):
                 rows.append(("min", way.minimum))
             if any(
                 _exceeds(way.maximum[name][0], way.entry[name][0], way.exit[name][0])
                 for name in way.maximum
-                if name in SHOWN
+                if name in IN_TABLES
             ):
                 rows.append(("max", way.maximum))
             for row, (label, numbers) in enumerate(rows):
                 names = (way.name, way.kind) if row == 0 else ("", "")
                 cells = (
                     COLUMNS[name].shown(float(numbers[name][0]), self.units) if name in numbers else ""
-                    for name in SHOWN
+                    for name in IN_TABLES
                 )
                 table.row([*names, label, *cells])
         return table
@@ -163,7 +151,7 @@ class Printer:
         table = Grid(title)
         for label in labels:
             table.column(label, to_left=True)
-        for name in SHOWN:
+        for name in IN_TABLES:
             column = COLUMNS[name]
             table.column(f"{column.heading}\n{column.unit_text(self.units)}")
         return table

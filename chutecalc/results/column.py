@@ -2,13 +2,20 @@
 
 import math
 import re
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
 
 from chutecalc.fields.units import TEXT, convert
+from chutecalc.physics.arrays import Array
+
+Numbers = dict[str, Array]
+"""Arrays by column name."""
 
 
-class Column(NamedTuple):
-    """A quantity along the stream."""
+@dataclass(frozen=True)
+class Column:
+    """A quantity, and how people read it."""
 
     name: str
     """In CSV and JSON and from Python, with its unit."""
@@ -62,6 +69,13 @@ class Column(NamedTuple):
         """The unit that goes with :meth:`shown`."""
         unit = self.us_unit if units == "us" and self.us_unit else self.unit
         return TEXT.get(unit, unit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaColumn(Column):
+    """A column with the formula of its values."""
+
+    formula: Callable[..., Array]
 
 
 _PEOPLE = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}

@@ -6,8 +6,9 @@ from typing import NamedTuple
 from chutecalc.design import Design, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.results.belts import TAKEN, received
+from chutecalc.results.column import Numbers
+from chutecalc.results.part import asked, at_exit
 from chutecalc.results.solution import Solution
-from chutecalc.results.trajectory import Numbers, asked, at_exit
 from chutecalc.solver.chain import run_chain, run_ends
 from chutecalc.solver.course import kinds_of, numbers_of
 
@@ -23,10 +24,6 @@ class Exits(NamedTuple):
     """The stream at the end of the chute, by column name."""
     receiver: Numbers
     """What it does to the belt there, as :attr:`chutecalc.results.solution.Solution.receiver`."""
-
-
-NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
-"""Columns that there are not at an exit."""
 
 
 def asked_of(design: Design, names: Sequence[str]) -> list[str]:

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.results.trajectory import Numbers, Part
+from chutecalc.results.column import Numbers
+from chutecalc.results.part import Part
 
 ROUNDS, SIDE = 2, np.linspace(0.0, 1.0, 9)  # each round leaves an eighth of the bracket around an extreme
 NEAR = 1.0 / 16.0, 1.0 / 1024.0  # of the bracket: as near, by three places around the top of the last parabola
@@ -36,7 +37,7 @@ def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wante
     Args:
         part: of the way.
         sampled: its columns at those samples.
-        shares: of its way, as :meth:`~chutecalc.results.trajectory.Part.shares` gives them: between neighbours
+        shares: of its way, as :meth:`~chutecalc.results.part.Part.shares` gives them: between neighbours
             all is smooth.
         wanted: which.
 
@@ -56,7 +57,7 @@ def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wante
 def _present(
     part: Part, sampled: Numbers, limits: Numbers, shares: Array, wanted: Sequence[Wanted]
 ) -> dict[Wanted, Extreme]:
-    """The same of quantities that there are; ``limits`` as of :meth:`chutecalc.results.trajectory.Part.limits`."""
+    """The same of quantities that there are; ``limits`` as of :meth:`chutecalc.results.part.Part.limits`."""
     signs = np.array([sign for _, sign in wanted])[:, None]
 
     def look(items: Sequence[int], at: Array) -> Array:

@@ -7,7 +7,7 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
-from chutecalc.results.trajectory import Numbers
+from chutecalc.results.column import Numbers
 
 
 class SegmentResult(NamedTuple):

@@ -9,30 +9,20 @@ import numpy as np
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.results.belts import TAKEN, entering, received
-from chutecalc.results.columns import COLUMNS
+from chutecalc.results.column import Numbers
+from chutecalc.results.columns import COLUMNS, NUMERIC, REPORTED
 from chutecalc.results.described import html_table, number, outcomes
 from chutecalc.results.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
 from chutecalc.results.findings import WORST, Finding, findings, in_order
 from chutecalc.results.findings.warnings import not_accelerated
+from chutecalc.results.part import Part
 from chutecalc.results.segments import SegmentResult, Segments, joined
 from chutecalc.results.stations import at_stations
-from chutecalc.results.trajectory import Numbers, Part
 from chutecalc.solver.leg import Ends, Leg
 
-EXTREMES = (
-    "velocity_m_s",
-    "depth_m",
-    "equivalent_friction",
-    "pressure_kpa",
-    "wear_w_m2",
-    "chamfer_pressure_kpa",
-    "chamfer_wear_w_m2",
-    "side_pressure_kpa",
-    "side_wear_w_m2",
-    "froude",
-)
-"""The columns of which a segment's least and largest values are told."""
-TOLD = list(dict.fromkeys([(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)] + [*WORST]))
+TOLD = list(dict.fromkeys([(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)] + [*WORST]))
+
+SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in WORST)])]
 
 
 class Solution:
@@ -98,7 +88,7 @@ class Solution:
     @cached_property
     def exit(self) -> Numbers:
         """The stream at the end of the chute, by column name, each of shape (designs,)."""
-        return self.exit_columns(name for name in COLUMNS if name not in ("spec", "segment", "kind"))
+        return self.exit_columns(NUMERIC)
 
     def exit_columns(self, names: Iterable[str]) -> Numbers:
         """Some of :attr:`exit`, without the others being worked out."""
@@ -167,13 +157,13 @@ class Solution:
 
     @cached_property
     def shares(self) -> list[Array]:
-        """Where each part is sampled, see :meth:`chutecalc.results.trajectory.Part.shares`."""
+        """Where each part is sampled, see :meth:`chutecalc.results.part.Part.shares`."""
         return [part.shares() for part in self.parts]
 
     @cached_property
     def samples(self) -> list[Numbers]:
         """The columns of each part there; what extremes and findings are read from."""
-        return [part.at(shares) for part, shares in zip(self.parts, self.shares, strict=True)]
+        return [part.at(shares, SAMPLED) for part, shares in zip(self.parts, self.shares, strict=True)]
 
     @cached_property
     def extremes(self) -> list[dict[Wanted, Extreme]]:
@@ -248,10 +238,10 @@ class Solution:
             name=part.name,
             kind=part.kind,
             status=whole(_labels(part.status())),
-            entry={name: whole(sampled[name][0]) for name in COLUMNS if name in sampled},
-            exit={name: whole(sampled[name][-1]) for name in COLUMNS if name in sampled},
-            minimum={name: whole(found[name, LEAST].value) for name in EXTREMES},
-            maximum={name: whole(found[name, LARGEST].value) for name in EXTREMES},
+            entry={name: whole(sampled[name][0]) for name in NUMERIC},
+            exit={name: whole(sampled[name][-1]) for name in NUMERIC},
+            minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
+            maximum={name: whole(found[name, LARGEST].value) for name in REPORTED},
             duration=whole(sampled["time_s"][-1] - sampled["time_s"][0]),
             impact={name: whole(values) for name, values in part.impact().items()},
         )

@@ -10,7 +10,7 @@ from chutecalc.design import stretched
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
-from chutecalc.results.trajectory import Part
+from chutecalc.results.part import Part
 
 USUAL = 101
 """Stations of a part where nothing is said."""

@@ -3,7 +3,8 @@
 import re
 
 from chutecalc.fields.table import Table
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.results.belts import RECEIVER_COLUMNS
+from chutecalc.results.columns import COLUMNS
 from chutecalc.spec import chute_spec as model
 from tests.nomenclature import PAGE, renewed
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import chutecalc
+from chutecalc.results.columns import REPORTED
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
-from chutecalc.results.solution import EXTREMES
 from tests import seeds
 from tests.robustness.chutes import draws, told
 
@@ -37,7 +37,7 @@ def check_stations(solution):
         if sum(other.name == way.name for other in solution.ways) > 1:
             continue  # left and met again: its stations stand under one name
         rows = table["segment"][0] == way.name
-        for name in EXTREMES:
+        for name in REPORTED:
             found = table[name][0][rows]
             found = found[np.isfinite(found)]
             if found.size:
@@ -51,7 +51,7 @@ def check_stations(solution):
 def check_together(solution):
     """What a sweep shows of all guiding surfaces together is the greatest of what ``run`` shows of each."""
     guided = [way for way, part in zip(solution.ways, solution.parts, strict=True) if part.contact is not None]
-    wanted = [(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)]
+    wanted = [(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)]
     together = solution.extreme_columns(wanted)
     for name, sign in wanted if guided else ():
         each = [(way.maximum if sign == LARGEST else way.minimum)[name] for way in guided]

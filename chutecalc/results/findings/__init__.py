@@ -6,10 +6,11 @@ import numpy as np
 
 from chutecalc.design import Contact, Status
 from chutecalc.physics.arrays import Array
+from chutecalc.results.column import Numbers
 from chutecalc.results.extremes import Extreme, Wanted
 from chutecalc.results.findings import failures, warnings
 from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
-from chutecalc.results.trajectory import Numbers, Part
+from chutecalc.results.part import Part
 
 __all__ = ["WORST", "Finding", "findings", "in_order"]
 

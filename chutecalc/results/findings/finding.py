@@ -7,9 +7,9 @@ import numpy as np
 
 from chutecalc.design import Contact
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.column import quantity_text
+from chutecalc.results.column import Numbers, quantity_text
 from chutecalc.results.extremes import LARGEST, LEAST, Extreme, Wanted
-from chutecalc.results.trajectory import Numbers, Part
+from chutecalc.results.part import Part
 from chutecalc.solver.leg import ContactLeg
 
 FAILURE, WARNING, NOTE = "failure", "warning", "note"

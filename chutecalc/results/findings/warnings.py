@@ -9,9 +9,9 @@ from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.pressure import greatest_wall_friction
 from chutecalc.physics.wall import wall_friction
+from chutecalc.results.column import Numbers
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
 from chutecalc.results.findings.finding import NOTE, WARNING, Finding, Scene, finding
-from chutecalc.results.trajectory import Numbers
 from chutecalc.solver.leg import TANGENT
 
 DECELERATION_MARGIN = 1.25

@@ -1,5 +1,7 @@
 """The columns of the friction study."""
 
+from dataclasses import replace
+
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
 
@@ -12,7 +14,7 @@ FRICTION_COLUMNS = {
         COLUMNS["chamfer_wetted_m"],
         COLUMNS["depth_m"],
         Column("pressure_ratio", "K", "K", "pressure on a chamfer over that on the centre section", "number", "", 4),
-        COLUMNS["equivalent_friction"]._replace(digits=5),
+        replace(COLUMNS["equivalent_friction"], digits=5),
         Column("status", "status", "", "ok, or impossible: a section that cannot be"),
     )
 }

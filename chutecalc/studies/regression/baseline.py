@@ -16,10 +16,9 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import SpecError
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.table import Table
-from chutecalc.results.columns import COLUMNS
+from chutecalc.results.columns import COLUMNS, NUMERIC
 from chutecalc.results.findings import Finding
 from chutecalc.results.solution import Solution
-from chutecalc.results.trajectory import COLUMN
 from chutecalc.spec.faults import faults_of
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 
@@ -187,10 +186,8 @@ def baseline_of(
     """
     segments = []
     for way, part in zip(solution.ways, solution.parts, strict=True):
-        columns = part.at(STATIONS, COLUMN.keys() & COLUMNS.keys())
-        stations = [
-            _finite({name: columns[name][k] for name in COLUMNS if name in columns}) for k in range(len(STATIONS))
-        ]
+        columns = part.at(STATIONS, NUMERIC)
+        stations = [_finite({name: columns[name][k] for name in NUMERIC}) for k in range(len(STATIONS))]
         segments.append(
             KeptSegment(
                 name=way.name,

@@ -1,11 +1,13 @@
 """The columns that the rows of a sweep can have."""
 
+from dataclasses import replace
+
+from chutecalc.results.belts import RECEIVER_COLUMNS
 from chutecalc.results.column import Column
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.results.columns import COLUMNS, Extremes
 
 WAYS = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
 """What a sweep's rows tell of a station column, by the first word of their names."""
-_ALONG_ALONE = ("s_m", "x_m", "z_m", "time_s")
 
 
 def row_columns() -> dict[str, Column]:
@@ -21,11 +23,11 @@ def row_columns() -> dict[str, Column]:
     }
     for way, where in WAYS.items():
         for name, column in COLUMNS.items():
-            if column.dimension and (way == "exit" or name not in _ALONG_ALONE):
+            if column.formula and (way == "exit" or column.extremes is not Extremes.NONE):
                 symbol = "" if column.heading == column.symbol else column.symbol
-                found[f"{way}_{name}"] = column._replace(
-                    name=f"{way}_{name}", heading=f"{way} {column.heading}", symbol=symbol, meaning=where
+                found[f"{way}_{name}"] = replace(
+                    column, name=f"{way}_{name}", heading=f"{way} {column.heading}", symbol=symbol, meaning=where
                 )
     return found | {
-        f"receiver_{name}": column._replace(name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()
+        f"receiver_{name}": replace(column, name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()
     }

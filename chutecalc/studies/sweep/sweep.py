@@ -18,8 +18,8 @@ from chutecalc.api.chute import Chute, check_tolerance, solve
 from chutecalc.design import Status
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Index
-from chutecalc.results.columns import COLUMNS
-from chutecalc.results.exits import NOT_AT_EXIT, named
+from chutecalc.results.columns import AT_EXIT, COLUMNS
+from chutecalc.results.exits import named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
@@ -224,7 +224,7 @@ class Sweep:
     @cached_property
     def _at_ends(self) -> bool:
         """Whether nothing is asked that lies between the inlet and the end of the chute."""
-        last = {f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT}
+        last = {f"exit_{name}" for name in AT_EXIT}
         return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in self.columns)
 
     def _columns(self, wanted: Sequence[str]) -> list[str]:

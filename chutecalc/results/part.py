@@ -3,7 +3,7 @@
 Arrays are of shape (places, designs) here, and of shape (designs,) where a place is meant that each design has one of.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from functools import cached_property
 
 import numpy as np
@@ -12,19 +12,18 @@ from chutecalc.core.profile import flown
 from chutecalc.design import Contact, Design, Segment, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Polygon
+from chutecalc.results.column import Numbers
+from chutecalc.results.columns import ALL_COLUMNS, Needs
+from chutecalc.results.impacts import impact_of
 from chutecalc.solver.leg import ContactLeg, Ends, Leg
 from chutecalc.solver.profile import EndFlight, EndProfile, FlightProfile, SlideProfile
 
-Numbers = dict[str, Array]
 EVEN = np.linspace(0.0, 1.0, 65)
 """Shares of a flight, along which all is smooth."""
 AT_REST = (1e-40, 1e-44)
 """v², m²/s², so near rest that what has a limit there has it to the last digits."""
-PLAIN = ("s_m", "x_m", "z_m", "slope_deg", "velocity_m_s")
-"""Columns that a stream has wherever it is."""
 LOOSE = 1e-6
 """Of gravity: what is left of the normal acceleration where contact is lost, and not never there."""
-LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
 
 Profile = FlightProfile | SlideProfile
 
@@ -47,7 +46,7 @@ class Site:
         return self.segment.slip_ratio
 
     @property
-    def chamfered(self) -> bool:
+    def between_facets(self) -> bool:
         """Whether the stream lies between drawn facets here."""
         section = self.segment.section if isinstance(self.segment, Contact) else None
         return self.guided and isinstance(section, Polygon) and bool(section.lengths)
@@ -101,20 +100,8 @@ class Part(Site):
         return self.leg.status
 
     def impact(self) -> Numbers:
-        """What each design's impact on the segment is, NaN where there is none; empty where no design strikes it."""
-        if self.contact is None or not (self.contact.arrival.incidence > 0.0).any():
-            return {}
-        arrival = self.contact.arrival
-        struck = arrival.incidence > 0.0
-        numbers = {
-            "incidence_deg": np.degrees(arrival.incidence),
-            "velocity_before_m_s": arrival.velocity,
-            "velocity_after_m_s": arrival.impact.after,
-            "pressure_kpa": arrival.impact.pressure / 1000.0,
-            "footprint_m": arrival.impact.footprint,
-            "wear_w_m2": arrival.impact.wear * self.slip_ratio,
-        }
-        return {name: np.where(struck, values, np.nan) for name, values in numbers.items()}
+        """Return each design's impact on the segment, see :func:`chutecalc.results.impacts.impact_of`."""
+        return {} if self.contact is None else impact_of(self.contact.arrival, self.slip_ratio)
 
     def shares(self) -> Array:
         """Shares of the way that resolve all quantities on it: 0, the knots of the solution's panels, and 1.
@@ -150,29 +137,31 @@ class Part(Site):
         """
         with np.errstate(all="ignore"):
             at = self._profile(np.ones(1))
-            values = {name: _FORMULA[name](self, at)[0] for name in names}
+            values = {name: ALL_COLUMNS[name].values(self, at)[0] for name in names}
             if not isinstance(at, SlideProfile):
                 return values
             rest = at.velocity_squared[0] == 0.0
             if rest.any():
                 slow, slower = (at.moving(tiny) for tiny in AT_REST)
                 for name, there in values.items():
-                    near, nearer = (_FORMULA[name](self, one)[0] for one in (slow, slower))
+                    near, nearer = (ALL_COLUMNS[name].values(self, one)[0] for one in (slow, slower))
                     tends = np.where(np.abs(nearer) > 2.0 * np.abs(near), np.copysign(np.inf, near), near)
                     values[name] = np.where(rest, np.where(np.abs(nearer) < 0.5 * np.abs(near), 0.0, tends), there)
-            if "froude" in values:
-                loose = (self.leg.status == Status.CONTACT_LOST) & (np.abs(at.normal[0]) < LOOSE * self.design.gravity)
-                values["froude"] = np.where(loose, np.inf, values["froude"])
+            for name in values:
+                if ALL_COLUMNS[name].infinite_at_lift_off:
+                    lost = self.leg.status == Status.CONTACT_LOST
+                    lost = lost & (np.abs(at.normal[0]) < LOOSE * self.design.gravity)
+                    values[name] = np.where(lost, np.inf, values[name])
         return values
 
-    def at(self, shares: Array, names: Iterable[str] = ()) -> Numbers:
+    def at(self, shares: Array, names: Iterable[str]) -> Numbers:
         """Columns at shares of the way, of shape (places,) for all designs or (places, designs) for each.
 
-        Only those named are worked out; all, where none is.
+        Only those named are worked out.
         """
         at = self._profile(shares)
         with np.errstate(all="ignore"):
-            values = {name: _FORMULA[name](self, at) for name in names or COLUMN}
+            values = {name: ALL_COLUMNS[name].values(self, at) for name in names}
         shapes = {at.shape, *(column.shape for column in values.values())}
         shape = at.shape if len(shapes) == 1 else np.broadcast_shapes(*shapes)
         return {name: stretched(column, shape) for name, column in values.items()}
@@ -190,74 +179,6 @@ class Part(Site):
         return SlideProfile(leg, leg.contact, self.design.volume_rate, places)
 
 
-Formula = Callable[[Site, SlideProfile], Array]
-
-
-def _on_surface(
-    formula: Formula, exists: Callable[[Site], bool] = lambda part: True
-) -> Callable[[Site, Profile], Array]:
-    """A quantity that there is on a guiding surface alone."""
-
-    def column(part: Site, at: Profile) -> Array:
-        if isinstance(at, SlideProfile) and exists(part):
-            return formula(part, at)
-        return np.full((1, 1), np.nan)
-
-    return column
-
-
-def _wear(wall: int) -> Formula:
-    """Friction power per area on one of the walls of :class:`chutecalc.solver.profile.SlideProfile`."""
-
-    def formula(part: Site, at: SlideProfile) -> Array:
-        return at.wear(wall) * part.slip_ratio
-
-    return formula
-
-
-def _froude(part: Site, at: SlideProfile) -> Array:
-    """v/√(n A/b_s)."""
-    pressed = at.normal > LEAST_NORMAL * part.design.gravity
-    return np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan)
-
-
-COLUMN: dict[str, Callable[[Site, Profile], Array]] = {
-    "s_m": lambda part, at: at.distance,
-    "x_m": lambda part, at: at.position[0],
-    "z_m": lambda part, at: at.position[1],
-    "slope_deg": lambda part, at: np.degrees(at.slope),
-    "velocity_m_s": lambda part, at: at.velocity,
-    "depth_m": _on_surface(lambda part, at: at.depth),
-    "chamfer_wetted_m": _on_surface(lambda part, at: at.chamfer, lambda part: part.chamfered),
-    "area_m2": lambda part, at: at.area,
-    "equivalent_friction": _on_surface(lambda part, at: at.friction),
-    "normal_acceleration_m_s2": _on_surface(lambda part, at: at.normal),
-    "pressure_kpa": _on_surface(lambda part, at: at.pressures[0] / 1000.0),
-    "wear_w_m2": _on_surface(_wear(0)),
-    "chamfer_pressure_kpa": _on_surface(lambda part, at: at.pressures[1] / 1000.0),
-    "chamfer_wear_w_m2": _on_surface(_wear(1)),
-    "side_pressure_kpa": _on_surface(lambda part, at: at.pressures[2] / 1000.0),
-    "side_wear_w_m2": _on_surface(_wear(2)),
-    "wear_number": _on_surface(lambda part, at: at.normal / part.design.gravity, lambda part: part.on_arc),
-    "froude": _on_surface(_froude),
-    "time_s": lambda part, at: part.start_time + at.time,
-    "thickness": _on_surface(lambda part, at: at.depth / at.width),
-    "missing_load": _on_surface(lambda part, at: at.missing),
-    "wall_friction": _on_surface(lambda part, at: at.wall_friction),
-    "wall_stress_kpa": _on_surface(lambda part, at: at.stress / 1000.0),
-    "top_m": _on_surface(lambda part, at: at.top),
-    "above_top_m": _on_surface(lambda part, at: at.depth - at.top),
-}
-"""How each column follows from the profile; from ``thickness`` on they are in no table, and findings ask for them."""
-ASKED = {
-    "equilibrium_friction": _on_surface(lambda part, at: at.even_friction),
-    "balance_m_s": _on_surface(lambda part, at: at.balance),
-    "balance_margin": _on_surface(lambda part, at: at.velocity / at.balance),
-}
-"""What costs more, and is worked out only where it is named."""
-_FORMULA = COLUMN | ASKED
-
-
 def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
     """Columns at the end of the chute, each of shape (designs,), NaN where a design fails.
 
@@ -270,12 +191,13 @@ def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
     site, well = Site(last, design, isinstance(last, Contact)), ends.status == Status.OK
     at: Profile = EndProfile(ends, design.volume_rate) if site.guided else EndFlight(ends, design.volume_rate)
     with np.errstate(all="ignore"):
-        columns = {name: _FORMULA[name](site, at)[0] for name in names}
+        columns = {name: ALL_COLUMNS[name].values(site, at)[0] for name in names}
     return {name: np.where(well, values, np.nan) for name, values in columns.items()}
 
 
 def asked(names: Iterable[str]) -> tuple[bool, bool]:
     """Whether columns at an exit take how the stream lies there, and what the walls bear."""
-    wanted = set(names)
-    lying = wanted & {"depth_m", "chamfer_wetted_m", "froude"}
-    return bool(lying), bool(wanted - {"depth_m", "chamfer_wetted_m", "area_m2", *PLAIN})
+    needs = Needs.NOTHING
+    for name in names:
+        needs |= ALL_COLUMNS[name].needs
+    return Needs.DEPTH in needs, Needs.WALLS in needs
