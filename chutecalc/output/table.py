@@ -14,14 +14,14 @@ from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
 from chutecalc.results.column import quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
-from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, Finding
+from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solution import Solution
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-COLOURS = {FAILURE: "bold red", WARNING: "yellow", NOTE: "cyan"}
+COLOURS: dict[str, str] = {Severity.FAILURE: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
 NO_WRAP = 100_000
 
 
@@ -76,7 +76,7 @@ class Printer:
         self.text()
         self.table(self._segments(solution.ways))
         self.text()
-        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[FAILURE])
+        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[Severity.FAILURE])
         for line in (*self._impacts(solution), *self._belts(chute, solution)):
             self.text(line)
         self.findings(solution.findings())

@@ -23,7 +23,7 @@ class Extreme(NamedTuple):
 
 
 LEAST, LARGEST = -1.0, 1.0
-Wanted = tuple[str, float]
+ExtremeOf = tuple[str, float]
 """A column's name, and ``LEAST`` or ``LARGEST``."""
 Look = Callable[[Array], Array]
 Search = Callable[[Look, Array, Array, Array, Array, Array], tuple[Extreme, Mask]]
@@ -31,7 +31,7 @@ Search = Callable[[Look, Array, Array, Array, Array, Array], tuple[Extreme, Mask
 the middle one. Gives the extreme, and where it is to be believed."""
 
 
-def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
+def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[ExtremeOf]) -> dict[ExtremeOf, Extreme]:
     """Extremes of quantities along a part, found between its samples too.
 
     Args:
@@ -55,8 +55,8 @@ def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wante
 
 
 def _present(
-    part: Part, sampled: Numbers, limits: Numbers, shares: Array, wanted: Sequence[Wanted]
-) -> dict[Wanted, Extreme]:
+    part: Part, sampled: Numbers, limits: Numbers, shares: Array, wanted: Sequence[ExtremeOf]
+) -> dict[ExtremeOf, Extreme]:
     """The same of quantities that there are; ``limits`` as of :meth:`chutecalc.results.part.Part.limits`."""
     signs = np.array([sign for _, sign in wanted])[:, None]
 

@@ -11,18 +11,19 @@ from chutecalc.physics.arrays import Array, Index
 from chutecalc.results.belts import TAKEN, entering, received
 from chutecalc.results.column import Numbers
 from chutecalc.results.columns import COLUMNS, NUMERIC, REPORTED
+from chutecalc.results.criterion import SampledPart
 from chutecalc.results.described import html_table, number, outcomes
-from chutecalc.results.extremes import LARGEST, LEAST, Extreme, Wanted, extremes
-from chutecalc.results.findings import WORST, Finding, findings, in_order
-from chutecalc.results.findings.warnings import not_accelerated
+from chutecalc.results.extremes import LARGEST, LEAST, Extreme, ExtremeOf, extremes
+from chutecalc.results.finding import Finding
+from chutecalc.results.findings import NEEDED, find
 from chutecalc.results.part import Part
 from chutecalc.results.segments import SegmentResult, Segments, joined
 from chutecalc.results.stations import at_stations
 from chutecalc.solver.leg import Ends, Leg
 
-TOLD = list(dict.fromkeys([(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)] + [*WORST]))
+TOLD = list(dict.fromkeys([(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)] + [*NEEDED]))
 
-SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in WORST)])]
+SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
 
 
 class Solution:
@@ -102,7 +103,7 @@ class Solution:
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
         return found
 
-    def extreme_columns(self, wanted: Sequence[Wanted]) -> dict[Wanted, Array]:
+    def extreme_columns(self, wanted: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """The least or largest values of some columns on all guiding surfaces together, without the others.
 
         Args:
@@ -166,7 +167,7 @@ class Solution:
         return [part.at(shares, SAMPLED) for part, shares in zip(self.parts, self.shares, strict=True)]
 
     @cached_property
-    def extremes(self) -> list[dict[Wanted, Extreme]]:
+    def extremes(self) -> list[dict[ExtremeOf, Extreme]]:
         """The extremes of each part that are told, or that findings ask for."""
         return [extremes(*items, TOLD) for items in zip(self.parts, self.samples, self.shares, strict=True)]
 
@@ -196,11 +197,10 @@ class Solution:
 
     def findings(self) -> list[Finding]:
         """Failures, warnings and notes, each with a mask of the designs that it is about."""
-        found = findings(self.parts, self.samples, self.shares, self.extremes, self.count)
-        if self.design.receiver is None:
-            return found
-        s, last = self.exit_columns(("s_m",))["s_m"], self.design.segments[-1].name
-        return in_order([*found, *not_accelerated(self.design.receiver, self.receiver, s, last)])
+        sampled = [
+            SampledPart(*items) for items in zip(self.parts, self.shares, self.samples, self.extremes, strict=True)
+        ]
+        return find(sampled, self.receiver, self.exit_columns(("s_m",))["s_m"], self.count)
 
     def stations(
         self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()
@@ -228,7 +228,7 @@ class Solution:
         names = list(columns) or [name for name in COLUMNS if name != "spec"]
         return at_stations(self.parts, self.count, points, spacing, names)
 
-    def _result(self, part: Part, sampled: Numbers, found: dict[Wanted, Extreme]) -> SegmentResult:
+    def _result(self, part: Part, sampled: Numbers, found: dict[ExtremeOf, Extreme]) -> SegmentResult:
         """A part's ends and extremes."""
 
         def whole(values: Any) -> Any:

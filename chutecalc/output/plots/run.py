@@ -14,7 +14,7 @@ from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, labels_of
 from chutecalc.output.table import outcome
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
-from chutecalc.results.findings import Finding
+from chutecalc.results.finding import Finding
 from chutecalc.results.solution import Solution
 
 ALONG = ("velocity_m_s", "depth_m", "pressure_kpa")

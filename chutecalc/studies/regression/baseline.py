@@ -17,7 +17,7 @@ from chutecalc.errors import SpecError
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.table import Table
 from chutecalc.results.columns import COLUMNS, NUMERIC
-from chutecalc.results.findings import Finding
+from chutecalc.results.finding import Finding
 from chutecalc.results.solution import Solution
 from chutecalc.spec.faults import faults_of
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text

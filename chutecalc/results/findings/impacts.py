@@ -1,0 +1,46 @@
+"""How the stream meets segments."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.design import Status
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.finding import Severity
+
+STEEPEST_IMPACT = np.radians(20.0)
+
+
+@criterion(
+    "steep_impact",
+    Severity.WARNING,
+    summary="the stream strikes a surface at a steep angle",
+    limit=f"incidence > {np.degrees(STEEPEST_IMPACT):g}°",
+    source="practice",
+)
+def steep_impact(scene: Scene) -> Iterator[Case]:
+    """The stream strikes the surface at more than 20° (practice)."""
+    arrival = scene.contact.arrival
+    template = (
+        "the stream strikes at {incidence_deg} (limit 20°, practice): of {velocity_m_s} it keeps {after_m_s}, and"
+        " presses with {pressure_kpa}"
+    )
+    yield Case(
+        (arrival.incidence > STEEPEST_IMPACT) & (arrival.status <= Status.STALL),
+        scene.leg.entry.distance,
+        template,
+        {
+            "incidence_deg": np.degrees(arrival.incidence),
+            "velocity_m_s": arrival.velocity,
+            "after_m_s": arrival.impact.after,
+            "pressure_kpa": arrival.impact.pressure / 1000.0,
+        },
+    )
+
+
+@criterion("flown_past", Severity.WARNING, summary="the stream flies past a segment to one further on")
+def flown_past(scene: Scene) -> Iterator[Case]:
+    """A flight goes past the segment to one further on."""
+    template = "the stream flies past the segment, {gap_m} from its end, and on to what follows"
+    mask, gap = scene.leg.status == Status.PASSED, scene.contact.arrival.gap
+    yield Case(mask, scene.leg.start.distance, template, {"gap_m": gap})

@@ -1,0 +1,83 @@
+"""Whether slopes keep the stream moving."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.design import Status
+from chutecalc.physics.motion import FLOOR
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.extremes import LEAST, extremes
+from chutecalc.results.finding import Severity
+
+DECELERATION_MARGIN = 1.25
+CUT_OFF = np.radians(5.0)
+
+
+@criterion(
+    "decelerating",
+    Severity.WARNING,
+    summary="on a straight the stream comes near or falls below the velocity at which friction slows it",
+    limit=f"v < {DECELERATION_MARGIN:g} v_c",
+    needs=[("velocity_m_s", LEAST)],
+)
+def decelerating(scene: Scene) -> Iterator[Case]:
+    """On a straight the stream comes near, or falls below, the velocity from which on friction wins.
+
+    Where the section stays, that is decided where the stream is slowest; along a taper the balance moves.
+    """
+    if scene.segment.kind != "straight":
+        return
+    worst = scene.extreme("velocity_m_s", LEAST)
+    if scene.segment.end_section is not None:
+        margins = scene.part.at(scene.sampled.shares, ["balance_margin"])
+        worst = extremes(scene.part, margins, scene.sampled.shares, [("balance_margin", LEAST)])[
+            "balance_margin", LEAST
+        ]
+    velocity, critical, friction = scene.at(worst.share, "velocity_m_s", "balance_m_s", "wall_friction")
+    friction = np.where(
+        velocity > 0.0, friction, scene.sampled.columns["wall_friction"][0]
+    )  # not that of a heap at rest
+    slope, s = np.degrees(scene.contact.surface.slope), scene.distance(worst.share)
+    flat = np.isinf(critical) & np.isfinite(velocity)
+    template = (
+        "the slope of {slope_deg} is flatter than the friction angle at any velocity (the wall's is {friction_deg}):"
+        " the stream decelerates"
+    )
+    angle = np.degrees(np.arctan(friction))
+    yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle})
+    margin = velocity / critical
+    template = (
+        "the stream runs at {velocity_m_s}, {margin} times the {critical_velocity_m_s} below which friction slows it"
+        " to a stall on a slope of {slope_deg} (limit 1.25)"
+    )
+    yield Case(
+        (margin < DECELERATION_MARGIN) & ~flat,
+        s,
+        template,
+        {"velocity_m_s": velocity, "margin": margin, "critical_velocity_m_s": critical, "slope_deg": slope},
+    )
+
+
+@criterion(
+    "below_cut_off",
+    Severity.WARNING,
+    summary="the last spoon ends too flat to clear itself",
+    limit=f"slope < atan(μ_e) + {np.degrees(CUT_OFF):g}°",
+    source="practice",
+)
+def below_cut_off(scene: Scene) -> Iterator[Case]:
+    """The last spoon ends flatter than the equivalent friction angle + 5° (practice)."""
+    surface = scene.contact.surface
+    if not (scene.last_surface and surface.side == FLOOR):
+        return
+    needed = np.arctan(scene.sampled.columns["equivalent_friction"][-1]) + CUT_OFF
+    slope = surface.slope + surface.turn
+    template = (
+        "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
+        " (equivalent friction angle + 5°, practice)"
+    )
+    mask = (scene.leg.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
+    yield Case(
+        mask, scene.leg.exit.distance, template, {"slope_deg": np.degrees(slope), "needed_deg": np.degrees(needed)}
+    )

@@ -1,0 +1,35 @@
+"""What the receiving belt makes of the stream."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.finding import Severity
+
+
+@criterion(
+    "not_accelerated",
+    Severity.WARNING,
+    summary="the receiving belt never brings the stream to its own velocity",
+    in_falls=True,
+)
+def not_accelerated(scene: Scene) -> Iterator[Case]:
+    """The receiving belt cannot bring the stream to its velocity."""
+    belt, received = scene.design.receiver, scene.received
+    if belt is None or not received:
+        return
+    template = (
+        "the belt never brings the stream from {velocity_along_m_s} to its own {belt_velocity_m_s}: friction on it is"
+        " too small for its slope of {belt_slope_deg}"
+    )
+    yield Case(
+        np.isposinf(received["acceleration_length_m"]),
+        scene.exit_distance,
+        template,
+        {
+            "velocity_along_m_s": received["velocity_along_m_s"],
+            "belt_velocity_m_s": belt.velocity,
+            "belt_slope_deg": np.degrees(belt.slope),
+        },
+    )
