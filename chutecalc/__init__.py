@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from chutecalc.api.batch import exits
     from chutecalc.api.chute import Chute, load, parse, solve
+    from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
     from chutecalc.results.exits import Exits
-    from chutecalc.results.solution import Solution
     from chutecalc.spec.starter import STARTER
 
 __all__ = [
@@ -39,7 +39,7 @@ _ROOMS = {
     "ChutecalcError": "chutecalc.errors",
     "Exits": "chutecalc.results.exits",
     "Fault": "chutecalc.errors",
-    "Solution": "chutecalc.results.solution",
+    "Solution": "chutecalc.api.solution",
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
     "exits": "chutecalc.api.batch",

@@ -3,6 +3,8 @@
 import os
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
+from typing import Any
 
 import numpy as np
 
@@ -68,7 +70,12 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
 
 
 def _joined(chunks: list[Exits]) -> Exits:
-    """One after the other."""
-    codes, errors, found, belts = zip(*chunks, strict=True)
-    numbers = ({name: np.concatenate([part[name] for part in parts]) for name in parts[0]} for parts in (found, belts))
-    return Exits(np.concatenate(codes), np.concatenate(errors), *numbers)
+    """The exits of chunks as one."""
+
+    def together(name: str) -> Any:
+        parts = [getattr(chunk, name) for chunk in chunks]
+        if isinstance(parts[0], dict):
+            return {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
+        return np.concatenate(parts)
+
+    return Exits(**{field.name: together(field.name) for field in fields(Exits)})

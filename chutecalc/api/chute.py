@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
+from chutecalc.api.solution import Solution
 from chutecalc.design import Contact, Design, Fall
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.faults import GeometryError
 from chutecalc.physics.arrays import Array
-from chutecalc.results.solution import Solution
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
@@ -236,7 +236,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
         legs, ends = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source, error.designs) from None
-    return Solution(chute.design, tuple(legs), ends, rtol, chute.count)
+    return Solution(chute, legs, ends, rtol)
 
 
 def check_tolerance(rtol: float) -> None:

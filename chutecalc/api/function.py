@@ -12,7 +12,7 @@ from chutecalc.core.answer import OUTPUTS, Answer, ask
 from chutecalc.core.replay import Recipe
 from chutecalc.design import Design, Status
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.belts import RECEIVER_COLUMNS, received
 from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import asked_of, at_ends, named
@@ -148,7 +148,7 @@ class Function:
                 waiting += [rest] if rest.size else []
             else:
                 known = named(found.exit, found.receiver, found.error_estimate)
-                for column, numbers in zip(told, self._chosen(known, found.codes), strict=True):
+                for column, numbers in zip(told, self._chosen(known, found.ok), strict=True):
                     column[rows] = numbers
         return told
 
@@ -161,12 +161,11 @@ class Function:
         else:
             found = at_exit(design, ends, asked_of(design, self.exit_names))
             known = named(found, received(design, found), ends.error)
-        return self._chosen(known, ends.status)
+        return self._chosen(known, ends.status == Status.OK)
 
-    def _chosen(self, known: Mapping[str, Array], status: Index) -> list[Array]:
+    def _chosen(self, known: Mapping[str, Array], ok: Mask) -> list[Array]:
         """The outputs among numbers by their names."""
-        well = status == Status.OK
-        return [np.where(well, known[name], np.nan) for name in self.outputs]
+        return [np.where(ok, known[name], np.nan) for name in self.outputs]
 
     def _check_outputs(self, spec: ChuteSpec) -> None:
         known = {"error_estimate", *(f"exit_{name}" for name in AT_EXIT)}

@@ -11,19 +11,8 @@ from chutecalc.results.column import Numbers
 from chutecalc.results.extremes import Extreme, ExtremeOf
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part
+from chutecalc.results.sampled import SampledPart
 from chutecalc.solver.leg import ContactLeg, Leg
-
-
-class SampledPart(NamedTuple):
-    """A part of the trajectory with its columns where it was sampled."""
-
-    part: Part
-    shares: Array
-    """Where, as shares of the part's length, see :meth:`chutecalc.results.part.Part.shares`."""
-    columns: Numbers
-    """By name, each of shape (samples, designs)."""
-    extremes: dict[ExtremeOf, Extreme]
-    """Those that are reported or that a criterion needs."""
 
 
 class Scene(NamedTuple):

@@ -1,7 +1,8 @@
 """What came out on each segment: ends, extremes and impacts, by column name, for all designs."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, NamedTuple, overload
+from dataclasses import dataclass
+from typing import Any, overload
 
 import numpy as np
 
@@ -10,7 +11,8 @@ from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Numbers
 
 
-class SegmentResult(NamedTuple):
+@dataclass(frozen=True, repr=False)
+class SegmentResult:
     """A segment of the spec, or a flight that leads to one.
 
     Numbers are by column name, each of shape (designs,), NaN where a design did not get there.

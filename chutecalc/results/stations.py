@@ -20,7 +20,7 @@ MOST = 1_000_000
 def at_stations(
     parts: Sequence[Part], count: int, points: int | None, spacing: float | None, names: Sequence[str]
 ) -> dict[str, Any]:
-    """The columns at all stations; see :meth:`chutecalc.results.solution.Solution.stations`.
+    """The columns at all stations; see :meth:`chutecalc.Solution.stations`.
 
     Args:
         parts: of the way.

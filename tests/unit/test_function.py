@@ -43,7 +43,7 @@ def expected(base, path, values):
                 raise
             told.append([np.nan] * len(OUTPUTS))
         else:
-            ok = found.codes[0] == 0
+            ok = found.ok[0]
             told.append(
                 [*(found.exit[name[5:]][0] for name in OUTPUTS[:-1]), found.error_estimate[0] if ok else np.nan]
             )

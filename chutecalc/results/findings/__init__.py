@@ -13,8 +13,9 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Numbers
-from chutecalc.results.criterion import CRITERIA, SampledPart, Scene
+from chutecalc.results.criterion import CRITERIA, Scene
 from chutecalc.results.finding import Finding, Severity
+from chutecalc.results.sampled import SampledPart
 
 for _module in sorted(module.name for module in iter_modules(__path__)):
     import_module(f"{__name__}.{_module}")

@@ -13,12 +13,12 @@ from pydantic import Field, FiniteFloat, ValidationError
 
 from chutecalc import __version__
 from chutecalc.api.chute import Chute
+from chutecalc.api.solution import Solution
 from chutecalc.errors import SpecError
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.table import Table
 from chutecalc.results.columns import COLUMNS, NUMERIC
 from chutecalc.results.finding import Finding
-from chutecalc.results.solution import Solution
 from chutecalc.spec.faults import faults_of
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 
@@ -185,7 +185,7 @@ def baseline_of(
     3.878
     """
     segments = []
-    for way, part in zip(solution.ways, solution.parts, strict=True):
+    for way, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True):
         columns = part.at(STATIONS, NUMERIC)
         stations = [_finite({name: columns[name][k] for name in NUMERIC}) for k in range(len(STATIONS))]
         segments.append(

@@ -15,13 +15,12 @@ import numpy as np
 from chutecalc import __version__
 from chutecalc.api.batch import CHUNK, exits
 from chutecalc.api.chute import Chute, check_tolerance, solve
-from chutecalc.design import Status
+from chutecalc.api.solution import Solution
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import AT_EXIT, COLUMNS
 from chutecalc.results.exits import named
 from chutecalc.results.extremes import LARGEST, LEAST
-from chutecalc.results.solution import Solution
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
 from chutecalc.studies.sweep.columns import WAYS, row_columns
 from chutecalc.studies.sweep.grid import Grid
@@ -195,20 +194,21 @@ class Sweep:
         }
         if self._at_ends:
             ends = exits(variants, self.rtol, ways["exit"], jobs=1)
-            codes, error, exit_, belt = ends.codes, ends.error_estimate, ends.exit, ends.receiver
+            status, ok, error = ends.status, ends.ok, ends.error_estimate
+            exit_, belt = ends.exit, ends.receiver
             numbers: Block = {}
         else:
             run = solve(variants, self.rtol)
-            codes, error, exit_ = run.codes, run.error_estimate, run.exit_columns(ways["exit"])
+            status, ok, error = run.status, run.ok, run.error_estimate
+            exit_ = run.exit_columns(ways["exit"])
             belt = run.receiver if any(name.startswith("receiver_") for name in self.columns) else {}
             wanted = [(name, EXTREME[way]) for way in EXTREME for name in ways[way]]
             keys = [f"{way}_{name}" for way in EXTREME for name in ways[way]]
-            numbers = dict(zip(keys, run.extreme_columns(wanted).values(), strict=True))
+            numbers = dict(zip(keys, run.trajectory.extreme_columns(wanted).values(), strict=True))
         numbers |= named(exit_, belt, error)
-        well = codes == Status.OK
-        block: Block = {"status": np.array(Status.LABELS)[codes]}
+        block: Block = {"status": status}
         for name in self.columns:
-            block[name] = _codes(run) if name == "findings" else np.where(well, numbers[name], np.nan)
+            block[name] = _codes(run) if name == "findings" else np.where(ok, numbers[name], np.nan)
         return {name: np.broadcast_to(values, count) for name, values in block.items()}
 
     def _stations(self, rows: Index, variants: Chute) -> tuple[Index, Block]:

@@ -1,0 +1,43 @@
+"""Results as data frames of pandas or Polars, which are imported only here."""
+
+from collections.abc import Iterable
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from chutecalc.errors import ExtraMissingError, UsageError
+from chutecalc.results.solved import SolvedChute
+
+LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
+"""By the name of the library, what to install for it."""
+
+
+def stations_frame(
+    solution: SolvedChute, points: int | None, spacing: float | None, columns: Iterable[str], library: str
+) -> Any:
+    """Return stations as a data frame; see :meth:`chutecalc.Solution.to_dataframe`.
+
+    Args:
+        solution: of one or several designs.
+        points: number of stations on each segment.
+        spacing: instead, distance between stations, m.
+        columns: names of the columns; all by default.
+        library: ``pandas`` or ``polars``.
+    """
+    make = _data_frame(library)
+    names = list(columns)
+    table = solution.stations(points, spacing, [*dict.fromkeys([*names, "s_m"])] if names else ())
+    reached = np.isfinite(table["s_m"])
+    rows: dict[str, Any] = {"design": np.nonzero(reached)[0]} if solution.count > 1 else {}
+    return make(rows | {name: table[name][reached] for name in names or table})
+
+
+def _data_frame(library: str) -> Any:
+    """The library's DataFrame."""
+    if library not in LIBRARIES:
+        raise UsageError(f"library has to be {' or '.join(LIBRARIES)}, not {library!r}")
+    if find_spec(library) is None:
+        raise ExtraMissingError(f"to_dataframe needs {library}: pip install '{LIBRARIES[library]}'")
+    return import_module(library).DataFrame

@@ -1,0 +1,147 @@
+"""The solved trajectory of the stream, part by part: what the results of a solution are read from."""
+
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from chutecalc.design import Design, Status, stretched
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.results.column import Numbers
+from chutecalc.results.columns import NUMERIC, REPORTED
+from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
+from chutecalc.results.finding import Finding
+from chutecalc.results.findings import NEEDED, find
+from chutecalc.results.part import Part
+from chutecalc.results.sampled import SampledPart, sample
+from chutecalc.results.segments import SegmentResult, Segments, joined
+from chutecalc.solver.leg import Leg
+
+EXTREMES = [*dict.fromkeys([*((name, sign) for name in REPORTED for sign in (LEAST, LARGEST)), *NEEDED])]
+"""The extremes of each part that are reported or that criteria need."""
+SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
+"""The columns that are sampled along each part."""
+
+
+class Trajectory:
+    """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
+
+    def __init__(self, design: Design, legs: Sequence[Leg], codes: Index, count: int) -> None:
+        """A trajectory.
+
+        Args:
+            design: the numeric description of the chutes.
+            legs: the solved segments in the order in which the stream meets them.
+            codes: the :class:`~chutecalc.design.Status` of each design, shape (designs,).
+            count: number of designs.
+        """
+        self.design, self.legs, self.codes, self.count = design, tuple(legs), codes, count
+
+    @cached_property
+    def parts(self) -> list[Part]:
+        """The parts in order; flights are parts of their own where any design flies."""
+        parts: list[Part] = []
+        before: Part | None = None
+        for leg in self.legs:
+            name, kind = leg.segment.name, leg.segment.kind
+            if leg.contact is not None and (leg.flight_time > 0.0).any():
+                parts.append(Part(f"{name}:flight", "flight", leg, None, before, self.design))
+            before = Part(name, kind, leg, leg.contact, before, self.design)
+            parts.append(before)
+        return parts
+
+    @cached_property
+    def sampled(self) -> list[SampledPart]:
+        """The parts with their columns where they were sampled."""
+        return [sample(part, SAMPLED, EXTREMES) for part in self.parts]
+
+    @cached_property
+    def results(self) -> list[SegmentResult]:
+        """What came out on each part, flights included; a segment that was left and struck again has several."""
+        return [self._result(sampled) for sampled in self.sampled]
+
+    def segments(self) -> Segments:
+        """Return what came out on each segment of the spec, on all visits together."""
+        found: dict[int, SegmentResult] = {}
+        for part, result in zip(self.parts, self.results, strict=True):
+            if result.kind != "flight":
+                number = part.leg.number
+                found[number] = joined(found[number], result) if number in found else result
+        return Segments(found.values())
+
+    def flights(self) -> list[list[SegmentResult]]:
+        """Return for each segment of the spec the flights that lead to it."""
+        pairs = list(zip(self.parts, self.results, strict=True))
+        return [
+            [result for part, result in pairs if part.leg.number == number and result.kind == "flight"]
+            for number in range(len(self.design.segments))
+        ]
+
+    def findings(self, received: Numbers) -> list[Finding]:
+        """Return all findings.
+
+        Args:
+            received: receiver columns at the exit; empty where the chute loads no belt.
+        """
+        return find(self.sampled, received, self.exit_columns(("s_m",))["s_m"], self.count)
+
+    def exit_columns(self, names: Iterable[str]) -> Numbers:
+        """Return columns at the end of the chute.
+
+        Args:
+            names: of columns of numbers.
+
+        Returns:
+            Arrays of shape (designs,), NaN for designs that fail.
+        """
+        names = list(names)
+        last = len(self.design.segments) - 1
+        found = {name: np.full(self.count, np.nan) for name in names}
+        for part in self.parts:  # of a hood that is left and struck again there are several
+            if part.leg.number == last and part.kind != "flight":
+                ends = part.at(np.ones(1), names)
+                here = (part.leg.status == Status.OK) & (self.codes == Status.OK)
+                found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
+        return found
+
+    def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
+        """Return least or largest values of columns on all guiding surfaces together.
+
+        Args:
+            extremes_of: pairs of a column's name and ``LEAST`` or ``LARGEST``.
+
+        Returns:
+            Arrays of shape (designs,), up to where a stream ends; NaN where there is no such quantity, infinite where
+            it grows without bound, as depth does towards a stall.
+        """
+        names = list(dict.fromkeys(name for name, _ in extremes_of))
+        found = {item: np.full(self.count, np.nan) for item in extremes_of}
+        for part in self.parts:
+            if part.guided and extremes_of:
+                shares = part.shares()
+                here = extremes(part, part.at(shares, names), shares, extremes_of)
+                found = {
+                    (name, sign): (np.fmax if sign == LARGEST else np.fmin)(values, here[name, sign].value)
+                    for (name, sign), values in found.items()
+                }
+        return found
+
+    def _result(self, sampled: SampledPart) -> SegmentResult:
+        """A part's ends and extremes."""
+
+        def whole(values: Any) -> Any:
+            return stretched(values, (self.count,))
+
+        part, columns, found = sampled.part, sampled.columns, sampled.extremes
+        return SegmentResult(
+            name=part.name,
+            kind=part.kind,
+            status=whole(np.array(Status.LABELS)[part.status()]),
+            entry={name: whole(columns[name][0]) for name in NUMERIC},
+            exit={name: whole(columns[name][-1]) for name in NUMERIC},
+            minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
+            maximum={name: whole(found[name, LARGEST].value) for name in REPORTED},
+            duration=whole(columns["time_s"][-1] - columns["time_s"][0]),
+            impact={name: whole(values) for name, values in part.impact().items()},
+        )
