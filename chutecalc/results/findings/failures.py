@@ -19,8 +19,8 @@ def stall(scene: Scene) -> Iterator[Case]:
     leg, arrival = scene.leg, scene.contact.arrival
     at_impact = arrival.status == Status.STALL
     template = (
-        "the stream stalls: it strikes at {incidence_deg} with {velocity_m_s}, and from {steepest_deg} on"
-        " (cot of the equivalent friction) an impact leaves nothing"
+        "the stream stalls on impact: it strikes at {incidence_deg} and {velocity_m_s}, and an impact steeper than"
+        " {steepest_deg} leaves no velocity along the surface; reduce the angle of impact or the wall friction"
     )
     yield Case(
         at_impact,
@@ -33,7 +33,10 @@ def stall(scene: Scene) -> Iterator[Case]:
         },
     )
     inside = (leg.status == Status.STALL) & ~at_impact
-    template = "the stream stalls: its velocity falls to 0 after {way_m} on the segment, at a slope of {slope_deg}"
+    template = (
+        "the stream stalls: its velocity falls to 0 after {way_m} on the segment, at a slope of {slope_deg}; make the"
+        " slope steeper or reduce the wall friction"
+    )
     yield Case(
         inside, leg.exit.distance, template, {"way_m": scene.part.length(), "slope_deg": np.degrees(leg.exit.slope)}
     )
@@ -47,18 +50,16 @@ def choke(scene: Scene) -> Iterator[Case]:
     beyond, place, end = stretch.beyond, stretch.place, stretch.beyond_status
     wall_height = scene.segment.wall_height(place)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
-    begin = (
-        "the chute chokes: at {velocity_m_s} the depth passes the wall height of {wall_height_m}; between higher walls"
-    )
+    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m};"
     s = leg.exit.distance
     further = (beyond - place) * scene.contact.surface.length
     for status, fate in (
-        (Status.STALL, "the stream would stop {further_m} further on"),
-        (Status.CONTACT_LOST, "it would leave the surface {further_m} further on"),
+        (Status.STALL, "higher walls alone do not help, as the stream would stop {further_m} further on"),
+        (Status.CONTACT_LOST, "with higher walls the stream would leave the surface {further_m} further on"),
     ):
         mask, template = choked & (end == status), f"{begin} {fate}"
         yield Case(mask, s, template, numbers | {"further_m": further})
-    template = f"{begin} it would run on to the end of the segment"
+    template = f"{begin} with higher walls the stream would run on to the end of the segment"
     yield Case(choked & (end == Status.OK), s, template, numbers)
 
 
@@ -83,14 +84,16 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
         "radius_m": leg.exit.velocity**2 / weight,
     }
     begin = (
-        "the stream leaves the surface at {velocity_m_s} and a slope of {slope_deg}: there it keeps contact "
-        + ("under a hood from {balance_m_s} on" if surface.side == ROOF else "up to {balance_m_s}")
-        + ", or with a radius of {radius_m} at "
-        + ("most" if surface.side == ROOF else "least")
+        "the stream leaves the surface at {velocity_m_s}, at a slope of {slope_deg}: there it would keep contact at "
+        + (
+            "{balance_m_s} or more, or under a hood with a radius of {radius_m} or less"
+            if surface.side == ROOF
+            else "{balance_m_s} or less, or on a radius of {radius_m} or more"
+        )
     )
     s = leg.exit.distance
     yield Case(lost & scene.continues, s, f"{begin}; it flies on", numbers, Severity.WARNING)
-    alone = f"{begin}; nothing catches it"
+    alone = f"{begin}; no later segment catches it"
     yield Case(lost & ~scene.continues, s, alone, numbers)
 
 
@@ -105,18 +108,21 @@ def missed(scene: Scene) -> Iterator[Case]:
     leg = scene.leg
     lost = leg.status == Status.MISSED
     if not scene.part.guided:
-        template = "the stream never comes to where the fall ends: it is too low, or too far, or falls straight down"
+        template = (
+            "the stream never reaches the end of the fall: it is already below that level or past that distance, or it"
+            " falls straight down; change drop_m or run_m"
+        )
         yield Case(lost, leg.start.distance, template)
         return
     gap = scene.contact.arrival.gap
     numbers = {"velocity_m_s": leg.start.velocity, "slope_deg": np.degrees(leg.start.slope)}
-    begin = "the stream flies off at {velocity_m_s} and {slope_deg}, and misses the segment: "
+    begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
     s = leg.start.distance
-    beyond = f"{begin}it passes {{gap_m}} beyond its end"
+    beyond = f"{begin}it passes {{gap_m}} beyond its end; make the segment longer or move it"
     yield Case(lost & (gap > 0.0), s, beyond, numbers | {"gap_m": gap})
-    short = f"{begin}it falls short, and is {{gap_m}} behind its surface where it passes its end"
+    short = f"{begin}it falls short and passes the end {{gap_m}} behind the surface; move it towards the stream"
     yield Case(lost & (gap <= 0.0), s, short, numbers | {"gap_m": -gap})
-    away = f"{begin}it never comes to it"
+    away = f"{begin}it never reaches it; check start_m and the slopes"
     yield Case(lost & np.isnan(gap), s, away, numbers)
 
 

@@ -22,8 +22,8 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
     """The stream strikes the surface at more than 20° (practice)."""
     arrival = scene.contact.arrival
     template = (
-        "the stream strikes at {incidence_deg} (limit 20°, practice): of {velocity_m_s} it keeps {after_m_s}, and"
-        " presses with {pressure_kpa}"
+        "the stream strikes the surface at {incidence_deg} (limit 20°, practice), which slows it from {velocity_m_s} to"
+        " {after_m_s} and loads the surface with {pressure_kpa}; align the surface with the stream"
     )
     yield Case(
         (arrival.incidence > STEEPEST_IMPACT) & (arrival.status <= Status.STALL),
@@ -41,6 +41,9 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
 @criterion("flown_past", Severity.WARNING, summary="the stream flies past a segment to one further on")
 def flown_past(scene: Scene) -> Iterator[Case]:
     """A flight goes past the segment to one further on."""
-    template = "the stream flies past the segment, {gap_m} from its end, and on to what follows"
+    template = (
+        "the stream flies past the segment, {gap_m} from its end, to one further on; move the segment into the stream"
+        " or leave it out"
+    )
     mask, gap = scene.leg.status == Status.PASSED, scene.contact.arrival.gap
     yield Case(mask, scene.leg.start.distance, template, {"gap_m": gap})

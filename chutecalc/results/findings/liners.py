@@ -34,8 +34,8 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
     wall = scene.segment.wall
     if wall.changes:
         template = (
-            "the yield locus shows more friction than the material's own, {greatest_deg} = atan(sin"
-            " {internal_friction_deg}), somewhere on the way; the material's own is used there"
+            "somewhere on this segment the yield locus gives more friction than the material can have on any wall,"
+            " {greatest_deg} = atan(sin {internal_friction_deg}); that limit is used there: check locus and angle"
         )
         least = bound * (1.0 - ROUNDING)
         along = worst.value >= least
@@ -44,8 +44,8 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
         yield Case(mask, s, template, numbers)
         return
     template = (
-        "a wall friction of {friction_deg} is more than the material can show on any wall, {greatest_deg} ="
-        " atan(sin {internal_friction_deg}); the angle given is used"
+        "the wall friction of {friction_deg} exceeds what the material can have on any wall, {greatest_deg} ="
+        " atan(sin {internal_friction_deg}); it is used as given: check both angles"
     )
     numbers["friction_deg"] = np.degrees(np.arctan(wall.slopes[0]))
     mask = np.isfinite(worst.value) & (wall.slopes[0] > bound * (1.0 + ROUNDING))
@@ -70,8 +70,8 @@ def outside_locus(scene: Scene) -> Iterator[Case]:
     most = np.fmax(scene.extreme("wall_stress_kpa", LARGEST).value, struck)
     below, above = least < low * (1.0 - ROUNDING), most > high * (1.0 + ROUNDING)
     template = (
-        "the floor bears {least_kpa} to {most_kpa}, and the yield locus was measured from {first_kpa} to {last_kpa}:"
-        " outside of that friction is extrapolated"
+        "the floor carries {least_kpa} to {most_kpa}, but the yield locus was measured from {first_kpa} to {last_kpa};"
+        " beyond that range friction is extrapolated: measure it there too"
     )
     s = np.where(below, scene.distance(scene.extreme("wall_stress_kpa", LEAST).share), scene.leg.entry.distance)
     numbers = {"least_kpa": least, "most_kpa": most, "first_kpa": low, "last_kpa": high}

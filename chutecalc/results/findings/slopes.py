@@ -41,15 +41,15 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     slope, s = np.degrees(scene.contact.surface.slope), scene.distance(worst.share)
     flat = np.isinf(critical) & np.isfinite(velocity)
     template = (
-        "the slope of {slope_deg} is flatter than the friction angle at any velocity (the wall's is {friction_deg}):"
-        " the stream decelerates"
+        "the slope of {slope_deg} is flatter than the equivalent friction angle at any velocity (wall friction"
+        " {friction_deg}), so the stream decelerates; make the slope steeper or reduce the friction"
     )
     angle = np.degrees(np.arctan(friction))
     yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle})
     margin = velocity / critical
     template = (
-        "the stream runs at {velocity_m_s}, {margin} times the {critical_velocity_m_s} below which friction slows it"
-        " to a stall on a slope of {slope_deg} (limit 1.25)"
+        "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
+        " friction brings it to a stall on a slope of {slope_deg} (limit 1.25); make the slope steeper"
     )
     yield Case(
         (margin < DECELERATION_MARGIN) & ~flat,

@@ -25,11 +25,17 @@ MOST_MISSING = 0.10
 def thick_stream(scene: Scene) -> Iterator[Case]:
     """The depth is more than the free surface's width, or more than a tenth of the radius."""
     thick, deep = scene.extreme("thickness", LARGEST), scene.extreme("depth_m", LARGEST)
-    template = "the depth reaches {thickness} of the stream's width (limit 1): too thick for one mean velocity"
+    template = (
+        "the depth reaches {thickness} times the stream's width (limit 1), too thick for a model with one mean"
+        " velocity; use a wider section"
+    )
     mask = thick.value > THICKEST
     yield Case(mask, scene.distance(thick.share), template, {"thickness": thick.value})
     share = deep.value * np.abs(scene.contact.surface.curvature)
-    template = "the depth of {depth_m} reaches {share} of the radius (limit 0.1): too thick for one mean velocity"
+    template = (
+        "the depth of {depth_m} reaches {share} of the radius (limit 0.1), too thick for a model with one mean"
+        " velocity; use a larger radius"
+    )
     mask, s = share > THICKEST_ON_ARC, scene.distance(deep.share)
     yield Case(mask, s, template, {"depth_m": deep.value, "share": share})
 
@@ -45,7 +51,8 @@ def slow_stream(scene: Scene) -> Iterator[Case]:
     """The Froude number falls below 2: the neglected pressure gradient changes dv/ds by about K/Fr²."""
     froude = scene.extreme("froude", LEAST)
     template = (
-        "the Froude number falls to {froude} (limit 2): the pressure left out along the stream changes dv/ds by ~1/Fr²"
+        "the Froude number falls to {froude} (limit 2): the pressure gradient along the stream, which the model"
+        " neglects, changes dv/ds by about 1/Fr² there; a steeper slope makes the stream faster"
     )
     mask = froude.value < SLOWEST_FROUDE
     yield Case(mask, scene.distance(froude.share), template, {"froude": froude.value})
@@ -65,8 +72,9 @@ def missing_load(scene: Scene) -> Iterator[Case]:
     missing = scene.extreme("missing_load", LARGEST)
     friction, even = scene.at(missing.share, "equivalent_friction", "equilibrium_friction")
     template = (
-        "hydrostatic wall pressures leave {missing_load} of the weight uncarried (limit 0.1): laid on the centre"
-        " section, as here, μ_e is {equivalent_friction}; spread over all walls {equilibrium_friction}"
+        "hydrostatic wall pressures do not carry {missing_load} of the weight (limit 0.1): the paper's law lays it on"
+        " the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it would be"
+        ' {equilibrium_friction} (friction_law = "equilibrium")'
     )
     yield Case(
         missing.value > MOST_MISSING,
@@ -86,7 +94,10 @@ def above_chamfer(scene: Scene) -> Iterator[Case]:
     """The depth passes the drawn top of the section."""
     worst = scene.extreme("above_top_m", LARGEST)
     (top,) = scene.at(worst.share, "top_m")
-    template = "the depth of {depth_m} passes the drawn top of the section at {top_m}; the walls go on vertically there"
+    template = (
+        "the depth of {depth_m} exceeds the drawn top of the section at {top_m}; above it the walls are taken as"
+        " vertical"
+    )
     numbers = {"depth_m": worst.value + top, "top_m": top}
     yield Case(worst.value > 0.0, scene.distance(worst.share), template, numbers)
 
@@ -99,7 +110,10 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
     if scene.segment.entry_slope is not None:
         return
     slope = np.degrees(scene.contact.surface.slope)
-    template = "drawn tangent to the stream, from {slope_deg}, the curve changes with the flow; from_slope_deg fixes it"
+    template = (
+        "the curve is drawn tangent to the stream, from {slope_deg}, so its shape changes with the flow; set"
+        " from_slope_deg to fix it"
+    )
     s = scene.leg.start.distance
     mask = slope < 90.0 - np.degrees(TANGENT)
     yield Case(mask, s, template, {"slope_deg": slope})

@@ -20,8 +20,8 @@ def not_accelerated(scene: Scene) -> Iterator[Case]:
     if belt is None or not received:
         return
     template = (
-        "the belt never brings the stream from {velocity_along_m_s} to its own {belt_velocity_m_s}: friction on it is"
-        " too small for its slope of {belt_slope_deg}"
+        "the belt never brings the stream from {velocity_along_m_s} to its own {belt_velocity_m_s}: its friction is too"
+        " small for its slope of {belt_slope_deg}; use a flatter belt"
     )
     yield Case(
         np.isposinf(received["acceleration_length_m"]),
