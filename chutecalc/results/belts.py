@@ -1,4 +1,4 @@
-"""The stream where it leaves the belt that it comes from, and what it does to the belt that it goes to."""
+"""The stream at the inlet, and what it does to the receiving belt."""
 
 from functools import cached_property
 
@@ -13,8 +13,15 @@ NORMAL_COSINE = 1e-9
 """The cosine of the angle between stream and belt below which the stream has no velocity along the belt."""
 
 
-def entering(design: Design) -> Numbers:
-    """The stream where it enters, each of length 1 or n; from a belt also v²/(g r) and its lower edge."""
+def inlet_numbers(design: Design) -> Numbers:
+    """Return the stream at the inlet by column name.
+
+    Args:
+        design: the chutes.
+
+    Returns:
+        Arrays of length 1 or n; from a belt also v²/(g r) and the position of the stream's lower edge.
+    """
     x, z = design.inlet_place
     numbers = {
         "x_m": x,
@@ -95,13 +102,21 @@ RECEIVER_COLUMNS = {
     )
 }
 # fmt: on
-"""What a stream does to the belt that it goes to, by name; each formula takes a :class:`Transfer`."""
-TAKEN = ("velocity_m_s", "slope_deg")
-"""Columns at the exit that this takes."""
+"""What a stream does to the receiving belt, by name; each formula takes a :class:`Transfer`."""
+RECEIVER_NEEDS = ("velocity_m_s", "slope_deg")
+"""Columns at the exit that the receiver columns follow from."""
 
 
-def received(design: Design, end: Numbers) -> Numbers:
-    """What the stream does to the belt, by its columns at the exit; empty where there is no belt."""
+def receiver_numbers(design: Design, end: Numbers) -> Numbers:
+    """Return the receiver columns by name.
+
+    Args:
+        design: the chutes.
+        end: the columns ``RECEIVER_NEEDS`` at their exits, each of shape (designs,).
+
+    Returns:
+        Arrays of shape (designs,), NaN for designs that fail; empty where the chute has no receiver.
+    """
     if design.receiver is None:
         return {}
     transfer = Transfer(design, design.receiver, end["velocity_m_s"], np.radians(end["slope_deg"]))

@@ -1,4 +1,4 @@
-"""The stream at the end of designs, and what it does to the belt that it goes to."""
+"""The stream at the end of many designs, without what lies before it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,10 +8,10 @@ import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.belts import TAKEN, received
+from chutecalc.results.belts import RECEIVER_NEEDS, receiver_numbers
 from chutecalc.results.column import Numbers
 from chutecalc.results.described import outcomes
-from chutecalc.results.part import asked, at_exit
+from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.results.trajectory import Trajectory
 from chutecalc.solver.chain import run_chain, run_ends
 from chutecalc.solver.course import kinds_of, numbers_of
@@ -44,29 +44,34 @@ class Exits:
         return f"<Exits of {count} design{'s' if count != 1 else ''}: {outcomes(self.status)}>"
 
 
-def asked_of(design: Design, names: Sequence[str]) -> list[str]:
-    """Columns at the exit that some take, and what the belt does."""
-    return [*dict.fromkeys([*names, *(TAKEN if design.receiver else ())])]
-
-
-def at_ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
-    """Those of designs.
+def columns_needed(design: Design, names: Sequence[str]) -> list[str]:
+    """Return columns at the exit with those that the receiver columns follow from.
 
     Args:
-        design: of so many designs as ``count`` says.
-        rtol: as of :func:`chutecalc.solve`.
-        names: of columns, without time.
-        count: how many.
+        design: the chutes.
+        names: of columns at the exit.
     """
-    taken = asked_of(design, names)
+    return [*dict.fromkeys([*names, *(RECEIVER_NEEDS if design.receiver else ())])]
+
+
+def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
+    """Solve designs for their exits.
+
+    Args:
+        design: the chutes.
+        rtol: as for :func:`chutecalc.solve`.
+        names: of columns at the exit, among :data:`chutecalc.results.columns.AT_EXIT`.
+        count: number of designs.
+    """
+    taken = columns_needed(design, names)
     if design.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
         legs, ends = run_chain(design, rtol, complete=False)
         codes = stretched(ends.status, (count,))
         found = Trajectory(design, legs, codes, count).exit_columns(taken)
     else:
-        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *asked(taken))
+        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *exit_needs(taken))
         found = at_exit(design, ends, taken)
-    belt = received(design, found)
+    belt = receiver_numbers(design, found)
 
     def whole(numbers: Numbers) -> Numbers:
         return {name: stretched(values, (count,)) for name, values in numbers.items()}
@@ -81,7 +86,13 @@ def at_ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Ex
     )
 
 
-def named(exit_: Numbers, belt: Numbers, error: Array) -> Numbers:
-    """The same by the names that columns of sweeps and outputs of functions have."""
+def output_numbers(exit_: Numbers, belt: Numbers, error: Array) -> Numbers:
+    """Return numbers by the names that columns of sweeps and outputs of functions have.
+
+    Args:
+        exit_: columns at the exit.
+        belt: receiver columns.
+        error: error estimate, dimensionless, shape (designs,).
+    """
     numbers = {f"exit_{name}": values for name, values in exit_.items()}
     return numbers | {f"receiver_{name}": values for name, values in belt.items()} | {"error_estimate": error}

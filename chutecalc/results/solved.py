@@ -8,7 +8,7 @@ import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.belts import TAKEN, entering, received
+from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
 from chutecalc.results.column import Numbers
 from chutecalc.results.columns import COLUMNS, NUMERIC
 from chutecalc.results.finding import Finding
@@ -109,12 +109,12 @@ class SolvedChute:
         """
         if self.design.receiver is None:
             return {}
-        return received(self.design, self.exit_columns(TAKEN))
+        return receiver_numbers(self.design, self.exit_columns(RECEIVER_NEEDS))
 
     @cached_property
     def inlet(self) -> Numbers:
         """The stream at the inlet: arrays of shape (designs,) by name; from a belt also v²/(g r) and its lower edge."""
-        return {name: np.broadcast_to(values, self.count) for name, values in entering(self.design).items()}
+        return {name: np.broadcast_to(values, self.count) for name, values in inlet_numbers(self.design).items()}
 
     @property
     def segments(self) -> Segments:

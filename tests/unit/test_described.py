@@ -23,7 +23,7 @@ def test_segments_go_by_name_and_by_number(spoon):
     assert [segment.name for segment in segments[:1]] == ["fall"]
     assert len(segments) == 2
     assert repr(segments) == "<Segments fall (fall), spoon (curve)>"
-    with pytest.raises(KeyError, match="no segment is called 'hood': there are fall, spoon"):
+    with pytest.raises(KeyError, match="no segment is called 'hood': the chute has fall, spoon"):
         segments["hood"]
     with pytest.raises(IndexError):
         segments[2]

@@ -49,7 +49,7 @@ def test_velocity_at_every_station_of_the_seventeen_spoons(case, rtol):
     place = np.array([(float(row["theta_rad"]) - start) / (end - start) for row in stations])
     expected = np.array([float(row["velocity_m_s"]) for row in stations])
 
-    _, travelled = part.ends()
+    _, travelled = part.span()
     velocity = part.at((np.clip(place, 0.0, 1.0) / travelled)[:, None], ["velocity_m_s"])["velocity_m_s"][:, 0]
 
     # the entry velocity is handed over as a double, and each panel rounds: 1e-15; near a stop a place is worth

@@ -19,7 +19,7 @@ from chutecalc.api.solution import Solution
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import AT_EXIT, COLUMNS
-from chutecalc.results.exits import named
+from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
 from chutecalc.studies.sweep.columns import WAYS, row_columns
@@ -205,7 +205,7 @@ class Sweep:
             wanted = [(name, EXTREME[way]) for way in EXTREME for name in ways[way]]
             keys = [f"{way}_{name}" for way in EXTREME for name in ways[way]]
             numbers = dict(zip(keys, run.trajectory.extreme_columns(wanted).values(), strict=True))
-        numbers |= named(exit_, belt, error)
+        numbers |= output_numbers(exit_, belt, error)
         block: Block = {"status": status}
         for name in self.columns:
             block[name] = _codes(run) if name == "findings" else np.where(ok, numbers[name], np.nan)
