@@ -223,8 +223,8 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[
         SpecError: the spec has faults; the error lists all of them.
 
     >>> import chutecalc
-    >>> chutecalc.parse(chutecalc.STARTER, source="spoon.toml")
-    <Chute 'spoon.toml': fall, spoon>
+    >>> chutecalc.parse(chutecalc.STARTER, source="spoon.toml").source
+    'spoon.toml'
     """
     if not isinstance(spec, str | Mapping):
         raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
