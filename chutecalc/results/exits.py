@@ -17,7 +17,7 @@ from chutecalc.solver.chain import run_chain, run_ends
 from chutecalc.solver.course import kinds_of, numbers_of
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Exits:
     """The ends of n designs; arrays of shape (designs,), NaN in the numbers of those that fail."""
 

@@ -24,7 +24,7 @@ class Severity(StrEnum):
     """Worth knowing."""
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Finding:
     """One finding about some of the designs; arrays are of shape (designs,)."""
 

@@ -68,7 +68,7 @@ class Part(SegmentContext):
     """A part of the trajectory: a segment, or a flight that leads to one."""
 
     def __init__(
-        self, name: str, kind: str, leg: Leg, contact: ContactLeg | None, before: "Part | None", design: Design
+        self, name: str, kind: str, leg: Leg, *, contact: ContactLeg | None, before: "Part | None", design: Design
     ) -> None:
         """A part.
 

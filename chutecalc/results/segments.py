@@ -12,7 +12,7 @@ from chutecalc.results.column import Numbers
 from chutecalc.results.described import outcomes
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class SegmentResult:
     """Results of a segment of the spec, or of a flight that leads to one.
 

@@ -46,8 +46,8 @@ class Trajectory:
         for leg in self.legs:
             name, kind = leg.segment.name, leg.segment.kind
             if leg.contact is not None and (leg.flight_time > 0.0).any():
-                parts.append(Part(f"{name}:flight", "flight", leg, None, before, self.design))
-            before = Part(name, kind, leg, leg.contact, before, self.design)
+                parts.append(Part(f"{name}:flight", "flight", leg, contact=None, before=before, design=self.design))
+            before = Part(name, kind, leg, contact=leg.contact, before=before, design=self.design)
             parts.append(before)
         return parts
 

@@ -46,6 +46,13 @@ def find(parts: Sequence[SampledPart], received: Numbers, exit_distance: Array, 
                 continues = continues | (leg.status != Status.NOT_REACHED) & (leg is not sampled.part.leg)
             last = bool(surfaces) and sampled.part is surfaces[-1]
             at_end = received if number == len(parts) - 1 else {}
-            scene = Scene(sampled, continues, last, at_end, exit_distance, designs)
+            scene = Scene(
+                sampled,
+                continues=continues,
+                last_surface=last,
+                received=at_end,
+                exit_distance=exit_distance,
+                designs=designs,
+            )
             found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]
     return sorted(found, key=lambda finding: _RANK[finding.severity])
