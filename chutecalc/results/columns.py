@@ -44,22 +44,38 @@ class Needs(Flag):
 
 
 def everywhere(part: Any) -> bool:
-    """Return that a column exists on surfaces and in flight."""
+    """Return that a column exists on surfaces and in flight.
+
+    Args:
+        part: the part of the trajectory.
+    """
     return True
 
 
 def on_surface(part: Any) -> bool:
-    """Return whether the part follows a guiding surface."""
+    """Return whether the part follows a guiding surface.
+
+    Args:
+        part: the part of the trajectory.
+    """
     return bool(part.guided)
 
 
 def on_arc(part: Any) -> bool:
-    """Return whether the part follows an arc."""
+    """Return whether the part follows an arc.
+
+    Args:
+        part: the part of the trajectory.
+    """
     return bool(part.on_arc)
 
 
 def between_facets(part: Any) -> bool:
-    """Return whether the part has a section with drawn facets beside its centre."""
+    """Return whether the part has a section with drawn facets beside its centre.
+
+    Args:
+        part: the part of the trajectory.
+    """
     return bool(part.between_facets)
 
 

@@ -69,13 +69,28 @@ class Scene(NamedTuple):
         return self.sampled.extremes[name, sign]
 
     def distance(self, share: Array) -> Array:
-        """Return the distance from the inlet, m, at shares of the part's length, shape (designs,)."""
+        """Return the distance from the inlet at shares of the part's length.
+
+        Args:
+            share: dimensionless, shape (designs,).
+
+        Returns:
+            Distance along the stream, m, shape (designs,).
+        """
         s = self.sampled.columns["s_m"]
         distance: Array = s[0] + share * (s[-1] - s[0])
         return distance
 
     def at(self, share: Array, *names: str) -> list[Array]:
-        """Return columns at shares of the part's length, each of shape (designs,); at its end their limits there."""
+        """Return columns at shares of the part's length.
+
+        Args:
+            share: dimensionless, shape (designs,).
+            names: of the columns.
+
+        Returns:
+            Arrays of shape (designs,), one for each name; at the end of the part their limits there.
+        """
         there, limits = self.part.at(np.broadcast_to(share, (1, len(share))), names), self.part.limits(names)
         return [np.where(share == 1.0, limits[name], there[name][0]) for name in names]
 
@@ -113,7 +128,11 @@ class Criterion(NamedTuple):
     cases: Callable[[Scene], Iterable[Case]]
 
     def findings(self, scene: Scene) -> Iterator[Finding]:
-        """Return what the criterion finds, where it holds for any design."""
+        """Return what the criterion finds for any design.
+
+        Args:
+            scene: the segment with the stream along it.
+        """
         if not (scene.part.guided or self.in_falls):
             return
         for case in self.cases(scene):

@@ -58,6 +58,11 @@ class Segments(Sequence[SegmentResult]):
     """
 
     def __init__(self, results: Iterable[SegmentResult]) -> None:
+        """Segments.
+
+        Args:
+            results: in order.
+        """
         self._results = list(results)
 
     @property

@@ -15,7 +15,11 @@ from chutecalc.results.finding import Severity
     "stall", Severity.FAILURE, summary="the velocity falls to 0, on a segment or at the impact on it", limit="v = 0"
 )
 def stall(scene: Scene) -> Iterator[Case]:
-    """The velocity falls to 0, inside the segment or at the impact on it."""
+    """Find streams whose velocity falls to 0, on the segment or at the impact on it.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     leg, arrival = scene.leg, scene.contact.arrival
     at_impact = arrival.status == Status.STALL
     template = (
@@ -44,7 +48,11 @@ def stall(scene: Scene) -> Iterator[Case]:
 
 @criterion("choke", Severity.FAILURE, summary="the depth passes the height of the walls", limit="H > wall_height")
 def choke(scene: Scene) -> Iterator[Case]:
-    """The depth passes the height of the walls."""
+    """Find depths above the height of the walls.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     leg, stretch = scene.leg, scene.contact.stretch
     choked = leg.status == Status.CHOKE
     beyond, place, end = stretch.beyond, stretch.place, stretch.beyond_status
@@ -71,7 +79,11 @@ def choke(scene: Scene) -> Iterator[Case]:
     limit="n = 0",
 )
 def contact_lost(scene: Scene) -> Iterator[Case]:
-    """The normal acceleration falls to 0; a warning where something follows that may catch the stream."""
+    """Find streams that leave their surface, where the normal acceleration falls to 0.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     if scene.segment.kind == "plate":
         return
     leg, surface = scene.leg, scene.contact.surface
@@ -104,7 +116,11 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     in_falls=True,
 )
 def missed(scene: Scene) -> Iterator[Case]:
-    """A flight does not meet the segment that should catch it."""
+    """Find flights that do not meet the segment, and falls whose end is never reached.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     leg = scene.leg
     lost = leg.status == Status.MISSED
     if not scene.part.guided:

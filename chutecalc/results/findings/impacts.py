@@ -19,7 +19,11 @@ STEEPEST_IMPACT = np.radians(20.0)
     source="practice",
 )
 def steep_impact(scene: Scene) -> Iterator[Case]:
-    """The stream strikes the surface at more than 20° (practice)."""
+    """Find impacts at more than 20° (practice).
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     arrival = scene.contact.arrival
     template = (
         "the stream strikes the surface at {incidence_deg} (limit 20°, practice), which slows it from {velocity_m_s} to"
@@ -40,7 +44,11 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
 
 @criterion("flown_past", Severity.WARNING, summary="the stream flies past a segment to one further on")
 def flown_past(scene: Scene) -> Iterator[Case]:
-    """A flight goes past the segment to one further on."""
+    """Find flights past the segment to one further on.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     template = (
         "the stream flies past the segment, {gap_m} from its end, to one further on; move the segment into the stream"
         " or leave it out"

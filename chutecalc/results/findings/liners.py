@@ -22,7 +22,11 @@ ROUNDING = 1e-12
     needs=[("wall_friction", LARGEST)],
 )
 def inadmissible_friction(scene: Scene) -> Iterator[Case]:
-    """The wall friction angle is more than atan(sin δ) (Paper, section 6), or that bounds a yield locus."""
+    """Find wall friction above atan(sin δ) (Paper, section 6), or a yield locus that this bounds.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     internal = scene.design.internal_friction
     if internal is None:
         return
@@ -60,7 +64,11 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
     needs=[("wall_stress_kpa", LEAST), ("wall_stress_kpa", LARGEST)],
 )
 def outside_locus(scene: Scene) -> Iterator[Case]:
-    """The floor bears less or more than the rows of the yield locus were measured at."""
+    """Find floors that carry less or more stress than their yield locus was measured at.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     if scene.segment.measured is None:
         return
     impact = scene.contact.arrival.impact

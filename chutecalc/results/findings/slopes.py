@@ -7,7 +7,7 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.motion import FLOOR
 from chutecalc.results.criterion import Case, Scene, criterion
-from chutecalc.results.extremes import LEAST, extremes
+from chutecalc.results.extremes import LARGEST, LEAST, extremes
 from chutecalc.results.finding import Severity
 
 DECELERATION_MARGIN = 1.25
@@ -19,25 +19,26 @@ CUT_OFF = np.radians(5.0)
     Severity.WARNING,
     summary="on a straight the stream comes near or falls below the velocity at which friction slows it",
     limit=f"v < {DECELERATION_MARGIN:g} v_c",
-    needs=[("velocity_m_s", LEAST)],
+    needs=[("velocity_m_s", LEAST), ("wall_friction", LARGEST)],
 )
 def decelerating(scene: Scene) -> Iterator[Case]:
-    """On a straight the stream comes near, or falls below, the velocity from which on friction wins.
+    """Find straights on which the stream comes near, or falls below, the velocity at which friction slows it.
 
-    Where the section stays, that is decided where the stream is slowest; along a taper the balance moves.
+    Where the section is constant, the slowest point decides; along a taper the critical velocity changes.
+
+    Args:
+        scene: the segment with the stream along it.
     """
     if scene.segment.kind != "straight":
         return
     worst = scene.extreme("velocity_m_s", LEAST)
     if scene.segment.end_section is not None:
-        margins = scene.part.at(scene.sampled.shares, ["balance_margin"])
-        worst = extremes(scene.part, margins, scene.sampled.shares, [("balance_margin", LEAST)])[
-            "balance_margin", LEAST
-        ]
+        shares, least_margin = scene.sampled.shares, ("balance_margin", LEAST)
+        margins = scene.part.at(shares, ["balance_margin"])
+        worst = extremes(scene.part, margins, shares, [least_margin])[least_margin]
     velocity, critical, friction = scene.at(worst.share, "velocity_m_s", "balance_m_s", "wall_friction")
-    friction = np.where(
-        velocity > 0.0, friction, scene.sampled.columns["wall_friction"][0]
-    )  # not that of a heap at rest
+    at_entry = scene.sampled.columns["wall_friction"][0]  # quoted for a stalled stream, rather than that of a heap
+    friction = np.where(velocity > 0.0, friction, at_entry)
     slope, s = np.degrees(scene.contact.surface.slope), scene.distance(worst.share)
     flat = np.isinf(critical) & np.isfinite(velocity)
     template = (
@@ -67,7 +68,11 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     source="practice",
 )
 def below_cut_off(scene: Scene) -> Iterator[Case]:
-    """The last spoon ends flatter than the equivalent friction angle + 5° (practice)."""
+    """Find a last spoon that ends flatter than the equivalent friction angle + 5° (practice).
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     surface = scene.contact.surface
     if not (scene.last_surface and surface.side == FLOOR):
         return

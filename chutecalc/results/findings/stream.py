@@ -23,7 +23,11 @@ MOST_MISSING = 0.10
     needs=[("thickness", LARGEST), ("depth_m", LARGEST)],
 )
 def thick_stream(scene: Scene) -> Iterator[Case]:
-    """The depth is more than the free surface's width, or more than a tenth of the radius."""
+    """Find depths above the free surface's width, or above a tenth of the radius.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     thick, deep = scene.extreme("thickness", LARGEST), scene.extreme("depth_m", LARGEST)
     template = (
         "the depth reaches {thickness} times the stream's width (limit 1), too thick for a model with one mean"
@@ -48,7 +52,11 @@ def thick_stream(scene: Scene) -> Iterator[Case]:
     needs=[("froude", LEAST)],
 )
 def slow_stream(scene: Scene) -> Iterator[Case]:
-    """The Froude number falls below 2: the neglected pressure gradient changes dv/ds by about K/Fr²."""
+    """Find Froude numbers below 2, where the neglected pressure gradient changes dv/ds by about K/Fr².
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     froude = scene.extreme("froude", LEAST)
     template = (
         "the Froude number falls to {froude} (limit 2): the pressure gradient along the stream, which the model"
@@ -66,7 +74,11 @@ def slow_stream(scene: Scene) -> Iterator[Case]:
     needs=[("missing_load", LARGEST)],
 )
 def missing_load(scene: Scene) -> Iterator[Case]:
-    """The paper's law lays more than a tenth of the weight on the centre section by way of correction."""
+    """Find loads above a tenth of the weight that the paper's law lays on the centre section as a correction.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     if scene.design.equilibrium:
         return
     missing = scene.extreme("missing_load", LARGEST)
@@ -91,7 +103,11 @@ def missing_load(scene: Scene) -> Iterator[Case]:
     needs=[("above_top_m", LARGEST)],
 )
 def above_chamfer(scene: Scene) -> Iterator[Case]:
-    """The depth passes the drawn top of the section."""
+    """Find depths above the drawn top of the section.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     worst = scene.extreme("above_top_m", LARGEST)
     (top,) = scene.at(worst.share, "top_m")
     template = (
@@ -106,7 +122,11 @@ def above_chamfer(scene: Scene) -> Iterator[Case]:
     "geometry_follows_flow", Severity.NOTE, summary="a curve is drawn tangent to a stream that does not fall vertically"
 )
 def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
-    """A curve tangent to a stream that does not fall vertically: its drawn slope changes with the flow."""
+    """Find curves tangent to a stream that does not fall vertically: their drawn slope changes with the flow.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     if scene.segment.entry_slope is not None:
         return
     slope = np.degrees(scene.contact.surface.slope)

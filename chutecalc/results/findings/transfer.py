@@ -15,7 +15,11 @@ from chutecalc.results.finding import Severity
     in_falls=True,
 )
 def not_accelerated(scene: Scene) -> Iterator[Case]:
-    """The receiving belt cannot bring the stream to its velocity."""
+    """Find receiving belts that cannot bring the stream to their velocity.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
     belt, received = scene.design.receiver, scene.received
     if belt is None or not received:
         return
