@@ -10,14 +10,10 @@ from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.results.column import Numbers
 from chutecalc.results.part import Part
 
-HALVING_ROUNDS, SIDE_SHARES = (
-    2,
-    np.linspace(0.0, 1.0, 9),
-)  # each round leaves an eighth of the bracket around an extreme
-PARABOLA_REACHES = (
-    1.0 / 16.0,
-    1.0 / 1024.0,
-)  # of the bracket: as near, by three places around the top of the last parabola
+HALVING_ROUNDS, SIDE_SHARES = 2, np.linspace(0.0, 1.0, 9)
+"""Each round of a subdivision leaves an eighth of the bracket around an extreme."""
+PARABOLA_REACHES = 1.0 / 16.0, 1.0 / 1024.0
+"""Shares of the bracket at which three points around the peak of the last parabola are apart."""
 
 
 class Extreme(NamedTuple):

@@ -55,12 +55,12 @@ def choke(scene: Scene) -> Iterator[Case]:
     """
     leg, stretch = scene.leg, scene.contact.stretch
     choked = leg.status == Status.CHOKE
-    beyond, place, end = stretch.beyond, stretch.place, stretch.beyond_status
-    wall_height = scene.segment.wall_height(place)
+    beyond, share, end = stretch.beyond, stretch.place, stretch.beyond_status
+    wall_height = scene.segment.wall_height(share)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
     begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m};"
     s = leg.exit.distance
-    further = (beyond - place) * scene.contact.surface.length
+    further = (beyond - share) * scene.contact.surface.length
     for status, fate in (
         (Status.STALL, "higher walls alone do not help, as the stream would stop {further_m} further on"),
         (Status.CONTACT_LOST, "with higher walls the stream would leave the surface {further_m} further on"),

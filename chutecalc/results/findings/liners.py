@@ -42,9 +42,9 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
             " {greatest_deg} = atan(sin {internal_friction_deg}); that limit is used there: check locus and angle"
         )
         least = bound * (1.0 - ROUNDING)
-        along = worst.value >= least
-        mask = along | ((impact.pressure > 0.0) & (wall_friction(wall, impact.stress) >= least))
-        s = np.where(along, scene.distance(worst.share), scene.leg.entry.distance)
+        on_floor = worst.value >= least
+        mask = on_floor | ((impact.pressure > 0.0) & (wall_friction(wall, impact.stress) >= least))
+        s = np.where(on_floor, scene.distance(worst.share), scene.leg.entry.distance)
         yield Case(mask, s, template, numbers)
         return
     template = (
