@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.api.chute import Chute, check_tolerance
+from chutecalc.api.solution import DEFAULT_COLUMNS
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.results.columns import AT_EXIT
@@ -16,7 +17,6 @@ from chutecalc.results.exits import Exits, solve_exits
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
-DEFAULT_COLUMNS = ("velocity_m_s", "depth_m", "slope_deg")
 
 
 def exits(

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import ExtraMissingError, UsageError
+from chutecalc.results.columns import NUMERIC
 from chutecalc.results.solved import SolvedChute
 
 LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
@@ -32,6 +33,23 @@ def stations_frame(
     reached = np.isfinite(table["s_m"])
     rows: dict[str, Any] = {"design": np.nonzero(reached)[0]} if solution.count > 1 else {}
     return make(rows | {name: table[name][reached] for name in names or table})
+
+
+def designs_frame(solution: SolvedChute, columns: Iterable[str], library: str) -> Any:
+    """Return designs as a data frame; see :meth:`chutecalc.Solution.designs_dataframe`.
+
+    Args:
+        solution: of one or several designs.
+        columns: names of columns at the exit.
+        library: ``pandas`` or ``polars``.
+    """
+    make, names = _data_frame(library), list(columns)
+    unknown = [name for name in names if name not in NUMERIC]
+    if unknown:
+        raise UsageError(f"there is no column {', '.join(unknown)} at an exit: `chutecalc columns` lists the columns")
+    numbers = solution.exit_columns(names)
+    rows = {"design": np.arange(solution.count), "status": np.broadcast_to(solution.status, solution.count)}
+    return make(rows | {f"exit_{name}": np.broadcast_to(numbers[name], solution.count) for name in names})
 
 
 def _data_frame(library: str) -> Any:

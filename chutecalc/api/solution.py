@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 UNITS = ("metric", "us")
+DEFAULT_COLUMNS = ("velocity_m_s", "depth_m", "slope_deg")
+"""Columns at the exit that are shown by default."""
 
 
 class Solution(SolvedChute):
@@ -78,6 +80,24 @@ class Solution(SolvedChute):
         from chutecalc.api.dataframe import stations_frame
 
         return stations_frame(self, points, spacing, columns, library)
+
+    def designs_dataframe(self, columns: Iterable[str] = DEFAULT_COLUMNS, library: str = "pandas") -> Any:
+        """Return a data frame with a row for each design: its status and columns at the exit.
+
+        Args:
+            columns: names of columns at the exit; in the frame ``exit_`` stands before them, as in sweeps.
+            library: ``pandas`` or ``polars``; it is imported only here.
+
+        Returns:
+            A ``DataFrame`` of that library, NaN for designs that fail.
+
+        Raises:
+            UsageError: a name is unknown, or the library.
+            ExtraMissingError: the library is not installed.
+        """
+        from chutecalc.api.dataframe import designs_frame
+
+        return designs_frame(self, columns, library)
 
     def __repr__(self) -> str:
         """Return the outcome and how the stream leaves.

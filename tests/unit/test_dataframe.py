@@ -46,6 +46,16 @@ def test_a_row_is_a_station_that_a_design_reached(two, name):
     assert np.array_equal(np.asarray(frame["velocity_m_s"]), stations["velocity_m_s"][reached])
 
 
+def test_a_row_for_each_design(two):
+    pytest.importorskip("pandas", reason="pandas is not installed")
+    frame = two.designs_dataframe(columns=["velocity_m_s"])
+    assert list(frame.columns) == ["design", "status", "exit_velocity_m_s"]
+    assert list(frame["status"]) == ["ok", "stall"]
+    assert np.array_equal(frame["exit_velocity_m_s"], two.exit_velocity, equal_nan=True)
+    with pytest.raises(chutecalc.UsageError, match="no column wear"):
+        two.designs_dataframe(columns=["wear"])
+
+
 def test_all_columns_of_one_design():
     pytest.importorskip("pandas", reason="pandas is not installed")
     solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
