@@ -217,3 +217,6 @@ IN_TABLES = tuple(name for name, column in COLUMNS.items() if column.in_tables)
 """Names of the columns that tables for people show."""
 AT_EXIT = tuple(name for name in NUMERIC if Needs.WHOLE_PATH not in COLUMNS[name].needs)
 """Names of the columns that exist at an exit alone."""
+NEEDING_DEPTH = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.DEPTH in column.needs)
+NEEDING_WALLS = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.WALLS in column.needs)
+"""Names of the columns for which the solver has to work that out at an exit."""

@@ -4,6 +4,28 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
+from chutecalc.design import Status
+from chutecalc.physics.arrays import Index
+
+_LABELS = np.array(Status.LABELS)
+
+
+def status_text(codes: Index) -> Any:
+    """Return statuses as users read them.
+
+    Args:
+        codes: status numbers, :class:`chutecalc.design.Status`.
+
+    Returns:
+        Text of the same shape.
+
+    >>> status_text(np.array([0, 1])).tolist()
+    ['ok', 'stall']
+    """
+    return _LABELS[codes]
+
 
 def outcomes(statuses: Iterable[Any]) -> str:
     """Count how designs end, those that get through first.

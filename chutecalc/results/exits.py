@@ -4,13 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.belts import RECEIVER_NEEDS, receiver_numbers
 from chutecalc.results.column import Numbers
-from chutecalc.results.described import outcomes
+from chutecalc.results.described import outcomes, status_text
 from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.results.trajectory import Trajectory
 from chutecalc.solver.chain import run_chain, run_ends
@@ -78,7 +76,7 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
 
     codes, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
     return Exits(
-        status=np.array(Status.LABELS)[codes],
+        status=status_text(codes),
         ok=codes == Status.OK,
         error_estimate=error,
         exit=whole({name: found[name] for name in names}),

@@ -13,7 +13,7 @@ from chutecalc.design import Contact, Design, Segment, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Polygon
 from chutecalc.results.column import Numbers
-from chutecalc.results.columns import ALL_COLUMNS, Needs
+from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
 from chutecalc.results.impacts import impact_of
 from chutecalc.solver.leg import ContactLeg, Ends, Leg
 from chutecalc.solver.profile import EndFlight, EndProfile, FlightProfile, SlideProfile
@@ -237,7 +237,5 @@ def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:
     Returns:
         Whether they need how the stream fills the section, and what the walls carry.
     """
-    needs = Needs.NOTHING
-    for name in names:
-        needs |= ALL_COLUMNS[name].needs
-    return Needs.DEPTH in needs, Needs.WALLS in needs
+    names = set(names)
+    return not names.isdisjoint(NEEDING_DEPTH), not names.isdisjoint(NEEDING_WALLS)

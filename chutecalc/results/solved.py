@@ -11,6 +11,7 @@ from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
 from chutecalc.results.column import Numbers
 from chutecalc.results.columns import COLUMNS, NUMERIC
+from chutecalc.results.described import status_text
 from chutecalc.results.finding import Finding
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
@@ -65,7 +66,7 @@ class SolvedChute:
     @cached_property
     def status(self) -> Any:
         """``ok``, ``stall``, ``choke``, ``contact_lost`` or ``missed`` for each design, text of shape (designs,)."""
-        return np.array(Status.LABELS)[self.trajectory.codes]
+        return status_text(self.trajectory.codes)
 
     @property
     def ok(self) -> Mask:

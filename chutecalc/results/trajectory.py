@@ -10,6 +10,7 @@ from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.results.column import Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
+from chutecalc.results.described import status_text
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
@@ -137,7 +138,7 @@ class Trajectory:
         return SegmentResult(
             name=part.name,
             kind=part.kind,
-            status=whole(np.array(Status.LABELS)[part.status()]),
+            status=whole(status_text(part.status())),
             entry={name: whole(columns[name][0]) for name in NUMERIC},
             exit={name: whole(columns[name][-1]) for name in NUMERIC},
             minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
