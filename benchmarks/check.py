@@ -32,7 +32,7 @@ from chutecalc.api.chute import load, solve
 wall, cpu = time.perf_counter(), time.process_time()
 for file in sys.argv[1:]:
     solution = solve(load(file))
-    solution.ways, solution.findings(), solution.receiver
+    solution.trajectory.results, solution.findings(), solution.receiver
 print(time.perf_counter() - wall, time.process_time() - cpu)
 """
 ALONE = """

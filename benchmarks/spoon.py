@@ -9,7 +9,7 @@ import numpy as np
 from scipy.integrate import odeint, solve_ivp
 
 import chutecalc
-from chutecalc.results.solution import Solution
+from chutecalc.api.solution import Solution
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 

@@ -16,6 +16,7 @@ from measure import Report, in_turn, median
 import chutecalc
 from chutecalc.output.csv import write_stations
 from chutecalc.output.table import Printer
+from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.parse import parse_text
@@ -31,23 +32,23 @@ def stages(file: Path) -> Tasks:
     chute = chutecalc.parse(text)
     solution = chutecalc.solve(chute)
     table = solution.stations(points=101)
+    solved = run_chain(chute.design, solution.rtol)
+
+    def again() -> chutecalc.Solution:
+        """A solution that has not worked out anything yet."""
+        return chutecalc.Solution(chute, *solved, solution.rtol)
 
     return {
         "read TOML": lambda: parse_text(text, "spec"),
         "check": lambda: ChuteSpec.model_validate(data),
         "build": lambda: build(chute.spec),
         "solve": lambda: chutecalc.solve(chute),
-        "stations, velocity and depth": lambda: again(solution).stations(columns=("velocity_m_s", "depth_m")),
-        "stations, all columns": lambda: again(solution).stations(),
-        "extremes and findings": lambda: again(solution).findings(),
-        "table": lambda: Printer("metric", io.StringIO()).report(chute, again(solution)),
+        "stations, velocity and depth": lambda: again().stations(columns=("velocity_m_s", "depth_m")),
+        "stations, all columns": lambda: again().stations(),
+        "extremes and findings": lambda: again().findings(),
+        "table": lambda: Printer("metric", io.StringIO()).report(again()),
         "CSV file": lambda: write_stations(io.StringIO(), [("spec", table)]),
     }
-
-
-def again(solution: chutecalc.Solution) -> chutecalc.Solution:
-    """The same solution, that has not worked out anything yet."""
-    return chutecalc.Solution(solution.design, solution.legs, solution.ends, solution.rtol, solution.count)
 
 
 def main() -> None:

@@ -30,7 +30,7 @@ BLOCK = 16384
 KINDS: dict[str, tuple[str, Callable[[chutecalc.Chute], Any]]] = {
     "exit columns": (
         "exit_velocity_m_s,exit_depth_m,exit_slope_deg",
-        lambda chute: chutecalc.exits(chute, jobs=1).codes,
+        lambda chute: chutecalc.exits(chute, jobs=1).status,
     ),
     "usual columns": ("", lambda chute: chutecalc.solve(chute).exit_velocity),
 }

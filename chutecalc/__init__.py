@@ -1,8 +1,18 @@
 """Lumped-mass continuum model of transfer chutes: how fast and how deep the stream runs, and where it fails.
 
 >>> import chutecalc
->>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).status
-array(['ok'], dtype='<U12')
+>>> chute = chutecalc.parse(chutecalc.STARTER)
+>>> solution = chutecalc.solve(chute)
+>>> solution
+<Solution: ok, leaves spoon at 3.878 m/s, 0.1399 m deep>
+>>> round(float(solution.segments["spoon"].maximum["velocity_m_s"][0]), 3)
+6.607
+
+Many variants are solved together:
+
+>>> variants = chute.vary({"segments.spoon.radius_m": [2.0, 3.0]})
+>>> chutecalc.solve(variants).exit_velocity.round(3)
+array([3.578, 3.878])
 """
 
 from importlib import import_module
@@ -11,9 +21,12 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from chutecalc.api.batch import exits
     from chutecalc.api.chute import Chute, load, parse, solve
+    from chutecalc.api.function import Function
+    from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
     from chutecalc.results.exits import Exits
-    from chutecalc.results.solution import Solution
+    from chutecalc.results.finding import Finding
+    from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
 
 __all__ = [
@@ -22,6 +35,9 @@ __all__ = [
     "ChutecalcError",
     "Exits",
     "Fault",
+    "Finding",
+    "Function",
+    "SegmentResult",
     "Solution",
     "SpecError",
     "UsageError",
@@ -33,13 +49,16 @@ __all__ = [
 ]
 __version__ = "0.1.0"
 
-_ROOMS = {
+_MODULES = {
     "STARTER": "chutecalc.spec.starter",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
     "Exits": "chutecalc.results.exits",
     "Fault": "chutecalc.errors",
-    "Solution": "chutecalc.results.solution",
+    "Finding": "chutecalc.results.finding",
+    "Function": "chutecalc.api.function",
+    "SegmentResult": "chutecalc.results.segments",
+    "Solution": "chutecalc.api.solution",
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
     "exits": "chutecalc.api.batch",
@@ -47,6 +66,7 @@ _ROOMS = {
     "parse": "chutecalc.api.chute",
     "solve": "chutecalc.api.chute",
 }
+"""Where each public name is defined."""
 
 
 def __dir__() -> list[str]:
@@ -54,7 +74,7 @@ def __dir__() -> list[str]:
 
 
 def __getattr__(name: str) -> Any:
-    """Public names are imported when first asked for, so that ``chutecalc --help`` loads nothing."""
-    if name not in _ROOMS:
+    """Import public names when they are first used, so that ``chutecalc --help`` loads nothing."""
+    if name not in _MODULES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(_ROOMS[name]), name)
+    return getattr(import_module(_MODULES[name]), name)

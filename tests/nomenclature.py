@@ -1,4 +1,4 @@
-"""The tables of docs/nomenclature.md, from the catalogue of columns and the models of a spec.
+"""The tables of docs/nomenclature.md, from the catalogues of columns and findings and the models of a spec.
 
 python -m tests.nomenclature    writes them anew
 """
@@ -8,7 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.fields.units import TEXT, first_unit
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.results.belts import RECEIVER_COLUMNS
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.finding import Severity
+from chutecalc.results.findings import CRITERIA
+from chutecalc.results.impacts import IMPACT_COLUMNS
 from chutecalc.spec.chute_spec import ChuteSpec
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "nomenclature.md"
@@ -26,6 +30,17 @@ def columns(catalogue: dict[str, Any]) -> str:
     """Name, symbol, unit and meaning of columns."""
     rows = [(f"`{one.name}`", one.symbol, one.unit_text("metric"), one.meaning) for one in catalogue.values()]
     return table(("column", "symbol", "unit", "meaning"), rows)
+
+
+def findings() -> str:
+    """Code, severity, meaning, limit and source of findings."""
+    rows = [
+        (f"`{one.code}`", ", ".join(one.severities), one.summary, one.limit, one.source)
+        for severity in Severity
+        for one in CRITERIA
+        if one.severities[0] is severity
+    ]
+    return table(("code", "severity", "meaning", "limit", "source"), rows)
 
 
 def keys() -> str:
@@ -58,6 +73,8 @@ NAMES = {"": "(top)", "Belt": "inlet.belt", "Facet": "facets of a section", "Lin
 TABLES = {
     "columns along the stream": lambda: columns(COLUMNS),
     "columns of the receiving belt": lambda: columns(RECEIVER_COLUMNS),
+    "numbers of an impact": lambda: columns(IMPACT_COLUMNS),
+    "findings": findings,
     "keys of a spec": keys,
 }
 

@@ -1,38 +1,45 @@
-"""What leaves each of many variants of a chute, without what lies between: the fast way through a large batch."""
+"""The exits of many variants of a chute, without what lies before them: the fast way through a large batch."""
 
 import os
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
+from typing import Any
 
 import numpy as np
 
 from chutecalc.api.chute import Chute, check_tolerance
+from chutecalc.api.solution import DEFAULT_COLUMNS
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.results.columns import COLUMNS
-from chutecalc.results.exits import NOT_AT_EXIT, Exits, at_ends
+from chutecalc.results.columns import AT_EXIT
+from chutecalc.results.exits import Exits, solve_exits
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
-USUAL = ("velocity_m_s", "depth_m", "slope_deg")
 
 
-def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, jobs: int | None = None) -> Exits:
-    """The stream at the end of each of many variants, and nothing else.
+def exits(
+    chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = DEFAULT_COLUMNS, jobs: int | None = None
+) -> Exits:
+    """Solve many variants of a chute for the stream at their ends, and nothing else.
 
-    A third of the time of :func:`chutecalc.solve` and a fraction of its memory; take a million designs a hundred
-    thousand at a time. The last digits may differ from those of ``solve``, within the error allowed; they do not
-    depend on the batch, its order, or ``jobs``.
+    This takes a third of the time of :func:`chutecalc.solve` and a fraction of its memory; solve a million designs a
+    hundred thousand at a time. The last digits may differ from those of ``solve``, within the error allowed; they do
+    not depend on the batch, its order, or ``jobs``.
 
     Args:
         chute: from :func:`chutecalc.load`, :func:`chutecalc.parse` or :meth:`Chute.vary`.
-        rtol: as of :func:`chutecalc.solve`.
-        columns: names of columns, without time, which takes the whole way.
-        jobs: threads; as many as there are cores where that is not given.
+        rtol: relative error allowed to the velocity, as for :func:`chutecalc.solve`.
+        columns: names of columns; all of ``chutecalc columns`` but text and time.
+        jobs: number of threads; one for each core by default.
+
+    Returns:
+        Status, error estimate, columns at the exit and receiver columns, arrays of shape (designs,).
 
     Raises:
-        UsageError: ``rtol`` or ``jobs`` out of range, or a name that is no column's.
-        SpecError: as :func:`chutecalc.solve`.
+        UsageError: ``rtol`` or ``jobs`` is out of range, or a name is unknown.
+        SpecError: as for :func:`chutecalc.solve`.
 
     >>> import chutecalc
     >>> variants = chutecalc.parse(chutecalc.STARTER).vary({"segments.spoon.radius_m": [2.0, 3.0]})
@@ -41,20 +48,20 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
     """
     check_tolerance(rtol)
     names = [columns] if isinstance(columns, str) else list(columns)
-    unknown = [name for name in names if name not in COLUMNS or name in NOT_AT_EXIT]
+    unknown = [name for name in names if name not in AT_EXIT]
     if unknown:
         which = ", ".join(unknown)
         raise UsageError(
-            f"there is no column {which} at an exit; chutecalc columns lists what there is, and time takes a solution"
+            f"there is no column {which} at an exit: `chutecalc columns` lists the columns; for time, use solve"
         )
     if jobs is not None and jobs < 1:
-        raise UsageError(f"jobs has to be 1 or more, not {jobs}")
+        raise UsageError(f"jobs must be 1 or more, not {jobs}")
     edges = range(0, chute.count, CHUNK)
 
     def solved(first: int) -> Exits:
         count = min(CHUNK, chute.count - first)
         design = select(chute.design, slice(first, first + count)) if len(edges) > 1 else chute.design
-        return at_ends(design, rtol, names, count)
+        return solve_exits(design, rtol, names, count)
 
     try:
         if len(edges) == 1:
@@ -68,7 +75,12 @@ def exits(chute: Chute, rtol: float = 1e-10, columns: Iterable[str] = USUAL, job
 
 
 def _joined(chunks: list[Exits]) -> Exits:
-    """One after the other."""
-    codes, errors, found, belts = zip(*chunks, strict=True)
-    numbers = ({name: np.concatenate([part[name] for part in parts]) for name in parts[0]} for parts in (found, belts))
-    return Exits(np.concatenate(codes), np.concatenate(errors), *numbers)
+    """The exits of chunks as one."""
+
+    def together(name: str) -> Any:
+        parts = [getattr(chunk, name) for chunk in chunks]
+        if isinstance(parts[0], dict):
+            return {key: np.concatenate([part[key] for part in parts]) for key in parts[0]}
+        return np.concatenate(parts)
+
+    return Exits(**{field.name: together(field.name) for field in fields(Exits)})

@@ -1,4 +1,4 @@
-"""A chute from its spec, and its solution."""
+"""Chutes from their specs, variants of them, and their solutions."""
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
+from chutecalc.api.solution import Solution
 from chutecalc.design import Contact, Design, Fall
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.faults import GeometryError
 from chutecalc.physics.arrays import Array
-from chutecalc.results.solution import Solution
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
@@ -30,6 +30,17 @@ TOLERANCES = (1e-13, 1e-3)
 class Chute:
     """A chute, or n variants of it: the spec as written, checked, and as numbers."""
 
+    data: dict[str, Any]
+    """The spec as written: nested tables as TOML gives them, with arrays of shape (designs,) where it is varied."""
+    source: str
+    """Name of the spec in messages and tables, usually its file."""
+    count: int
+    """Number of designs."""
+    spec: ChuteSpec
+    """The checked spec."""
+    design: Design
+    """The numeric description, SI and radians."""
+
     def __init__(
         self,
         data: dict[str, Any],
@@ -37,30 +48,30 @@ class Chute:
         text: str = "",
         drawn_slopes: Mapping[int, Array] | None = None,
     ) -> None:
-        """Checks a spec and turns it into numbers.
+        """Check a spec and turn it into numbers.
 
         Args:
             data: nested tables as TOML gives them; where designs are varied, with arrays of length 1 or n.
-            source: what messages call it.
-            text: that the data come from, for the lines in messages.
-            drawn_slopes: see :func:`chutecalc.spec.build.build`.
+            source: name of the spec in messages.
+            text: from which the data were read, for line numbers in messages.
+            drawn_slopes: entry slopes of curves that are fixed, rad, by number of the segment; see
+                :func:`chutecalc.spec.build.build`.
 
         Raises:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
         self.data, self.source, self._text = data, source, text
         self.count = _count(data, source)
-        """How many designs there are."""
         try:
             self.spec = ChuteSpec.model_validate(data)
-            self.design: Design = build(self.spec, drawn_slopes)
+            self.design = build(self.spec, drawn_slopes)
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
         except GeometryError as error:
             raise SpecError(geometry_faults(error.faults, data, text), source, error.designs) from None
 
     def __repr__(self) -> str:
-        """Source, title and segments.
+        """Return source, title and segments.
 
         >>> import chutecalc
         >>> chutecalc.parse({**chutecalc.parse(chutecalc.STARTER).data, "title": "Spoon"})
@@ -71,17 +82,17 @@ class Chute:
         return f"<Chute {self.source!r}: {title}{', '.join(segment.name for segment in self.design.segments)}{designs}>"
 
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
-        """Variants of this chute: parallel arrays put at spec paths, design k taking entry k of each.
+        """Return variants of this chute: design k takes entry k of each array.
 
         Args:
-            changes: path to a number or a 1-dimensional array, all of length 1 or n, in the units of the path. A key in
-                another unit replaces the one given.
+            changes: for each spec path a number or a 1-dimensional array of length 1 or n, in the unit of the path. A
+                key in another unit replaces the one given.
 
         Returns:
             The chute of n designs. A curve tangent to a falling stream keeps the slope that it has in this chute.
 
         Raises:
-            SpecError: a path that leads nowhere, arrays that do not fit together, a value out of bounds.
+            SpecError: a path does not exist, arrays differ in length, or a value is out of bounds.
 
         >>> import chutecalc
         >>> spoon = chutecalc.parse(chutecalc.STARTER)
@@ -93,10 +104,18 @@ class Chute:
         return Chute(with_values(self.data, arrays, self.source), self.source, self._text, self._drawn_slopes)
 
     def put(self, changes: Mapping[str, Any]) -> "Chute":
-        """This chute with single values, or text, put at spec paths: a changed spec rather than a variant.
+        """Return this chute with single values or text put at spec paths: a changed spec rather than variants.
+
+        Args:
+            changes: for each spec path its new value, in the unit of the path.
 
         Raises:
-            SpecError: as :meth:`vary`.
+            SpecError: as for :meth:`vary`.
+
+        >>> import chutecalc
+        >>> spoon = chutecalc.parse(chutecalc.STARTER).put({"segments.spoon.radius_m": 2.0})
+        >>> chutecalc.solve(spoon).exit_velocity.round(3)
+        array([3.578])
         """
         return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
 
@@ -106,25 +125,25 @@ class Chute:
         outputs: Sequence[str] = ("exit_velocity_m_s",),
         rtol: float = 1e-10,
     ) -> "Function":
-        """This chute as a function of some of its numbers: for optimisers, root finders and many designs.
+        """Return this chute as a function of some of its numbers: for optimisers, root finders and many designs.
 
-        What follows from the parameters is found out once; a call works that out with other numbers, and solves.
+        What follows from the parameters is recorded once; a call repeats it with other numbers, and solves.
 
         Args:
-            parameters: paths of numbers that the spec has, in the order of the arguments; with limits for each, where
-                they are to be narrower than the spec's own bounds.
-            outputs: as columns of a sweep are called: ``exit_`` before a station's columns, ``receiver_`` before those
-                of the belt, ``error_estimate``.
-            rtol: as of :func:`solve`.
+            parameters: paths of numbers in the spec, in the order of the arguments; as a mapping, with limits that are
+                narrower than the spec's own bounds, in the unit of the path.
+            outputs: names as those of a sweep's columns: ``exit_`` and a station column, ``receiver_`` and a receiver
+                column, or ``error_estimate``.
+            rtol: relative error allowed to the velocity, as for :func:`solve`.
 
         Returns:
-            What takes a number or an array for each parameter, in the units of their paths, and gives a number or an
-            array for each output: NaN where a design fails or cannot be built. A curve tangent to a falling stream
-            keeps the slope that it has in this chute, as of :meth:`vary`.
+            A function that takes a number or an array for each parameter, in the units of their paths, and returns a
+            number or an array for each output: NaN where a design fails or cannot be built. A curve tangent to a
+            falling stream keeps the slope that it has in this chute, as for :meth:`vary`.
 
         Raises:
-            SpecError: a path that leads to no number of the spec.
-            UsageError: an output that there is not, or a chute of several designs.
+            SpecError: a path leads to no number of the spec.
+            UsageError: an output is unknown, or the chute has several designs.
 
         >>> import chutecalc
         >>> spoon = chutecalc.parse(chutecalc.STARTER)
@@ -136,7 +155,7 @@ class Chute:
 
         check_tolerance(rtol)
         if self.count != 1:
-            raise UsageError(f"takes a chute of one design, not of {self.count}")
+            raise UsageError(f"function takes a chute of one design, not {self.count}: use the chute before vary")
         spec = ChuteSpec.model_validate(self.data)  # its own: what is varied is put there
         return Function(spec, self.vary, self._drawn_slopes, parameters, outputs, rtol)
 
@@ -178,29 +197,34 @@ def _count(data: Any, source: str) -> int:
 
 
 def load(path: str | Path, changes: Mapping[str, Any] | None = None) -> Chute:
-    """A chute from a TOML file.
+    """Read a chute from a TOML file.
 
     Args:
         path: of the file.
-        changes: values, or text, by spec path, put before all is checked: they may be what the file lacks.
+        changes: values or text by spec path, in the unit of the path. They are put in before the spec is checked, so
+            they may be what the file lacks.
 
     Raises:
-        SpecError: the file cannot be read, or all that is wrong with what it says.
+        SpecError: the file cannot be read, or its spec has faults; the error lists all of them.
     """
     file = Path(path)
     return parse(read_text(file), str(file), changes)
 
 
 def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[str, Any] | None = None) -> Chute:
-    """A chute from the text of a spec, or from its nested tables.
+    """Read a chute from the text of a spec, or from its nested tables.
 
     Args:
-        spec: TOML, or what ``tomllib`` would make of it.
-        source: what messages call it.
-        changes: as of :func:`load`.
+        spec: TOML text, or the tables that ``tomllib`` reads from it.
+        source: name of the spec in messages.
+        changes: as for :func:`load`.
 
     Raises:
-        SpecError: all that is wrong with it.
+        SpecError: the spec has faults; the error lists all of them.
+
+    >>> import chutecalc
+    >>> chutecalc.parse(chutecalc.STARTER, source="spoon.toml").source
+    'spoon.toml'
     """
     if not isinstance(spec, str | Mapping):
         raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
@@ -210,19 +234,19 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[
 
 
 def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
-    """The stream through a chute, or through each of n.
+    """Solve a chute, or each of n variants of it.
 
     Args:
         chute: from :func:`load`, :func:`parse` or :meth:`Chute.vary`.
-        rtol: error allowed to the velocity at every place, relative, or as a shift of the place by that share of its
+        rtol: error allowed to the velocity everywhere, relative, or as a shift of the position by that share of the
             segment's length, whichever is larger; from 1e-13 to 1e-3.
 
     Returns:
-        The solution; a design that fails says so in its status, and never keeps others from being solved.
+        The solution. A design that fails says so in its status and does not affect the others.
 
     Raises:
-        UsageError: ``rtol`` out of its range.
-        SpecError: a hood tangent to a falling stream that is steeper than the hood's end.
+        UsageError: ``rtol`` is out of range.
+        SpecError: a hood is tangent to a falling stream that is steeper than the hood's end.
 
     >>> import chutecalc
     >>> solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
@@ -230,20 +254,27 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     (array(['ok'], dtype='<U12'), array([3.878]))
     """
     if not isinstance(chute, Chute):
-        raise UsageError(f"solve takes a chute, as chutecalc.load gives one, not {chute!r}")
+        raise UsageError(f"solve takes a chute from chutecalc.load or chutecalc.parse, not {chute!r}")
     check_tolerance(rtol)
     try:
         legs, ends = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source, error.designs) from None
-    return Solution(chute.design, tuple(legs), ends, rtol, chute.count)
+    return Solution(chute, legs, ends, rtol)
 
 
 def check_tolerance(rtol: float) -> None:
-    """Raises a UsageError where the solver does not take such a tolerance."""
+    """Check that the solver takes a tolerance.
+
+    Args:
+        rtol: relative error allowed to the velocity, dimensionless.
+
+    Raises:
+        UsageError: it is out of range.
+    """
     low, high = TOLERANCES
     if not low <= rtol <= high:
-        raise UsageError(f"rtol has to be from {low:g} to {high:g}, not {rtol!r}")
+        raise UsageError(f"rtol must be from {low:g} to {high:g}, not {rtol!r}")
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:

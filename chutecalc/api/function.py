@@ -1,4 +1,4 @@
-"""From a chute's parameters straight to numbers at its end: for optimisers, root finders and sweeps."""
+"""A chute as a function from some of its numbers to numbers at its exit: for optimisers, root finders and sweeps."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from threading import Lock
@@ -12,11 +12,11 @@ from chutecalc.core.answer import OUTPUTS, Answer, ask
 from chutecalc.core.replay import Recipe
 from chutecalc.design import Design, Status
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.physics.arrays import Array, Index
-from chutecalc.results.belts import received
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
-from chutecalc.results.exits import NOT_AT_EXIT, asked_of, at_ends, named
-from chutecalc.results.trajectory import asked, at_exit
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.results.belts import RECEIVER_COLUMNS, receiver_numbers
+from chutecalc.results.columns import AT_EXIT
+from chutecalc.results.exits import columns_needed, output_numbers, solve_exits
+from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.solver.chain import answer_of, run_ends
 from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of
 from chutecalc.solver.effort import effort
@@ -26,11 +26,15 @@ from chutecalc.spec.chute_spec import ChuteSpec
 
 
 class Function:
-    """A chute as a function of some of its numbers.
+    """A chute as a function of some of its numbers, as :meth:`chutecalc.Chute.function` returns it.
 
-    ``f(*values)`` takes a number or an array for each parameter, in their order and in the units of their paths, and
-    gives a number or an array for each output; one alone where there is one. A design that fails, or that cannot be
-    built, gives NaN.
+    ``f(*values)`` takes a number or an array for each parameter, in their order and in the units of their paths. It
+    returns a number or an array for each output: a tuple, or a single one where there is one output. A design that
+    fails or cannot be built gives NaN.
+
+    >>> import chutecalc
+    >>> chutecalc.parse(chutecalc.STARTER).function(["segments.spoon.radius_m"])
+    <Function of segments.spoon.radius_m: exit_velocity_m_s>
     """
 
     def __init__(
@@ -45,10 +49,12 @@ class Function:
         """See :meth:`chutecalc.api.chute.Chute.function`.
 
         Args:
-            spec: its own; what is varied is put there.
-            vary: makes a chute with values at paths, for numbers that change what is to be done.
-            drawn_slopes: as of :func:`chutecalc.spec.build.build`.
-            parameters, outputs, rtol: as there.
+            spec: a copy of the spec for this function alone; varied values are put into it.
+            vary: returns a chute with values at paths, for values that cannot be replayed.
+            drawn_slopes: as for :func:`chutecalc.spec.build.build`, rad.
+            parameters: as there.
+            outputs: as there.
+            rtol: as there, dimensionless.
         """
         self.outputs, self.rtol, self._vary = check_names(outputs, "outputs"), rtol, vary
         limits = parameters if isinstance(parameters, Mapping) else {}
@@ -58,9 +64,9 @@ class Function:
         check_distinct(self.parameters)
         self._lock = Lock()  # records and numbers of a recipe are of one thread at a time
         self._limited = any(parameter.limits for parameter in self.parameters)
-        self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
-        self._plain = set(OUTPUTS) >= set(self.outputs)  # without a profile of the stream at the end
-        self._places = [OUTPUTS.index(name) for name in self.outputs] if self._plain else []
+        self._exit_columns = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
+        self._direct = set(OUTPUTS) >= set(self.outputs)  # without a profile of the stream at the end
+        self._indices = [OUTPUTS.index(name) for name in self.outputs] if self._direct else []
         self._check_outputs(spec)
         self._trace(spec, drawn_slopes)
 
@@ -68,46 +74,51 @@ class Function:
         return f"<Function of {', '.join(self.paths)}: {', '.join(self.outputs)}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """For other processes: it is made again there."""
+        """Rebuild the function in another process."""
         vary: Any = self._vary  # of the chute
         limits = {parameter.path: parameter.limits for parameter in self.parameters}
         return vary.__self__.function, (limits, self.outputs, self.rtol)
 
     @property
     def traced(self) -> bool:
-        """Whether calls go the short way; else a chute is built for each."""
+        """Whether calls replay a recording; otherwise each builds a chute."""
         return self._recipe is not None
 
     @property
     def paths(self) -> tuple[str, ...]:
-        """Of the parameters, in their order."""
+        """Paths of the parameters, in their order."""
         return tuple(parameter.path for parameter in self.parameters)
 
     def __call__(self, *values: Any) -> Any:
-        """The outputs.
+        """Return the outputs.
+
+        Args:
+            values: for each parameter a number, or an array of shape (designs,), in the unit of its path.
 
         Raises:
-            UsageError: not a value for each parameter, or one outside the limits that were asked for.
-            SpecError: a value that the spec does not take.
+            UsageError: values are missing, do not fit together, or lie outside the given limits.
+            SpecError: the spec does not accept a value.
         """
         if len(values) != len(self.parameters):
-            raise UsageError(f"takes {len(self.parameters)} value(s), for {', '.join(self.paths)}, not {len(values)}")
-        if self._answer is not None and (not self._limited or self._within(values)):
+            raise UsageError(
+                f"the function takes {len(self.parameters)} value(s), for {', '.join(self.paths)}, not {len(values)}"
+            )
+        if self._answer is not None and (not self._limited or self._within_limits(values)):
             with self._lock:
                 known = ask(self._answer, values)
             if known is not None:
-                return known[self._places[0]] if len(self._places) == 1 else tuple(known[k] for k in self._places)
+                return known[self._indices[0]] if len(self._indices) == 1 else tuple(known[k] for k in self._indices)
         rows = _rows(values)
         if self._limited:
             self._check_limits(rows)
-        found = self._shortly(rows)
+        found = self._replayed(rows)
         if found is None:
-            found = self._slowly(rows)
-        told = found if any(map(np.ndim, values)) else [float(numbers[0]) for numbers in found]
-        return told[0] if len(told) == 1 else tuple(told)
+            found = self._rebuilt(rows)
+        outputs = found if any(map(np.ndim, values)) else [float(numbers[0]) for numbers in found]
+        return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
-    def _within(self, values: Sequence[Any]) -> bool:
-        """Whether all are floats within the limits that were asked for."""
+    def _within_limits(self, values: Sequence[Any]) -> bool:
+        """Whether all are floats within the given limits."""
         return all(
             isinstance(value, float) and parameter.is_within(value)
             for parameter, value in zip(self.parameters, values, strict=True)
@@ -118,71 +129,70 @@ class Function:
             wrong = column[~parameter.is_within(column)]
             if wrong.size:
                 low, high = parameter.bounds
-                raise UsageError(f"{parameter.path} has to be from {low!r} to {high!r} here, not {float(wrong[0])!r}")
+                raise UsageError(f"{parameter.path} must be from {low!r} to {high!r} here, not {float(wrong[0])!r}")
 
-    def _shortly(self, rows: Array) -> list[Array] | None:
-        """The outputs by what is written down; None where that does not hold for all designs."""
+    def _replayed(self, rows: Array) -> list[Array] | None:
+        """The outputs by the recording; None where it does not hold for all designs."""
         with self._lock:
             known = None if self._recipe is None else run_recipe(self._recipe, rows)
         if known is None:
             return None
         try:
-            ends = run_ends(self._kinds, Numbers(known, [], self._again), self.rtol, *self._asked)
+            ends = run_ends(self._kinds, Numbers(known, [], self._restart), self.rtol, *self._exit_needs)
         except SpecError:
             return None
-        return self._told(_filled(self._design, known, self._leaves), ends)
+        return self._outputs_of(_filled(self._design, known, self._leaves), ends)
 
-    def _slowly(self, values: Array) -> list[Array]:
-        """The same by way of a chute of that many designs, without those that cannot be built."""
-        told = [np.full(len(values), np.nan) for _ in self.outputs]
+    def _rebuilt(self, values: Array) -> list[Array]:
+        """The outputs by building a chute of that many designs, without those that cannot be built."""
+        outputs = [np.full(len(values), np.nan) for _ in self.outputs]
         waiting = [np.arange(len(values))]
         while waiting:
             rows = waiting.pop()
             try:
                 design = self._vary(dict(zip(self.paths, np.ascontiguousarray(values[rows].T), strict=True))).design
-                found = at_ends(design, self.rtol, self.exit_names, len(rows))
+                found = solve_exits(design, self.rtol, self._exit_columns, len(rows))
             except SpecError as error:
                 if error.designs is None:
                     raise
                 rest = rows[~np.broadcast_to(error.designs, len(rows))]
                 waiting += [rest] if rest.size else []
             else:
-                known = named(found.exit, found.receiver, found.error_estimate)
-                for column, numbers in zip(told, self._chosen(known, found.codes), strict=True):
+                known = output_numbers(found.exit, found.receiver, found.error_estimate)
+                for column, numbers in zip(outputs, self._chosen(known, found.ok), strict=True):
                     column[rows] = numbers
-        return told
+        return outputs
 
-    def _told(self, design: Design, ends: Ends) -> list[Array]:
+    def _outputs_of(self, design: Design, ends: Ends) -> list[Array]:
         """The outputs of designs from their ends."""
-        if self._plain:
+        if self._direct:
             depth = ends.lying[0][0] if ends.lying.size else np.full(1, np.nan)
             numbers = (ends.velocity, ends.error, ends.distance, ends.x, ends.z, np.degrees(ends.slope), depth)
             known = dict(zip(OUTPUTS, numbers, strict=True))
         else:
-            found = at_exit(design, ends, asked_of(design, self.exit_names))
-            known = named(found, received(design, found), ends.error)
-        return self._chosen(known, ends.status)
+            found = at_exit(design, ends, columns_needed(design, self._exit_columns))
+            known = output_numbers(found, receiver_numbers(design, found), ends.error)
+        return self._chosen(known, ends.status == Status.OK)
 
-    def _chosen(self, known: Mapping[str, Array], status: Index) -> list[Array]:
+    def _chosen(self, known: Mapping[str, Array], ok: Mask) -> list[Array]:
         """The outputs among numbers by their names."""
-        well = status == Status.OK
-        return [np.where(well, known[name], np.nan) for name in self.outputs]
+        return [np.where(ok, known[name], np.nan) for name in self.outputs]
 
     def _check_outputs(self, spec: ChuteSpec) -> None:
-        known = {"error_estimate", *(f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT)}
+        known = {"error_estimate", *(f"exit_{name}" for name in AT_EXIT)}
         known |= {f"receiver_{name}" for name in RECEIVER_COLUMNS} if spec.receiver else set()
         unknown = [name for name in self.outputs if name not in known]
         if unknown:
             raise UsageError(
-                f"there is no output {', '.join(unknown)}: known are exit_ before a station's columns but time,"
-                " receiver_ before those of the belt, and error_estimate"
+                f"there is no output {', '.join(unknown)}: use exit_ and a station column other than time,"
+                " receiver_ and a receiver column, or error_estimate"
             )
 
     def _trace(self, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
-        """Builds the chute once and writes down what follows from the parameters."""
+        """Build the chute once and record what follows from the parameters."""
         base = build(spec, drawn_slopes)
-        self._kinds, self._again = kinds_of(base), 0
-        self._asked = asked(self.exit_names)
+        self._kinds, self._restart = kinds_of(base), 0
+        self._exit_needs = exit_needs(self._exit_columns)
         self._recipe: Recipe | None = None
         self._answer: Answer | None = None
         self._design, self._leaves = base, dict[int, int]()
@@ -192,13 +202,13 @@ class Function:
         try:
             self._write(Tape(), spec, drawn_slopes)
         except (AttributeError, TypeError, ValueError):
-            pass  # something that a tape does not hold
+            pass  # something that a tape cannot record
         finally:
             for parameter, value in zip(self.parameters, before, strict=True):
                 parameter.set_value(value)
 
     def _write(self, tape: Tape, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
-        """Has a tape hold it, up to what a row of numbers for the solver is, and what the outputs take beside that."""
+        """Record on a tape what leads to the solver's row of numbers, and what the outputs need beside it."""
         given = [tape.new_variable(parameter.value_in_unit) for parameter in self.parameters]
         for parameter, value in zip(self.parameters, given, strict=True):
             converted = np.multiply(parameter.to_first_unit(value), 1.0)
@@ -208,18 +218,18 @@ class Function:
         design = build(spec, drawn_slopes)
         columns, _, begins = columns_of(design)
         varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
-        self._again = again_at(design, begins, varied[0]) if varied else 0
-        leaves = {} if self._plain else {leaf.slot: leaf for leaf in _leaves(design)}
+        self._restart = again_at(design, begins, varied[0]) if varied else 0
+        leaves = {} if self._direct else {leaf.slot: leaf for leaf in _leaves(design)}
         self._leaves = {slot: len(columns) + number for number, slot in enumerate(leaves)}
         self._recipe = tape.recipe([*columns, *leaves.values()])
-        self._design = self._design if self._plain else design
-        if self._plain:
+        self._design = self._design if self._direct else design
+        if self._direct:
             alone = tape.recipe(columns, width=1)
-            self._answer = answer_of(self._kinds, alone, effort(self.rtol, complete=False), *self._asked)
+            self._answer = answer_of(self._kinds, alone, effort(self.rtol, complete=False), *self._exit_needs)
 
 
 def _rows(values: Sequence[Any]) -> Array:
-    """Arrays and numbers as a row for each design."""
+    """Arrays and numbers as rows, one for each design."""
     try:
         arrays = [np.asarray(value) for value in values]
         if all(array.ndim <= 1 and (array.dtype.kind in "fiu" or not array.size) for array in arrays):
@@ -227,11 +237,11 @@ def _rows(values: Sequence[Any]) -> Array:
             return np.column_stack(columns)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise UsageError("takes a number, or an array of one dimension, for each parameter; arrays all of one length")
+    raise UsageError("give a number or a 1-dimensional array for each parameter, arrays all of the same length")
 
 
 def _leaves(item: Any) -> Iterator[Traced]:
-    """What was traced in a record."""
+    """The traced numbers in a record."""
     if isinstance(item, Traced):
         yield item
     elif isinstance(item, tuple):
@@ -240,7 +250,7 @@ def _leaves(item: Any) -> Iterator[Traced]:
 
 
 def _filled(item: Any, known: Array, leaves: Mapping[int, int]) -> Any:
-    """A record with what was traced as it is now."""
+    """A record with its traced numbers replaced by their values."""
     if not leaves:
         return item
     if isinstance(item, Traced):

@@ -13,7 +13,7 @@ from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
     from chutecalc.api.chute import Chute
-    from chutecalc.results.solution import Solution
+    from chutecalc.api.solution import Solution
 
 
 STANDARD_INPUT = "standard input"
@@ -64,9 +64,9 @@ def run(
         csv_stream = outputs.enter_context(open_whole(csv))
         json_stream = outputs.enter_context(open_whole(json))
         plot_stream = outputs.enter_context(open_whole(plot, "wb"))
-        runs = [(chute, solve(chute, rtol)) for chute in chutes]
+        runs = [solve(chute, rtol) for chute in chutes]
         asked = points is not None or stations is not None
-        tables = [run.stations(points, stations) for _, run in runs] if asked or csv_stream else []
+        tables = [run.stations(points, stations) for run in runs] if asked or csv_stream else []
         if csv_stream:
             from chutecalc.output.csv import write_stations
 
@@ -75,7 +75,7 @@ def run(
             from chutecalc.output.json import run_document, write_run
 
             shown = tables if asked else [None] * len(runs)
-            write_run(json_stream, [run_document(*pair, table) for pair, table in zip(runs, shown, strict=True)])
+            write_run(json_stream, [run_document(*pair) for pair in zip(runs, shown, strict=True)])
         if plot and plot_stream:
             from chutecalc.output.plots.run import draw_run
             from chutecalc.output.plots.save import picture_format, save
@@ -147,7 +147,7 @@ def _setting(text: str) -> tuple[str, Any]:
 
 
 def _print(
-    runs: list[tuple[Chute, Solution]],
+    runs: list[Solution],
     tables: list[dict[str, Any]],
     chart: bool,
     units: Units,
@@ -163,14 +163,14 @@ def _print(
         return
     if csv == "-":
         printer = Printer(units, sys.stderr)
-        for _, solution in runs:
+        for solution in runs:
             printer.findings(solution.findings())
         return
     printer = Printer(units)
-    for number, (chute, solution) in enumerate(runs):
+    for number, solution in enumerate(runs):
         if number:
             printer.text()
-        printer.report(chute, solution)
+        printer.report(solution)
         if tables:
             printer.text()
             printer.stations(tables[number])
@@ -184,8 +184,8 @@ def _print(
         printer.comparison(runs)
 
 
-def _status(runs: list[tuple[Chute, Solution]], strict: bool) -> int:
+def _status(runs: list[Solution], strict: bool) -> int:
     """0, or 1 where a design fails, or draws a warning under ``--strict``."""
-    fails = any(solution.status[0] != "ok" for _, solution in runs)
-    warned = strict and any(finding.severity == "warning" for _, solution in runs for finding in solution.findings())
+    fails = any(solution.status[0] != "ok" for solution in runs)
+    warned = strict and any(finding.severity == "warning" for solution in runs for finding in solution.findings())
     return ExitStatus.FAILS if fails or warned else ExitStatus.OK

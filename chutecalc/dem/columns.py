@@ -1,6 +1,7 @@
 """The columns of the discrete-element check, a row for each bed."""
 
-from chutecalc.results.columns import COLUMNS, Column
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS
 
 DEM_COLUMNS = {
     column.name: column

@@ -4,8 +4,9 @@ import numpy as np
 
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
-from chutecalc.results.columns import COLUMNS, Column
-from chutecalc.results.solution import Solution
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.solved import SolvedChute
 
 CHARTED = ("velocity_m_s", "depth_m")
 NARROWEST, WIDEST = 60, 120
@@ -23,7 +24,7 @@ STEEP = 12.0
 """What is more than so many times its median is cut there, as in pictures."""
 
 
-def print_chart(printer: Printer, solution: Solution) -> None:
+def print_chart(printer: Printer, solution: SolvedChute) -> None:
     """Prints velocity and depth along the stream, or that there is no room for them.
 
     Args:

@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from typing import IO, Any
 
 from chutecalc import __version__
-from chutecalc.api.chute import Chute
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.segments import SegmentResult
-from chutecalc.results.solution import Solution
+from chutecalc.results.solved import SolvedChute
 
 FORMAT = 1
 
@@ -20,12 +19,11 @@ def write_run(stream: IO[str], documents: list[dict[str, Any]]) -> None:
     stream.write("\n")
 
 
-def run_document(chute: Chute, solution: Solution, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+def run_document(solution: SolvedChute, stations: Mapping[str, Any] | None) -> dict[str, Any]:
     """One solved chute as JSON's own types.
 
     Args:
-        chute: of one design.
-        solution: its solution.
+        solution: of one design.
         stations: what :meth:`chutecalc.Solution.stations` gave, where they are asked for.
     """
     segments = []
@@ -40,8 +38,8 @@ def run_document(chute: Chute, solution: Solution, stations: Mapping[str, Any] |
     return {
         "chutecalc": __version__,
         "format": FORMAT,
-        "source": chute.source,
-        "spec": chute.data,
+        "source": solution.source,
+        "spec": solution.data,
         "tolerance": solution.rtol,
         "error_estimate": _number(solution.error_estimate[0]),
         "status": str(solution.status[0]),

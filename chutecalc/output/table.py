@@ -9,30 +9,18 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from chutecalc.api.chute import Chute
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
-from chutecalc.results.columns import COLUMNS, quantity_text
-from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, Finding
+from chutecalc.results.column import quantity_text
+from chutecalc.results.columns import COLUMNS, IN_TABLES
+from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
-from chutecalc.results.solution import Solution
+from chutecalc.results.solved import SolvedChute
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-SHOWN = (
-    "s_m",
-    "slope_deg",
-    "velocity_m_s",
-    "depth_m",
-    "equivalent_friction",
-    "pressure_kpa",
-    "wear_w_m2",
-    "froude",
-    "time_s",
-)
-"""Columns of the tables for people."""
-COLOURS = {FAILURE: "bold red", WARNING: "yellow", NOTE: "cyan"}
+COLOURS: dict[str, str] = {Severity.FAILURE: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
 NO_WRAP = 100_000
 
 
@@ -80,15 +68,15 @@ class Printer:
         self.console.print(table, crop=False)
         self.console.width = width
 
-    def report(self, chute: Chute, solution: Solution) -> None:
+    def report(self, solution: SolvedChute) -> None:
         """A chute: what it is, its segments, its findings."""
-        self.text(chute.spec.title or chute.source, style="bold")
-        self.text(_flow_line(chute, self.units))
+        self.text(solution.spec.title or solution.source, style="bold")
+        self.text(_flow_line(solution, self.units))
         self.text()
-        self.table(self._segments(solution.ways))
+        self.table(self._segments(solution.trajectory.results))
         self.text()
-        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[FAILURE])
-        for line in (*self._impacts(solution), *self._belts(chute, solution)):
+        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[Severity.FAILURE])
+        for line in (*self._impacts(solution), *self._belts(solution)):
             self.text(line)
         self.findings(solution.findings())
 
@@ -108,15 +96,15 @@ class Printer:
         table = self._new_table(["segment"])
         for k, segment in enumerate(stations["segment"][0].tolist()):
             if stations["s_m"][0, k] == stations["s_m"][0, k]:
-                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in SHOWN)])
+                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in IN_TABLES)])
         self.table(table)
 
-    def comparison(self, runs: Sequence[tuple[Chute, Solution]]) -> None:
+    def comparison(self, solutions: Sequence[SolvedChute]) -> None:
         """Several chutes beside each other, at their ends."""
         table = self._new_table(["spec", "status"], "comparison")
-        for chute, solution in runs:
-            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in SHOWN)
-            table.row([chute.source, str(solution.status[0]), *cells])
+        for solution in solutions:
+            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in IN_TABLES)
+            table.row([solution.source, str(solution.status[0]), *cells])
         self.table(table)
 
     def catalogue(self) -> None:
@@ -139,20 +127,20 @@ class Printer:
             if any(
                 _exceeds(-way.minimum[name][0], -way.entry[name][0], -way.exit[name][0])
                 for name in way.minimum
-                if name in SHOWN
+                if name in IN_TABLES
             ):
                 rows.append(("min", way.minimum))
             if any(
                 _exceeds(way.maximum[name][0], way.entry[name][0], way.exit[name][0])
                 for name in way.maximum
-                if name in SHOWN
+                if name in IN_TABLES
             ):
                 rows.append(("max", way.maximum))
             for row, (label, numbers) in enumerate(rows):
                 names = (way.name, way.kind) if row == 0 else ("", "")
                 cells = (
                     COLUMNS[name].shown(float(numbers[name][0]), self.units) if name in numbers else ""
-                    for name in SHOWN
+                    for name in IN_TABLES
                 )
                 table.row([*names, label, *cells])
         return table
@@ -162,14 +150,14 @@ class Printer:
         table = Grid(title)
         for label in labels:
             table.column(label, to_left=True)
-        for name in SHOWN:
+        for name in IN_TABLES:
             column = COLUMNS[name]
             table.column(f"{column.heading}\n{column.unit_text(self.units)}")
         return table
 
-    def _impacts(self, solution: Solution) -> Iterator[str]:
+    def _impacts(self, solution: SolvedChute) -> Iterator[str]:
         """Each place at which the stream strikes a surface."""
-        for segment in solution.ways:
+        for segment in solution.trajectory.results:
             said = {name: quantity_text(name, float(values[0]), self.units) for name, values in segment.impact.items()}
             if segment.impact and segment.impact["incidence_deg"][0] == segment.impact["incidence_deg"][0]:
                 yield (
@@ -178,7 +166,7 @@ class Printer:
                     f" {said['footprint_m']}"
                 )
 
-    def _belts(self, chute: Chute, solution: Solution) -> Iterator[str]:
+    def _belts(self, solution: SolvedChute) -> Iterator[str]:
         """The belt that the stream comes from, and the one that it goes to with what would suit it better."""
 
         def said(numbers: Mapping[str, Any], name: str) -> str:
@@ -215,7 +203,7 @@ class Printer:
         return f"after {way}" if length >= 0.0 else f"{way} behind where it falls, for it runs back first"
 
 
-def outcome(solution: Solution, units: str) -> str:
+def outcome(solution: SolvedChute, units: str) -> str:
     """Status and exit of a chute in a line."""
     status = str(solution.status[0])
     if status != "ok":
@@ -234,7 +222,7 @@ def _exceeds(extreme: float, *ends: float) -> bool:
     return extreme > end and (math.isinf(extreme) or extreme - end > 1e-6 * abs(extreme))
 
 
-def _advice(solution: Solution, said: Callable[[Mapping[str, Any], str], str]) -> str:
+def _advice(solution: SolvedChute, said: Callable[[Mapping[str, Any], str], str]) -> str:
     """Which way the exit's velocity or slope is off the belt's."""
     belt, exit_ = solution.receiver, solution.exit
     ratio, slope = belt["velocity_ratio"][0], exit_["slope_deg"][0]
@@ -249,9 +237,9 @@ def _advice(solution: Solution, said: Callable[[Mapping[str, Any], str], str]) -
     return f"{off}; {velocity}, or an exit {way}, at {said(belt, 'matching_slope_deg')}, which changes what strikes it"
 
 
-def _flow_line(chute: Chute, units: str) -> str:
+def _flow_line(solution: SolvedChute, units: str) -> str:
     """What flows."""
-    material, flow = chute.spec.material, chute.spec.flow
+    material, flow = solution.spec.material, solution.spec.flow
     rate, density = f"{flow.rate_t_h:g} t/h", f"{material.density_kg_m3:g} kg/m³"
     if units == "us":
         rate = f"{convert(flow.rate_t_h, 'mass rate', 't_h', 'stph'):.6g} short tons/h"
@@ -259,4 +247,4 @@ def _flow_line(chute: Chute, units: str) -> str:
     strength = f"δ {material.internal_friction_deg:g}°" if material.internal_friction_deg is not None else ""
     ratio = f"K_v {material.pressure_ratio:g}" if material.pressure_ratio is not None else ""
     what = ", ".join(part for part in (density, strength, ratio) if part)
-    return f"{chute.source}: {rate} of {material.name or 'material'} ({what})"
+    return f"{solution.source}: {rate} of {material.name or 'material'} ({what})"

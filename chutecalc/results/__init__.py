@@ -1,1 +1,1 @@
-"""What came out: the stream along the chute, by the names of the column catalogue."""
+"""Results: the stream along the chute by the names of the column catalogue, and findings about it."""

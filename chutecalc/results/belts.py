@@ -1,17 +1,27 @@
-"""The stream where it leaves the belt that it comes from, and what it does to the belt that it goes to."""
+"""The stream at the inlet, and what it does to the receiving belt."""
+
+from functools import cached_property
 
 import numpy as np
 
-from chutecalc.design import Design
-from chutecalc.physics.belt import discharge, loading
-from chutecalc.results.trajectory import Numbers
+from chutecalc.design import Design, Receiver
+from chutecalc.physics.arrays import Array
+from chutecalc.physics.belt import Loading, discharge, loading
+from chutecalc.results.column import FormulaColumn, Numbers
 
-SQUARE = 1e-9
-"""The cosine of the angle between stream and belt below which no velocity along it comes of the stream's."""
+NORMAL_COSINE = 1e-9
+"""The cosine of the angle between stream and belt below which the stream has no velocity along the belt."""
 
 
-def entering(design: Design) -> Numbers:
-    """The stream where it enters, each of length 1 or n; from a belt also v²/(g r) and its lower edge."""
+def inlet_numbers(design: Design) -> Numbers:
+    """Return the stream at the inlet by column name.
+
+    Args:
+        design: the chutes.
+
+    Returns:
+        Arrays of length 1 or n; from a belt also v²/(g r) and the position of the stream's lower edge.
+    """
     x, z = design.inlet_position
     numbers = {
         "x_m": x,
@@ -29,29 +39,89 @@ def entering(design: Design) -> Numbers:
     return numbers
 
 
-TAKEN = ("velocity_m_s", "slope_deg")
-"""Columns at the exit that this takes."""
+class Transfer:
+    """A stream that lands on a belt."""
+
+    def __init__(self, design: Design, belt: Receiver, velocity: Array, slope: Array) -> None:
+        """A transfer.
+
+        Args:
+            design: the chutes.
+            belt: that receives their streams.
+            velocity: of the streams at their exits, m/s, shape (designs,).
+            slope: theirs there, below horizontal, rad, likewise.
+        """
+        self.design, self.belt, self.velocity, self.slope = design, belt, velocity, slope
+
+    @cached_property
+    def loading(self) -> Loading:
+        """What the stream does to the belt."""
+        design = self.design
+        return loading(self.velocity, self.slope, *self.belt, design.density, design.mass_rate, design.gravity)
+
+    @property
+    def matching_slope(self) -> Array:
+        """Exit slope next to the present one at which the stream has the belt's velocity, rad; NaN where none does."""
+        ratio = self.belt.velocity / self.velocity
+        turn = np.arccos(np.where(self.velocity >= self.belt.velocity, ratio, np.nan))
+        return self.belt.slope + np.where(self.slope >= self.belt.slope, turn, -turn)
+
+    @property
+    def matching_velocity(self) -> Array:
+        """Exit velocity at the present slope that has the belt's velocity along it, m/s; infinite where none does."""
+        cosine = np.cos(self.slope - self.belt.slope)
+        return np.where(cosine <= NORMAL_COSINE, np.inf, self.belt.velocity / cosine)
 
 
-def received(design: Design, end: Numbers) -> Numbers:
-    """What the stream does to the belt, by its columns at the exit; empty where there is no belt."""
+# fmt: off
+RECEIVER_COLUMNS = {
+    column.name: column
+    for column in (
+        FormulaColumn("velocity_along_m_s", "along belt", "", "velocity along the belt",
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_along),
+        FormulaColumn("velocity_across_m_s", "onto belt", "", "velocity onto the belt",
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_across),
+        FormulaColumn("velocity_ratio", "belt ratio", "", "velocity along the belt over the belt's",
+                      "number", "", 4, formula=lambda on: on.loading.velocity_ratio),
+        FormulaColumn("impact_pressure_kpa", "belt impact", "", "impact pressure on the belt",
+                      "pressure", "kpa", 3, "psf", 1, formula=lambda on: on.loading.impact_pressure / 1000.0),
+        FormulaColumn("wear_w_m2", "belt wear", "", "friction power per area of the belt",
+                      "power", "w_m2", 1, formula=lambda on: on.loading.wear),
+        FormulaColumn("acceleration_length_m", "belt slip", "", "distance over which the belt accelerates the stream",
+                      "length", "m", 3, "ft", 2, formula=lambda on: on.loading.acceleration_length),
+        FormulaColumn("acceleration_power_kw", "belt power", "", "power that accelerates the stream",
+                      "power", "kw", 3, formula=lambda on: on.loading.acceleration_power / 1000.0),
+        FormulaColumn("landed_velocity_m_s", "landed", "", "velocity along the belt after the friction of the impact",
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_after_impact),
+        FormulaColumn("landed_acceleration_length_m", "landed slip", "",
+                      "distance over which the belt accelerates it from then on",
+                      "length", "m", 3, "ft", 2, formula=lambda on: on.loading.length_after_impact),
+        FormulaColumn("matching_slope_deg", "matching slope", "",
+                      "exit slope at which the stream has the belt's velocity",
+                      "angle", "deg", 2, formula=lambda on: np.degrees(on.matching_slope)),
+        FormulaColumn("matching_velocity_m_s", "matching", "",
+                      "exit velocity at which the stream has the belt's velocity",
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.matching_velocity),
+    )
+}
+# fmt: on
+"""What a stream does to the receiving belt, by name; each formula takes a :class:`Transfer`."""
+RECEIVER_NEEDS = ("velocity_m_s", "slope_deg")
+"""Columns at the exit that the receiver columns follow from."""
+
+
+def receiver_numbers(design: Design, end: Numbers) -> Numbers:
+    """Return the receiver columns by name.
+
+    Args:
+        design: the chutes.
+        end: the columns ``RECEIVER_NEEDS`` at their exits, each of shape (designs,).
+
+    Returns:
+        Arrays of shape (designs,), NaN for designs that fail; empty where the chute has no receiver.
+    """
     if design.receiver is None:
         return {}
-    belt, velocity, slope = design.receiver, end["velocity_m_s"], np.radians(end["slope_deg"])
-    onto = loading(velocity, slope, *belt, design.density, design.mass_rate, design.gravity)
-    aside = np.cos(slope - belt.slope)
+    transfer = Transfer(design, design.receiver, end["velocity_m_s"], np.radians(end["slope_deg"]))
     with np.errstate(all="ignore"):
-        turn = np.arccos(np.where(velocity >= belt.velocity, belt.velocity / velocity, np.nan))
-        return {
-            "velocity_along_m_s": onto.velocity_along,
-            "velocity_across_m_s": onto.velocity_across,
-            "velocity_ratio": onto.velocity_ratio,
-            "impact_pressure_kpa": onto.impact_pressure / 1000.0,
-            "wear_w_m2": onto.wear,
-            "acceleration_length_m": onto.acceleration_length,
-            "acceleration_power_kw": onto.acceleration_power / 1000.0,
-            "landed_velocity_m_s": onto.velocity_after_impact,
-            "landed_acceleration_length_m": onto.length_after_impact,
-            "matching_slope_deg": np.degrees(belt.slope + np.where(slope >= belt.slope, turn, -turn)),
-            "matching_velocity_m_s": np.where(aside <= SQUARE, np.inf, belt.velocity / aside),
-        }
+        return {name: column.formula(transfer) for name, column in RECEIVER_COLUMNS.items()}

@@ -1,12 +1,37 @@
-"""How chutes and solutions show themselves in an interpreter and in a notebook."""
+"""Text of chutes and solutions for interpreters and notebooks."""
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
+from chutecalc.design import Status
+from chutecalc.physics.arrays import Index
+
+_LABELS = np.array(Status.LABELS)
+
+
+def status_text(codes: Index) -> Any:
+    """Return statuses as users read them.
+
+    Args:
+        codes: status numbers, :class:`chutecalc.design.Status`.
+
+    Returns:
+        Text of the same shape.
+
+    >>> status_text(np.array([0, 1])).tolist()
+    ['ok', 'stall']
+    """
+    return _LABELS[codes]
+
 
 def outcomes(statuses: Iterable[Any]) -> str:
-    """How many designs end how, the good ones first.
+    """Count how designs end, those that get through first.
+
+    Args:
+        statuses: of the designs.
 
     >>> outcomes(["ok", "stall", "ok"])
     '2 ok, 1 stall'
@@ -16,7 +41,15 @@ def outcomes(statuses: Iterable[Any]) -> str:
 
 
 def number(values: Any, unit: str = "", digits: int = 4) -> str:
-    """A number of one design, or the range of several; a dash where there is none.
+    """Format a number of one design, or the range of several.
+
+    Args:
+        values: numbers of the designs; NaN is left out.
+        unit: appended to the text, as people write it.
+        digits: significant digits.
+
+    Returns:
+        The text; a dash where there is no number.
 
     >>> number([3.87789], "m/s"), number([1.0, 2.5]), number([float("nan")])
     ('3.878 m/s', '1 to 2.5', '–')
@@ -29,7 +62,12 @@ def number(values: Any, unit: str = "", digits: int = 4) -> str:
 
 
 def html_table(caption: str, headings: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table, all text escaped.
+    """Return an HTML table, with all text escaped.
+
+    Args:
+        caption: above the table.
+        headings: of the columns.
+        rows: cells of the rows.
 
     >>> html_table("a < b", ["x"], [["1"]])
     '<table><caption>a &lt; b</caption><tr><th>x</th></tr><tr><td>1</td></tr></table>'

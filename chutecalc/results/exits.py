@@ -1,65 +1,96 @@
-"""The stream at the end of designs, and what it does to the belt that it goes to."""
+"""The stream at the end of many designs, without what lies before it."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
-from chutecalc.design import Design, stretched
-from chutecalc.physics.arrays import Array, Index
-from chutecalc.results.belts import TAKEN, received
-from chutecalc.results.solution import Solution
-from chutecalc.results.trajectory import Numbers, asked, at_exit
+from chutecalc.design import Design, Status, stretched
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.results.belts import RECEIVER_NEEDS, receiver_numbers
+from chutecalc.results.column import Numbers
+from chutecalc.results.described import outcomes, status_text
+from chutecalc.results.part import at_exit, exit_needs
+from chutecalc.results.trajectory import Trajectory
 from chutecalc.solver.chain import run_chain, run_ends
 from chutecalc.solver.course import kinds_of, numbers_of
 
 
-class Exits(NamedTuple):
+@dataclass(frozen=True, repr=False, eq=False)
+class Exits:
     """The ends of n designs; arrays of shape (designs,), NaN in the numbers of those that fail."""
 
-    codes: Index
-    """The :class:`~chutecalc.design.Status` of each design."""
+    status: Any
+    """``ok``, ``stall``, ``choke``, ``contact_lost`` or ``missed`` for each design, as text."""
+    ok: Mask
+    """Whether the stream of each design reaches the end of the chute."""
     error_estimate: Array
-    """Of the last velocity, relative; after a stall of its place, as a share of the segment."""
+    """Estimated relative error of the last velocity; after a stall that of its position, as a share of the segment's
+    length."""
     exit: Numbers
     """The stream at the end of the chute, by column name."""
     receiver: Numbers
-    """What it does to the belt there, as :attr:`chutecalc.results.solution.Solution.receiver`."""
+    """What it does to the receiving belt, as :attr:`chutecalc.Solution.receiver`; empty without one."""
+
+    def __repr__(self) -> str:
+        """Return how many designs end how.
+
+        >>> import chutecalc
+        >>> chutecalc.exits(chutecalc.parse(chutecalc.STARTER))
+        <Exits of 1 design: 1 ok>
+        """
+        count = len(self.ok)
+        return f"<Exits of {count} design{'s' if count != 1 else ''}: {outcomes(self.status)}>"
 
 
-NOT_AT_EXIT = ("spec", "segment", "kind", "time_s")
-"""Columns that there are not at an exit."""
-
-
-def asked_of(design: Design, names: Sequence[str]) -> list[str]:
-    """Columns at the exit that some take, and what the belt does."""
-    return [*dict.fromkeys([*names, *(TAKEN if design.receiver else ())])]
-
-
-def at_ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
-    """Those of designs.
+def columns_needed(design: Design, names: Sequence[str]) -> list[str]:
+    """Return columns at the exit with those that the receiver columns follow from.
 
     Args:
-        design: of so many designs as ``count`` says.
-        rtol: as of :func:`chutecalc.solve`.
-        names: of columns, without time.
-        count: how many.
+        design: the chutes.
+        names: of columns at the exit.
     """
-    taken = asked_of(design, names)
+    return [*dict.fromkeys([*names, *(RECEIVER_NEEDS if design.receiver else ())])]
+
+
+def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
+    """Solve designs for their exits.
+
+    Args:
+        design: the chutes.
+        rtol: as for :func:`chutecalc.solve`.
+        names: of columns at the exit, among :data:`chutecalc.results.columns.AT_EXIT`.
+        count: number of designs.
+    """
+    taken = columns_needed(design, names)
     if design.segments[-1].deflects:  # where the stream is as the impact on it leaves it
         legs, ends = run_chain(design, rtol, complete=False)
-        found = Solution(design, tuple(legs), ends, rtol, count).exit_columns(taken)
+        codes = stretched(ends.status, (count,))
+        found = Trajectory(design, legs, codes, count).exit_columns(taken)
     else:
-        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *asked(taken))
+        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *exit_needs(taken))
         found = at_exit(design, ends, taken)
-    belt = received(design, found)
+    belt = receiver_numbers(design, found)
 
     def whole(numbers: Numbers) -> Numbers:
         return {name: stretched(values, (count,)) for name, values in numbers.items()}
 
     codes, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
-    return Exits(codes, error, whole({name: found[name] for name in names}), whole(belt))
+    return Exits(
+        status=status_text(codes),
+        ok=codes == Status.OK,
+        error_estimate=error,
+        exit=whole({name: found[name] for name in names}),
+        receiver=whole(belt),
+    )
 
 
-def named(exit_: Numbers, belt: Numbers, error: Array) -> Numbers:
-    """The same by the names that columns of sweeps and outputs of functions have."""
+def output_numbers(exit_: Numbers, belt: Numbers, error: Array) -> Numbers:
+    """Return numbers by the names that columns of sweeps and outputs of functions have.
+
+    Args:
+        exit_: columns at the exit.
+        belt: receiver columns.
+        error: error estimate, dimensionless, shape (designs,).
+    """
     numbers = {f"exit_{name}": values for name, values in exit_.items()}
     return numbers | {f"receiver_{name}": values for name, values in belt.items()} | {"error_estimate": error}

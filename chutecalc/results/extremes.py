@@ -1,4 +1,4 @@
-"""Where a quantity is least and largest along a part of the way, found between its samples too."""
+"""Where a column is least and largest along a part of the trajectory, found between its samples too."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -7,138 +7,145 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.results.trajectory import Numbers, Part
+from chutecalc.results.column import Numbers
+from chutecalc.results.part import Part
 
-ROUNDS, SIDE = 2, np.linspace(0.0, 1.0, 9)  # each round leaves an eighth of the bracket around an extreme
-NEAR = 1.0 / 16.0, 1.0 / 1024.0  # of the bracket: as near, by three places around the top of the last parabola
+HALVING_ROUNDS, SIDE_SHARES = 2, np.linspace(0.0, 1.0, 9)
+"""Each round of a subdivision leaves an eighth of the bracket around an extreme."""
+PARABOLA_REACHES = 1.0 / 16.0, 1.0 / 1024.0
+"""Shares of the bracket at which three points around the peak of the last parabola are apart."""
 
 
 class Extreme(NamedTuple):
-    """Where a quantity is least or largest along a part, shape (designs,)."""
+    """The least or largest value of a column along a part."""
 
     value: Array
+    """In the column's unit, shape (designs,)."""
     share: Array
-    """Of the part's way."""
+    """Where, as a share of the length travelled, shape (designs,)."""
 
 
 LEAST, LARGEST = -1.0, 1.0
-Wanted = tuple[str, float]
+ExtremeOf = tuple[str, float]
 """A column's name, and ``LEAST`` or ``LARGEST``."""
-Look = Callable[[Array], Array]
-Search = Callable[[Look, Array, Array, Array, Array, Array], tuple[Extreme, Mask]]
-"""Nearer and nearer to an extreme: how to look, where its parabola has its top, three places around it, the value at
-the middle one. Gives the extreme, and where it is to be believed."""
+Evaluate = Callable[[Array], Array]
+Search = Callable[[Evaluate, Array, Array, Array, Array, Array], tuple[Extreme, Mask]]
+"""A search for an extreme: takes how to evaluate columns, the peak of a parabola, the bracket around it (low, middle,
+high) and the largest sample; returns the extreme and a mask of where it can be trusted."""
 
 
-def extremes(part: Part, sampled: Numbers, shares: Array, wanted: Sequence[Wanted]) -> dict[Wanted, Extreme]:
-    """Extremes of quantities along a part, found between its samples too.
+def extremes(part: Part, sampled: Numbers, shares: Array, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Extreme]:
+    """Find extremes of columns along a part, between its samples too.
 
     Args:
-        part: of the way.
-        sampled: its columns at those samples.
-        shares: of its way, as :meth:`~chutecalc.results.trajectory.Part.shares` gives them: between neighbours
-            all is smooth.
-        wanted: which.
+        part: of the trajectory.
+        sampled: its columns at the samples, each of shape (samples, designs).
+        shares: of the samples, dimensionless, as :meth:`~chutecalc.results.part.Part.shares` gives them: between
+            neighbours all is smooth.
+        extremes_of: pairs of a column's name and ``LEAST`` or ``LARGEST``.
 
     Returns:
-        One for each. Inside, it is that of the parabola through three places less than a hundredth of a panel apart:
-        for what varies smoothly, right to about 1e-11 of its variation. What grows without bound towards the end is
-        infinite there.
+        An extreme for each. Inside the part it is that of the parabola through three points less than a hundredth of a
+        panel apart: for what varies smoothly, right to about 1e-11 of its variation. What grows without bound towards
+        the end is infinite there.
     """
-    none = np.full(sampled[wanted[0][0]].shape[1], np.nan)
-    limits = part.limits({name for name, _ in wanted})
+    none = np.full(sampled[extremes_of[0][0]].shape[1], np.nan)
+    limits = part.limits({name for name, _ in extremes_of})
     absent = {name for name, limit in limits.items() if np.isnan(limit).all() and np.isnan(sampled[name]).all()}
-    found = {item: Extreme(none, np.zeros_like(none)) for item in wanted if item[0] in absent}
-    there = [item for item in wanted if item[0] not in absent]
+    found = {item: Extreme(none, np.zeros_like(none)) for item in extremes_of if item[0] in absent}
+    there = [item for item in extremes_of if item[0] not in absent]
     return found | _present(part, sampled, limits, shares, there) if there else found
 
 
 def _present(
-    part: Part, sampled: Numbers, limits: Numbers, shares: Array, wanted: Sequence[Wanted]
-) -> dict[Wanted, Extreme]:
-    """The same of quantities that there are; ``limits`` as of :meth:`chutecalc.results.trajectory.Part.limits`."""
-    signs = np.array([sign for _, sign in wanted])[:, None]
+    part: Part, sampled: Numbers, limits: Numbers, shares: Array, extremes_of: Sequence[ExtremeOf]
+) -> dict[ExtremeOf, Extreme]:
+    """Extremes of columns that exist; ``limits`` as of :meth:`chutecalc.results.part.Part.limits`."""
+    signs = np.array([sign for _, sign in extremes_of])[:, None]
 
-    def look(items: Sequence[int], at: Array) -> Array:
-        """Columns of the shape of ``at``, places, items, designs; larger is more wanted."""
-        known = part.at(at.reshape(-1, at.shape[2]), {wanted[item][0] for item in items})
-        found = [known[wanted[item][0]].reshape(at.shape)[:, k] for k, item in enumerate(items)]
-        found = [np.where(at[:, k] == 1.0, limits[wanted[item][0]], found[k]) for k, item in enumerate(items)]
+    def evaluate(items: Sequence[int], at: Array) -> Array:
+        """Columns of the shape of ``at``, points, items, designs, with the sign of the extreme."""
+        known = part.at(at.reshape(-1, at.shape[2]), {extremes_of[item][0] for item in items})
+        found = [known[extremes_of[item][0]].reshape(at.shape)[:, k] for k, item in enumerate(items)]
+        found = [np.where(at[:, k] == 1.0, limits[extremes_of[item][0]], found[k]) for k, item in enumerate(items)]
         stacked: Array = np.stack(found, axis=1) * signs[items]
         return stacked
 
     each = shares[:, None] if shares.ndim == 1 else shares
-    values = np.stack([np.where(each == 1.0, limits[name], sampled[name]) for name, _ in wanted], axis=1)
-    values = values * signs  # (places, wanted, designs)
+    values = np.stack([np.where(each == 1.0, limits[name], sampled[name]) for name, _ in extremes_of], axis=1)
+    values = values * signs  # (samples, extremes, designs)
     each = np.broadcast_to(each[:, None], values.shape)
-    best, bracket, top = _best(values, each)
-    settled = _at_an_end(values, each, top)
-    most = np.take_along_axis(values, top[None], axis=0)[0]
-    searches: tuple[Search, ...] = (_by_tops, _by_halves)
+    best, bracket, peak = _best(values, each)
+    settled = _at_an_end(values, each, peak)
+    largest = np.take_along_axis(values, peak[None], axis=0)[0]
+    searches: tuple[Search, ...] = (_by_parabolas, _by_subdivision)
     for search in searches:
         items = np.flatnonzero(~settled.all(axis=1)).tolist()
         if items:
             low, middle, high = (edge[items] for edge in bracket)
-            found, good = search(partial(look, items), best.share[items], low, middle, high, most[items])
+            found, good = search(partial(evaluate, items), best.share[items], low, middle, high, largest[items])
             for field, new in zip(best, found, strict=True):
                 field[items] = np.where(settled[items] | ~good, field[items], new)
             settled[items] |= good
     return {
         item: Extreme(item[1] * best.value[k] + 0.0, best.share[k])  # + 0: no -0
-        for k, item in enumerate(wanted)
+        for k, item in enumerate(extremes_of)
     }
 
 
-def _by_tops(look: Look, share: Array, low: Array, middle: Array, high: Array, most: Array) -> tuple[Extreme, Mask]:
-    """By three places around the top of the parabola before; whether the last has its top between them."""
-    for step in NEAR:
+def _by_parabolas(
+    evaluate: Evaluate, share: Array, low: Array, middle: Array, high: Array, largest: Array
+) -> tuple[Extreme, Mask]:
+    """Search by three points around the peak of the last parabola; trusted where the next peak lies between them."""
+    for step in PARABOLA_REACHES:
         reach = step * (high - low)
         share = np.clip(share, low + reach, high - reach)
         at = np.stack([share - reach, share, share + reach])
-        found, bend = _parabola(look(at), at)
+        found, bend = _parabola(evaluate(at), at)
         share = np.clip(np.where(np.isfinite(found.share), found.share, middle), low, high)
-    good: Mask = (bend < 0.0) & (np.abs(found.share - at[1]) <= reach) & (found.value >= most)
+    good: Mask = (bend < 0.0) & (np.abs(found.share - at[1]) <= reach) & (found.value >= largest)
     return found, good
 
 
-def _by_halves(look: Look, share: Array, low: Array, middle: Array, high: Array, most: Array) -> tuple[Extreme, Mask]:
-    """By many places between the neighbours of the largest sample, and again: beside a kink too."""
-    for _ in range(ROUNDS):
+def _by_subdivision(
+    evaluate: Evaluate, share: Array, low: Array, middle: Array, high: Array, largest: Array
+) -> tuple[Extreme, Mask]:
+    """Search by many points between the neighbours of the largest sample, twice: works beside a kink too."""
+    for _ in range(HALVING_ROUNDS):
         at = np.concatenate(
-            [low + (middle - low) * SIDE[:-1, None, None], middle + (high - middle) * SIDE[:, None, None]]
+            [low + (middle - low) * SIDE_SHARES[:-1, None, None], middle + (high - middle) * SIDE_SHARES[:, None, None]]
         )
-        found, (low, middle, high), _ = _best(look(at), at)
+        found, (low, middle, high), _ = _best(evaluate(at), at)
     return found, np.ones(share.shape, dtype=bool)
 
 
-def _at_an_end(values: Array, shares: Array, top: Index) -> Mask:
-    """Whether the largest value along the first axis is plainly at an end: the parabola there has its top beyond it.
+def _at_an_end(values: Array, shares: Array, peak: Index) -> Mask:
+    """Whether the largest value along the first axis is plainly at an end: the parabola there peaks beyond it.
 
-    Also where there are no values at all, one without bound, or one alone all along.
+    Also where there are no values at all, one without bound, or a constant.
     """
-    inward = np.where(top == 0, 1, -1)
+    inward = np.where(peak == 0, 1, -1)
     last = (shares < shares[-1]).sum(axis=0)  # what a design has too few of repeats its end
-    near = np.stack([np.clip(top + k * inward, 0, last) for k in range(3)])
-    f, x = np.take_along_axis(values, near, axis=0), np.take_along_axis(shares, near, axis=0)
+    neighbours = np.stack([np.clip(peak + k * inward, 0, last) for k in range(3)])
+    f, x = np.take_along_axis(values, neighbours, axis=0), np.take_along_axis(shares, neighbours, axis=0)
     with np.errstate(all="ignore"):
         slopes = np.diff(f, axis=0) / np.abs(np.diff(x, axis=0))
         at_end = slopes[0] - (slopes[1] - slopes[0]) * np.abs(x[1] - x[0]) / np.abs(x[2] - x[0])
         plain = (slopes[0] < 0.0) & (at_end <= 0.25 * slopes[0])  # down from the end on, and not by the bend alone
     alike = f[0] == np.fmin.reduce(values, axis=0)
-    settled: Mask = ((top == 0) | (top == last)) & plain | ~np.isfinite(f[0]) | alike
+    settled: Mask = ((peak == 0) | (peak == last)) & plain | ~np.isfinite(f[0]) | alike
     return settled
 
 
 def _best(values: Array, shares: Array) -> tuple[Extreme, tuple[Array, Array, Array], Index]:
-    """The largest along the first axis, by the parabola through it and its neighbours; where those three are, and it.
+    """The largest value along the first axis by the parabola through it and its neighbours, its bracket and index.
 
-    Beside a kink there is no parabola: where the second difference on either side is another one, the value itself
-    counts.
+    Beside a kink there is no parabola: where the second differences on either side disagree, the sample itself counts.
     """
-    top = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
+    peak = np.where(np.isnan(values), -np.inf, values).argmax(axis=0)
     last = len(values) - 1
-    near = np.clip(top + np.arange(-2, 3)[:, None, None], 0, last)
-    x, f = np.take_along_axis(shares, near, axis=0), np.take_along_axis(values, near, axis=0)
+    neighbours = np.clip(peak + np.arange(-2, 3)[:, None, None], 0, last)
+    x, f = np.take_along_axis(shares, neighbours, axis=0), np.take_along_axis(values, neighbours, axis=0)
     with np.errstate(all="ignore"):
         slopes = np.diff(f, axis=0) / np.diff(x, axis=0)
         bends = np.diff(slopes, axis=0) / (x[2:] - x[:-2])
@@ -147,11 +154,11 @@ def _best(values: Array, shares: Array) -> tuple[Extreme, tuple[Array, Array, Ar
         for beside in (bends[0], bends[2]):
             smooth &= ~np.isfinite(beside) | (np.abs(beside - bend) <= 0.5 * np.abs(bend))
     value, share = np.where(smooth, found.value, f[2]), np.where(smooth, found.share, x[2])
-    return Extreme(value, share), (x[1], x[2] + 0.0, x[3]), top
+    return Extreme(value, share), (x[1], x[2] + 0.0, x[3]), peak
 
 
 def _parabola(f: Array, x: Array) -> tuple[Extreme, Array]:
-    """The top of the parabola through three places, f1 + m (x - x1) + bend (x - x1)², and its bend."""
+    """The peak of the parabola through three points, f1 + m (x - x1) + bend (x - x1)², and its bend."""
     with np.errstate(all="ignore"):
         slopes = np.diff(f, axis=0) / np.diff(x, axis=0)
         bend = (slopes[1] - slopes[0]) / (x[2] - x[0])

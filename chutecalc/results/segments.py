@@ -1,33 +1,51 @@
-"""What came out on each segment: ends, extremes and impacts, by column name, for all designs."""
+"""Results of each segment: ends, extremes and impacts, by column name, for all designs."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, NamedTuple, overload
+from dataclasses import dataclass
+from typing import Any, overload
 
 import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
-from chutecalc.results.trajectory import Numbers
+from chutecalc.results.column import Numbers
+from chutecalc.results.described import outcomes
 
 
-class SegmentResult(NamedTuple):
-    """A segment of the spec, or a flight that leads to one.
+@dataclass(frozen=True, repr=False, eq=False)
+class SegmentResult:
+    """Results of a segment of the spec, or of a flight that leads to one.
 
-    Numbers are by column name, each of shape (designs,), NaN where a design did not get there.
+    Numbers are arrays of shape (designs,) by column name, NaN where a design did not get there.
     """
 
     name: str
+    """Name of the segment; ``NAME:flight`` for a flight that leads to it."""
     kind: str
+    """Kind of the segment, such as ``curve``; ``flight`` for a flight."""
     status: Any
-    """``ok``, what ended the stream here, or ``not_reached``, for each design."""
+    """``ok``, what ended the stream here, or ``not_reached`` for each design, text of shape (designs,)."""
     entry: Numbers
+    """The stream at its start, after any impact."""
     exit: Numbers
+    """The stream at its end, or where the design fails."""
     minimum: Numbers
+    """Least values along it, of the columns whose extremes are reported."""
     maximum: Numbers
+    """Largest values along it, likewise; infinite where a quantity grows without bound."""
     duration: Array
-    """s."""
+    """Time that the stream takes along it, s, shape (designs,)."""
     impact: Numbers
-    """Where the stream strikes the segment: the angle of incidence, velocities and pressure; else empty."""
+    """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
+
+    def __repr__(self) -> str:
+        """Return name, kind and outcome.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).segments["spoon"]
+        <SegmentResult spoon (curve): 1 ok>
+        """
+        return f"<SegmentResult {self.name} ({self.kind}): {outcomes(self.status)}>"
 
 
 class Segments(Sequence[SegmentResult]):
@@ -40,11 +58,16 @@ class Segments(Sequence[SegmentResult]):
     """
 
     def __init__(self, results: Iterable[SegmentResult]) -> None:
+        """Segments.
+
+        Args:
+            results: in order.
+        """
         self._results = list(results)
 
     @property
     def names(self) -> list[str]:
-        """In order."""
+        """Names of the segments, in order."""
         return [result.name for result in self._results]
 
     @overload
@@ -52,18 +75,18 @@ class Segments(Sequence[SegmentResult]):
     @overload
     def __getitem__(self, key: slice) -> list[SegmentResult]: ...
     def __getitem__(self, key: int | str | slice) -> SegmentResult | list[SegmentResult]:
-        """A segment, or some of them.
+        """Return a segment by name or number, or several by a slice.
 
         Raises:
             KeyError: no segment has that name.
-            IndexError: there are fewer.
+            IndexError: there are fewer segments.
         """
         if not isinstance(key, str):
             return self._results[key]
         for result in self._results:
             if result.name == key:
                 return result
-        raise KeyError(f"no segment is called {key!r}: there are {', '.join(self.names)}")
+        raise KeyError(f"no segment is called {key!r}: the chute has {', '.join(self.names)}")
 
     def __len__(self) -> int:
         return len(self._results)
@@ -76,7 +99,12 @@ class Segments(Sequence[SegmentResult]):
 
 
 def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
-    """A segment that some designs left and struck again."""
+    """Join the results of two visits to a segment that some designs left and struck again.
+
+    Args:
+        first: of the first visit.
+        again: of the next one.
+    """
     there = again.status != Status.LABELS[Status.NOT_REACHED]
     return SegmentResult(
         name=first.name,

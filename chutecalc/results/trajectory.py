@@ -1,281 +1,148 @@
-"""Quantities along the way of a solved chute, by column name, at any share of each of its parts.
+"""The solved trajectory of the stream, part by part: what the results of a solution are read from."""
 
-Arrays are of shape (places, designs) here, and of shape (designs,) where a place is meant that each design has one of.
-"""
-
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from chutecalc.core.profile import flown
-from chutecalc.design import Contact, Design, Segment, Status, stretched
+from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.physics.section import Polygon
-from chutecalc.solver.leg import ContactLeg, Ends, Leg
-from chutecalc.solver.profile import EndFlight, EndProfile, FlightProfile, SlideProfile
+from chutecalc.results.column import Numbers
+from chutecalc.results.columns import NUMERIC, REPORTED
+from chutecalc.results.described import status_text
+from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
+from chutecalc.results.finding import Finding
+from chutecalc.results.findings import NEEDED, find
+from chutecalc.results.part import Part
+from chutecalc.results.sampled import SampledPart, sample
+from chutecalc.results.segments import SegmentResult, Segments, joined
+from chutecalc.solver.leg import Leg
 
-Numbers = dict[str, Array]
-EVEN = np.linspace(0.0, 1.0, 65)
-"""Shares of a flight, along which all is smooth."""
-AT_REST = (1e-40, 1e-44)
-"""v², m²/s², so near rest that what has a limit there has it to the last digits."""
-PLAIN = ("s_m", "x_m", "z_m", "slope_deg", "velocity_m_s")
-"""Columns that a stream has wherever it is."""
-LOOSE = 1e-6
-"""Of gravity: what is left of the normal acceleration where contact is lost, and not never there."""
-LEAST_NORMAL = 1e-9  # of gravity; below it a stream is about to leave its surface, and what is divided by n is noise
-
-Profile = FlightProfile | SlideProfile
+EXTREMES = [*dict.fromkeys([*((name, sign) for name in REPORTED for sign in (LEAST, LARGEST)), *NEEDED])]
+"""The extremes of each part that are reported or that criteria need."""
+SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
+"""The columns that are sampled along each part."""
 
 
-class Site:
-    """Where quantities are told: on a segment of a design, or in a flight to it."""
+class Trajectory:
+    """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
 
-    def __init__(self, segment: Segment, design: Design, guided: bool) -> None:
-        self.segment, self.design, self.guided = segment, design, guided
+    def __init__(self, design: Design, legs: Sequence[Leg], codes: Index, count: int) -> None:
+        """A trajectory.
+
+        Args:
+            design: the numeric description of the chutes.
+            legs: the solved segments in the order in which the stream meets them.
+            codes: the :class:`~chutecalc.design.Status` of each design, shape (designs,).
+            count: number of designs.
+        """
+        self.design, self.legs, self.codes, self.count = design, tuple(legs), codes, count
 
     @cached_property
-    def start_time(self) -> Array:
-        """From the inlet, s; not known where nothing of the way is."""
-        return np.full(1, np.nan)
-
-    @property
-    def slip_ratio(self) -> Array:
-        """Slip at the wall over mean velocity."""
-        assert isinstance(self.segment, Contact)
-        return self.segment.slip_ratio
-
-    @property
-    def chamfered(self) -> bool:
-        """Whether the stream lies between drawn facets here."""
-        section = self.segment.section if isinstance(self.segment, Contact) else None
-        return self.guided and isinstance(section, Polygon) and bool(section.lengths)
-
-    @property
-    def on_arc(self) -> bool:
-        """Whether it follows an arc."""
-        return self.guided and isinstance(self.segment, Contact) and self.segment.radius is not None
-
-
-class Part(Site):
-    """A stretch of the way that is shown as one: a segment, or a flight that leads to one."""
-
-    def __init__(
-        self, name: str, kind: str, leg: Leg, contact: ContactLeg | None, before: "Part | None", design: Design
-    ) -> None:
-        """A part; ``contact`` is None for a flight, ``before`` the part before it."""
-        super().__init__(leg.segment, design, contact is not None)
-        self.name, self.kind, self.leg, self.contact, self.before = name, kind, leg, contact, before
+    def parts(self) -> list[Part]:
+        """The parts in order; flights are parts of their own where any design flies."""
+        parts: list[Part] = []
+        before: Part | None = None
+        for leg in self.legs:
+            name, kind = leg.segment.name, leg.segment.kind
+            if leg.contact is not None and (leg.flight_time > 0.0).any():
+                parts.append(Part(f"{name}:flight", "flight", leg, contact=None, before=before, design=self.design))
+            before = Part(name, kind, leg, contact=leg.contact, before=before, design=self.design)
+            parts.append(before)
+        return parts
 
     @cached_property
-    def start_time(self) -> Array:
-        """S since the inlet, shape (designs,)."""
-        return np.zeros(1) if self.before is None else self.before.end_time
+    def sampled(self) -> list[SampledPart]:
+        """The parts with their columns where they were sampled."""
+        return [sample(part, SAMPLED, EXTREMES) for part in self.parts]
 
     @cached_property
-    def end_time(self) -> Array:
-        """The same at the end of the part; at the start where a design does not go along it."""
-        with np.errstate(all="ignore"):
-            time = self.start_time + self._profile(np.ones(1)).time[0]
-        return np.where(np.isfinite(time), time, self.start_time)
+    def results(self) -> list[SegmentResult]:
+        """What came out on each part, flights included; a segment that was left and struck again has several."""
+        return [self._result(sampled) for sampled in self.sampled]
 
-    def ends(self) -> tuple[Array, Array]:
-        """From where to where each design travels on the part: m in flight, shares of the segment in contact."""
-        if self.contact is None:
-            flies = (self.leg.flight_time > 0.0) | (self.kind != "flight")
-            end = np.where(flies, self.leg.flown, np.nan)
-            return np.where(np.isnan(end), np.nan, 0.0), end
-        ends = self.contact.ends
-        return ends[0], ends[2]
+    def segments(self) -> Segments:
+        """Return what came out on each segment of the spec, on all visits together."""
+        found: dict[int, SegmentResult] = {}
+        for part, result in zip(self.parts, self.results, strict=True):
+            if result.kind != "flight":
+                number = part.leg.number
+                found[number] = joined(found[number], result) if number in found else result
+        return Segments(found.values())
 
-    def length(self) -> Array:
-        """How far that is, m."""
-        begin, end = self.ends()
-        return end - begin if self.contact is None else (end - begin) * self.contact.surface.length
+    def flights(self) -> list[list[SegmentResult]]:
+        """Return for each segment of the spec the flights that lead to it."""
+        pairs = list(zip(self.parts, self.results, strict=True))
+        return [
+            [result for part, result in pairs if part.leg.number == number and result.kind == "flight"]
+            for number in range(len(self.design.segments))
+        ]
 
-    def status(self) -> Index:
-        """How the part ends for each design; a flight to a segment ends well where it lands."""
-        if self.kind == "flight":
-            return np.where(self.leg.flight_time > 0.0, Status.OK, Status.NOT_REACHED)
-        return self.leg.status
+    def findings(self, received: Numbers) -> list[Finding]:
+        """Return all findings.
 
-    def impact(self) -> Numbers:
-        """What each design's impact on the segment is, NaN where there is none; empty where no design strikes it."""
-        if self.contact is None or not (self.contact.arrival.incidence > 0.0).any():
-            return {}
-        arrival = self.contact.arrival
-        struck = arrival.incidence > 0.0
-        numbers = {
-            "incidence_deg": np.degrees(arrival.incidence),
-            "velocity_before_m_s": arrival.velocity,
-            "velocity_after_m_s": arrival.impact.after,
-            "pressure_kpa": arrival.impact.pressure / 1000.0,
-            "footprint_m": arrival.impact.footprint,
-            "wear_w_m2": arrival.impact.wear * self.slip_ratio,
-        }
-        return {name: np.where(struck, values, np.nan) for name, values in numbers.items()}
-
-    def shares(self) -> Array:
-        """Shares of the way that resolve all quantities on it: 0, the knots of the solution's panels, and 1.
-
-        Between two neighbours everything is smooth, for panels end where something has a kink. Of shape (places,) where
-        they are the same for all designs, else (places, designs); what a design has too few of repeats its end.
+        Args:
+            received: receiver columns at the exit; empty where the chute loads no belt.
         """
-        begin, end = self.ends()
-        if self.contact is None:
-            _, _, _, downward, gravity = self.leg.path
-            rises = (downward < 0.0) & (end > 0.0)
-            if not rises.any():
-                return EVEN
-            top = np.minimum(-downward / gravity, self.leg.flight_time)[None]  # next to it the velocity has its dip
-            way = np.empty(top.shape)
-            flown(self.leg.path, top, way)
-            share = np.where(rises, way[0] / np.where(rises, end, 1.0), 1.0)
-            return np.sort(np.concatenate([np.repeat(EVEN[:, None], len(share), axis=1), share[None]]), axis=0)
-        places = self.contact.panels.knots()
-        way = np.where(end > begin, end - begin, np.inf)
-        shares = np.ones((len(places) + 1, len(begin)))
-        shares[0] = 0.0
-        inside = np.clip((places - begin) / way, 0.0, 1.0)
-        shares[1:] = np.where(np.isnan(inside), 1.0, inside)
-        alike = (shares == shares[:, :1]).all()
-        return shares[:, 0] if alike else shares
+        return find(self.sampled, received, self.exit_columns(("s_m",))["s_m"], self.count)
 
-    def limits(self, names: Iterable[str]) -> Numbers:
-        """Columns at the end of the way, each of shape (designs,), as what they tend to there.
+    def exit_columns(self, names: Iterable[str]) -> Numbers:
+        """Return columns at the end of the chute.
 
-        Towards a stall depth grows without bound, towards a loss of contact the Froude number: infinite, where a
-        station has nothing.
+        Args:
+            names: of columns of numbers.
+
+        Returns:
+            Arrays of shape (designs,), NaN for designs that fail.
         """
-        with np.errstate(all="ignore"):
-            at = self._profile(np.ones(1))
-            values = {name: _FORMULA[name](self, at)[0] for name in names}
-            if not isinstance(at, SlideProfile):
-                return values
-            rest = at.velocity_squared[0] == 0.0
-            if rest.any():
-                slow, slower = (at.moving(tiny) for tiny in AT_REST)
-                for name, there in values.items():
-                    near, nearer = (_FORMULA[name](self, one)[0] for one in (slow, slower))
-                    tends = np.where(np.abs(nearer) > 2.0 * np.abs(near), np.copysign(np.inf, near), near)
-                    values[name] = np.where(rest, np.where(np.abs(nearer) < 0.5 * np.abs(near), 0.0, tends), there)
-            if "froude" in values:
-                loose = (self.leg.status == Status.CONTACT_LOST) & (np.abs(at.normal[0]) < LOOSE * self.design.gravity)
-                values["froude"] = np.where(loose, np.inf, values["froude"])
-        return values
+        names = list(names)
+        last = len(self.design.segments) - 1
+        found = {name: np.full(self.count, np.nan) for name in names}
+        for part in self.parts:  # of a hood that is left and struck again there are several
+            if part.leg.number == last and part.kind != "flight":
+                ends = part.at(np.ones(1), names)
+                here = (part.leg.status == Status.OK) & (self.codes == Status.OK)
+                found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
+        return found
 
-    def at(self, shares: Array, names: Iterable[str] = ()) -> Numbers:
-        """Columns at shares of the way, of shape (places,) for all designs or (places, designs) for each.
+    def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
+        """Return least or largest values of columns on all guiding surfaces together.
 
-        Only those named are worked out; all, where none is.
+        Args:
+            extremes_of: pairs of a column's name and ``LEAST`` or ``LARGEST``.
+
+        Returns:
+            Arrays of shape (designs,), up to where a stream ends; NaN where there is no such quantity, infinite where
+            it grows without bound, as depth does towards a stall.
         """
-        at = self._profile(shares)
-        with np.errstate(all="ignore"):
-            values = {name: _FORMULA[name](self, at) for name in names or COLUMN}
-        shapes = {at.shape, *(column.shape for column in values.values())}
-        shape = at.shape if len(shapes) == 1 else np.broadcast_shapes(*shapes)
-        return {name: stretched(column, shape) for name, column in values.items()}
+        names = list(dict.fromkeys(name for name, _ in extremes_of))
+        found = {item: np.full(self.count, np.nan) for item in extremes_of}
+        for part in self.parts:
+            if part.guided and extremes_of:
+                shares = part.shares()
+                here = extremes(part, part.at(shares, names), shares, extremes_of)
+                found = {
+                    (name, sign): (np.fmax if sign == LARGEST else np.fmin)(values, here[name, sign].value)
+                    for (name, sign), values in found.items()
+                }
+        return found
 
-    def _profile(self, shares: Array) -> Profile:
-        each = shares[:, None] if shares.ndim == 1 else shares
-        leg = self.leg
-        if each.shape[1] > leg.table.shape[1]:  # designs that differ in what the stream does not feel, as slip at walls
-            leg = leg.widened(each.shape[1])
-        begin, end = self.ends()
-        places = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
-        if self.contact is None:
-            return FlightProfile(leg, self.design.volume_rate, places)
-        assert leg.contact is not None
-        return SlideProfile(leg, leg.contact, self.design.volume_rate, places)
+    def _result(self, sampled: SampledPart) -> SegmentResult:
+        """A part's ends and extremes."""
 
+        def whole(values: Any) -> Any:
+            return stretched(values, (self.count,))
 
-Formula = Callable[[Site, SlideProfile], Array]
-
-
-def _on_surface(
-    formula: Formula, exists: Callable[[Site], bool] = lambda part: True
-) -> Callable[[Site, Profile], Array]:
-    """A quantity that there is on a guiding surface alone."""
-
-    def column(part: Site, at: Profile) -> Array:
-        if isinstance(at, SlideProfile) and exists(part):
-            return formula(part, at)
-        return np.full((1, 1), np.nan)
-
-    return column
-
-
-def _wear(wall: int) -> Formula:
-    """Friction power per area on one of the walls of :class:`chutecalc.solver.profile.SlideProfile`."""
-
-    def formula(part: Site, at: SlideProfile) -> Array:
-        return at.wear(wall) * part.slip_ratio
-
-    return formula
-
-
-def _froude(part: Site, at: SlideProfile) -> Array:
-    """v/√(n A/b_s)."""
-    pressed = at.normal > LEAST_NORMAL * part.design.gravity
-    return np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan)
-
-
-COLUMN: dict[str, Callable[[Site, Profile], Array]] = {
-    "s_m": lambda part, at: at.distance,
-    "x_m": lambda part, at: at.position[0],
-    "z_m": lambda part, at: at.position[1],
-    "slope_deg": lambda part, at: np.degrees(at.slope),
-    "velocity_m_s": lambda part, at: at.velocity,
-    "depth_m": _on_surface(lambda part, at: at.depth),
-    "chamfer_wetted_m": _on_surface(lambda part, at: at.chamfer, lambda part: part.chamfered),
-    "area_m2": lambda part, at: at.area,
-    "equivalent_friction": _on_surface(lambda part, at: at.friction),
-    "normal_acceleration_m_s2": _on_surface(lambda part, at: at.normal),
-    "pressure_kpa": _on_surface(lambda part, at: at.pressures[0] / 1000.0),
-    "wear_w_m2": _on_surface(_wear(0)),
-    "chamfer_pressure_kpa": _on_surface(lambda part, at: at.pressures[1] / 1000.0),
-    "chamfer_wear_w_m2": _on_surface(_wear(1)),
-    "side_pressure_kpa": _on_surface(lambda part, at: at.pressures[2] / 1000.0),
-    "side_wear_w_m2": _on_surface(_wear(2)),
-    "wear_number": _on_surface(lambda part, at: at.normal / part.design.gravity, lambda part: part.on_arc),
-    "froude": _on_surface(_froude),
-    "time_s": lambda part, at: part.start_time + at.time,
-    "thickness": _on_surface(lambda part, at: at.depth / at.width),
-    "missing_load": _on_surface(lambda part, at: at.missing),
-    "wall_friction": _on_surface(lambda part, at: at.wall_friction),
-    "wall_stress_kpa": _on_surface(lambda part, at: at.stress / 1000.0),
-    "top_m": _on_surface(lambda part, at: at.top),
-    "above_top_m": _on_surface(lambda part, at: at.depth - at.top),
-}
-"""How each column follows from the profile; from ``thickness`` on they are in no table, and findings ask for them."""
-ASKED = {
-    "equilibrium_friction": _on_surface(lambda part, at: at.even_friction),
-    "balance_m_s": _on_surface(lambda part, at: at.balance),
-    "balance_margin": _on_surface(lambda part, at: at.velocity / at.balance),
-}
-"""What costs more, and is worked out only where it is named."""
-_FORMULA = COLUMN | ASKED
-
-
-def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
-    """Columns at the end of the chute, each of shape (designs,), NaN where a design fails.
-
-    Args:
-        design: the chutes.
-        ends: theirs, with the tables that :func:`asked` tells.
-        names: of columns, without time.
-    """
-    last = design.segments[-1]
-    site, well = Site(last, design, isinstance(last, Contact)), ends.status == Status.OK
-    at: Profile = EndProfile(ends, design.volume_rate) if site.guided else EndFlight(ends, design.volume_rate)
-    with np.errstate(all="ignore"):
-        columns = {name: _FORMULA[name](site, at)[0] for name in names}
-    return {name: np.where(well, values, np.nan) for name, values in columns.items()}
-
-
-def asked(names: Iterable[str]) -> tuple[bool, bool]:
-    """Whether columns at an exit take how the stream lies there, and what the walls bear."""
-    wanted = set(names)
-    lying = wanted & {"depth_m", "chamfer_wetted_m", "froude"}
-    return bool(lying), bool(wanted - {"depth_m", "chamfer_wetted_m", "area_m2", *PLAIN})
+        part, columns, found = sampled.part, sampled.columns, sampled.extremes
+        return SegmentResult(
+            name=part.name,
+            kind=part.kind,
+            status=whole(status_text(part.status())),
+            entry={name: whole(columns[name][0]) for name in NUMERIC},
+            exit={name: whole(columns[name][-1]) for name in NUMERIC},
+            minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
+            maximum={name: whole(found[name, LARGEST].value) for name in REPORTED},
+            duration=whole(columns["time_s"][-1] - columns["time_s"][0]),
+            impact={name: whole(values) for name, values in part.impact().items()},
+        )

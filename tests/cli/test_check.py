@@ -397,7 +397,9 @@ def test_a_baseline_from_a_machine_with_other_last_digits_passes(tmp_path, monke
         """The stream on a machine whose numbers are all off by 1e-12, up and down in turn: much more than any is."""
         nonlocal sign
         solution = solve(chute, rtol)
-        for numbers in (*solution.samples, *(part for way in solution.ways for part in way if isinstance(part, dict))):
+        results = solution.trajectory.results
+        parts = [part for result in results for part in vars(result).values() if isinstance(part, dict)]
+        for numbers in (*(one.columns for one in solution.trajectory.sampled), *parts):
             for name, values in numbers.items():
                 sign = -sign
                 numbers[name] = values * (1.0 + sign * 1e-12)

@@ -122,7 +122,7 @@ def test_three_parameters_go_round_as_in_a_product_of_lists():
 
 def test_a_tolerance_that_cannot_be_is_refused_at_once():
     chute = chutecalc.load(SPOON)
-    with pytest.raises(chutecalc.UsageError, match="rtol has to be from"):
+    with pytest.raises(chutecalc.UsageError, match="rtol must be from"):
         rows_of.Sweep(chute, read_parameters(["phi=20,25"], chute), rtol=0.5)
 
 

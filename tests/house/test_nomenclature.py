@@ -3,7 +3,10 @@
 import re
 
 from chutecalc.fields.table import Table
-from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.results.belts import RECEIVER_COLUMNS
+from chutecalc.results.columns import ALL_COLUMNS, COLUMNS
+from chutecalc.results.findings import CRITERIA
+from chutecalc.results.impacts import IMPACT_COLUMNS
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
 from chutecalc.spec import chute_spec as model
@@ -18,9 +21,19 @@ def test_tables_are_those_of_the_code():
 
 def test_every_column_and_every_symbol_stands_there():
     symbols = {symbol for row in re.findall(r"^\| ([^|`-]+) \|", TEXT, re.MULTILINE) for symbol in row.split(", ")}
-    for column in (*COLUMNS.values(), *RECEIVER_COLUMNS.values()):
+    for column in (*COLUMNS.values(), *RECEIVER_COLUMNS.values(), *IMPACT_COLUMNS.values()):
         assert f"| `{column.name}` |" in TEXT
         assert not column.symbol or column.symbol in symbols, column.symbol
+
+
+def test_every_finding_stands_there():
+    codes = [criterion.code for criterion in CRITERIA]
+    assert len(codes) == len(set(codes))
+    assert [code for code in codes if f"| `{code}` |" not in TEXT] == []
+
+
+def test_a_criterion_needs_columns_that_there_are():
+    assert {name for criterion in CRITERIA for name, _ in criterion.needs} <= set(ALL_COLUMNS)
 
 
 def test_every_key_of_a_table_stands_there():

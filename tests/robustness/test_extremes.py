@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import chutecalc
+from chutecalc.results.columns import REPORTED
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
-from chutecalc.results.solution import EXTREMES
 from tests import seeds
 from tests.robustness.chutes import draws, told
 
@@ -33,11 +33,11 @@ def check_stations(solution):
     """No station lies beyond an extreme; how many columns there were."""
     compared = 0
     table = solution.stations(points=2001)
-    for way in solution.ways:
-        if sum(other.name == way.name for other in solution.ways) > 1:
+    for way in solution.trajectory.results:
+        if sum(other.name == way.name for other in solution.trajectory.results) > 1:
             continue  # left and met again: its stations stand under one name
         rows = table["segment"][0] == way.name
-        for name in EXTREMES:
+        for name in REPORTED:
             found = table[name][0][rows]
             found = found[np.isfinite(found)]
             if found.size:
@@ -50,9 +50,13 @@ def check_stations(solution):
 
 def check_together(solution):
     """What a sweep shows of all guiding surfaces together is the greatest of what ``run`` shows of each."""
-    guided = [way for way, part in zip(solution.ways, solution.parts, strict=True) if part.contact is not None]
-    wanted = [(name, sign) for name in EXTREMES for sign in (LEAST, LARGEST)]
-    together = solution.extreme_columns(wanted)
+    guided = [
+        way
+        for way, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True)
+        if part.contact is not None
+    ]
+    wanted = [(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)]
+    together = solution.trajectory.extreme_columns(wanted)
     for name, sign in wanted if guided else ():
         each = [(way.maximum if sign == LARGEST else way.minimum)[name] for way in guided]
         expected = (np.fmax if sign == LARGEST else np.fmin).reduce(each)
@@ -70,15 +74,16 @@ NUMBERS = {
 
 def check_places(solution):
     """An extreme, and a finding that quotes one, is what the column says at its place."""
-    for part, found in zip(solution.parts, solution.extremes, strict=True):
-        for (name, sign), extreme in found.items():
+    for sampled in solution.trajectory.sampled:
+        part = sampled.part
+        for (name, sign), extreme in sampled.extremes.items():
             if np.isfinite(extreme.value[0]) and extreme.share[0] < 1.0:  # at the end it may be a limit
                 there = part.at(extreme.share[None], [name])[name][0, 0]
                 assert there == pytest.approx(extreme.value[0], rel=1e-8, abs=1e-12), (part.name, name, sign)
-    parts = {part.name: part for part in solution.parts}
+    parts = {part.name: part for part in solution.trajectory.parts}
     for finding in solution.findings():
         name = NUMBERS.get(finding.code, "")
-        if name not in finding.numbers or sum(part.name == finding.segment for part in solution.parts) > 1:
+        if name not in finding.numbers or sum(part.name == finding.segment for part in solution.trajectory.parts) > 1:
             continue
         part, value = parts[finding.segment], finding.numbers[name][0]
         first, last = (part.at(np.array([end]), ["s_m"])["s_m"][0, 0] for end in (0.0, 1.0))

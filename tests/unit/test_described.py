@@ -23,7 +23,7 @@ def test_segments_go_by_name_and_by_number(spoon):
     assert [segment.name for segment in segments[:1]] == ["fall"]
     assert len(segments) == 2
     assert repr(segments) == "<Segments fall (fall), spoon (curve)>"
-    with pytest.raises(KeyError, match="no segment is called 'hood': there are fall, spoon"):
+    with pytest.raises(KeyError, match="no segment is called 'hood': the chute has fall, spoon"):
         segments["hood"]
     with pytest.raises(IndexError):
         segments[2]
@@ -45,6 +45,13 @@ def test_a_solution_says_how_designs_end():
     assert repr(many) == "<Solution of 3 designs: 1 ok, 2 stall>"
     stalls = chutecalc.solve(base.vary({"liners.wall.friction_deg": 50.0}))
     assert repr(stalls).startswith("<Solution: stall in chute at s = ")
+    assert repr(chutecalc.exits(base.vary({"liners.wall.friction_deg": [15.0, 50.0]}))) == (
+        "<Exits of 2 designs: 1 ok, 1 stall>"
+    )
+    assert repr(many.segments["chute"]) == "<SegmentResult chute (straight): 1 ok, 2 stall>"
+    stall = next(finding for finding in many.findings() if finding.code == "stall")
+    assert repr(stall).startswith("<failure stall (2 of 3 designs): chute, s = ")
+    assert f": {stall.message(1)}>" in repr(stall)  # of the first design that it concerns
     table = many._repr_html_()
     assert "<caption>Solution of 3 designs: 1 ok, 2 stall</caption>" in table
     assert "<td>chute</td><td>straight</td><td>1 ok, 2 stall</td><td>3</td>" in table

@@ -10,7 +10,7 @@ import pytest
 
 from chutecalc.cli.friction import run_friction_study
 from chutecalc.errors import OutputError, UsageError
-from chutecalc.results.columns import FRICTION_COLUMNS
+from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.study import CHAMFERS, INTERNAL_FRICTIONS, FrictionStudy
 
 TABLE = [  # equivalent friction at δ = 30, 40, 50, 55° for B or W = 0.5 m, A = 0.05 m², φ = 25°

@@ -22,9 +22,9 @@ CREST = {"kind": "curve", "name": "crest", "radius_m": 1.0, "to_slope_deg": 70.0
 
 
 def drawn(*chutes, units="metric"):
-    runs = [(one, chutecalc.solve(one)) for one in chutes]
-    figure = draw_run(runs, units)
-    return figure, {axes.get_label(): axes for axes in figure.axes}, [solution for _, solution in runs]
+    solutions = [chutecalc.solve(one) for one in chutes]
+    figure = draw_run(solutions, units)
+    return figure, {axes.get_label(): axes for axes in figure.axes}, solutions
 
 
 def by_name(axes, gid):

@@ -5,7 +5,8 @@ import pytest
 
 import chutecalc
 from chutecalc.fields.units import UNITS, convert, unit_keys
-from chutecalc.results.columns import COLUMNS, quantity_text
+from chutecalc.results.column import quantity_text
+from chutecalc.results.columns import AT_EXIT, COLUMNS
 from tests.conftest import chute
 
 FALL_AND_SPOON = [
@@ -15,13 +16,15 @@ FALL_AND_SPOON = [
 REST = {"velocity_m_s": 0.0, "slope_deg": 90.0}
 
 
+def three_designs():
+    base = chute(sections={"body": {"shape": "rectangular", "width_m": 0.5}}, inlet=REST, segments=FALL_AND_SPOON)
+    return base.vary({"liners.wall.friction_deg": [15.0, 40.0, 45.0], "flow.rate_t_h": [1000.0, 1000.0, 100.0]})
+
+
 @pytest.fixture(scope="module")
 def three():
     """One design runs through, two stall."""
-    base = chute(sections={"body": {"shape": "rectangular", "width_m": 0.5}}, inlet=REST, segments=FALL_AND_SPOON)
-    return chutecalc.solve(
-        base.vary({"liners.wall.friction_deg": [15.0, 40.0, 45.0], "flow.rate_t_h": [1000.0, 1000.0, 100.0]})
-    )
+    return chutecalc.solve(three_designs())
 
 
 def test_a_failing_design_is_nan_and_disturbs_no_other(three):
@@ -41,6 +44,14 @@ def test_stations_have_one_row_a_design_and_the_part_travelled(three):
     assert (np.diff(s[:, 11:], axis=1) > 0).all()
     assert np.allclose(s[:, -1], three.segments[1].exit["s_m"], rtol=1e-14)
     assert stations["velocity_m_s"][2, -1] == 0.0
+
+
+@pytest.mark.parametrize("name", AT_EXIT)
+def test_a_column_alone_at_an_exit_is_that_of_the_solution(three, name):
+    """What a column declares that it needs is enough to work it out without the rest of the stream."""
+    alone = chutecalc.exits(three_designs(), columns=[name])
+    assert alone.status.tolist() == three.status.tolist()
+    assert np.allclose(alone.exit[name], three.exit[name], rtol=1e-9, atol=1e-12, equal_nan=True)
 
 
 def test_a_choke_shows_the_stream_up_to_the_walls_height():

@@ -150,9 +150,9 @@ def test_a_crest_that_rises_is_met_again():
     end = (np.radians(40.0) - slope) * radius
     run = solve_ivp(rate, (0.0, end), [after], "DOP853", rtol=1e-12, atol=1e-14)
     solution = crest(velocity)
-    again = solution.ways[-1]
+    again = solution.trajectory.results[-1]
     assert solution.status[0] == "ok"
-    assert [way.status[0] for way in solution.ways] == ["contact_lost", "ok", "ok"]
+    assert [way.status[0] for way in solution.trajectory.results] == ["contact_lost", "ok", "ok"]
     assert again.entry["slope_deg"][0] == pytest.approx(np.degrees(slope), rel=1e-11)
     assert again.impact["incidence_deg"][0] == pytest.approx(np.degrees(incidence), rel=1e-11)
     assert solution.exit_velocity[0] == pytest.approx(run.y[0, -1], rel=1e-10)
@@ -166,8 +166,8 @@ def test_a_crest_is_met_again_up_to_the_velocity_that_clears_it(start):
     cosine = np.cos(np.radians(start))
     for square, met in ((0.999 / cosine, True), (1.001 / cosine, False), (1.001 * cosine, True)):
         solution = crest(float(np.sqrt(3.0 * G * square)), start, 85.0)
-        assert solution.legs[0].status[0] == Status.CONTACT_LOST, square  # at once
-        assert (len(solution.legs) > 1) == met, square
+        assert solution.trajectory.legs[0].status[0] == Status.CONTACT_LOST, square  # at once
+        assert (len(solution.trajectory.legs) > 1) == met, square
 
 
 def test_in_a_batch_each_crest_is_met_as_it_is_alone():

@@ -79,7 +79,7 @@ def check(case):
 
     status, distance, velocity = travel(case)
 
-    leg = solution.legs[0]
+    leg = solution.trajectory.legs[0]
     # of a hood that the stream strikes again: up to where it leaves it
     assert leg.status[0] == Status.LABELS.index(status)
     # DOP853 at 3e-14 keeps 1e-11 on such cases (compared with itself at half its tolerance), a stop 1e-9 m: it ends its

@@ -100,7 +100,7 @@ def test_leaving_an_edge_and_landing_further_down_a_straight():
     friction = vee_friction(25.0, 45.0, 50.0)
     after = arriving * np.cos(slope - second) - friction * arriving * np.sin(slope - second)
 
-    flight, straight = solution.ways
+    flight, straight = solution.trajectory.results
     assert (flight.name, flight.kind) == ("straight:flight", "flight")
     assert flight.duration[0] == pytest.approx(time, rel=1e-12)
     assert arriving * np.sin(slope - second) == pytest.approx(velocity * np.sin(second - first), rel=1e-12)
@@ -158,7 +158,7 @@ def test_contact_lost_goes_on_in_a_fall_from_where_the_stream_left():
             ],
         )
     )
-    crest, fall = solution.ways
+    crest, fall = solution.trajectory.results
 
     assert solution.status[0] == "ok"
     assert crest.status[0] == "contact_lost"
@@ -180,7 +180,7 @@ def test_nothing_catches_a_stream_that_loses_contact_before_another_contact_segm
         )
     )
     assert solution.status[0] == "missed"
-    assert [way.status[0] for way in solution.ways] == ["contact_lost", "missed"]
+    assert [way.status[0] for way in solution.trajectory.results] == ["contact_lost", "missed"]
     # what is lost on the crest is a warning, for something follows; that this does not catch it is the failure
     severity = {finding.code: (finding.severity, finding.segment) for finding in solution.findings()}
     assert severity["contact_lost"] == ("warning", "crest")

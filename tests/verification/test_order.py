@@ -79,7 +79,7 @@ def test_a_kink_costs_no_accuracy_at_any_tolerance():
 
 def test_a_panel_never_crosses_a_kink():
     solution = chutecalc.solve(kinked())
-    panels = solution.legs[0].contact.panels.of(0)
+    panels = solution.trajectory.legs[0].contact.panels.of(0)
     facets = [int(facet) for facet in panels[:, 2]]
     assert [facet for facet, _ in groupby(facets)] == [1, 0, 1]  # wall, chamfer, wall
     assert len(facets) <= 6  # and each in a panel or two

@@ -174,7 +174,7 @@ def test_a_stream_that_lifts_off_a_crest_lands_on_what_follows():
 
     time = brentq(above, 0.2, 5.0, xtol=1e-15)
     assert [way.status[0] for way in solution.segments] == ["contact_lost", "ok"]
-    assert [way.name for way in solution.ways] == ["curve", "straight:flight", "straight"]
+    assert [way.name for way in solution.trajectory.results] == ["curve", "straight:flight", "straight"]
     assert (solution.segments[1].entry["x_m"][0], solution.segments[1].entry["z_m"][0]) == pytest.approx(fly(time))
     (lost,) = [item for item in solution.findings() if item.code == "contact_lost"]
     assert lost.severity == "warning"
@@ -196,8 +196,8 @@ def test_a_hood_that_the_stream_drops_off_is_struck_again():
             segments=[{"kind": "hood", "radius_m": radius, "to_slope_deg": 80.0}],
         )
     )
-    assert [way.name for way in solution.ways] == ["hood", "hood:flight", "hood"]
-    flight, again = solution.ways[1:]
+    assert [way.name for way in solution.trajectory.results] == ["hood", "hood:flight", "hood"]
+    flight, again = solution.trajectory.results[1:]
     assert flight.duration[0] == pytest.approx(time, rel=1e-11)
     assert (again.entry["x_m"][0], again.entry["z_m"][0]) == pytest.approx(fly(time), rel=1e-11)
     (hood,) = solution.segments

@@ -43,14 +43,14 @@ def spoon(row):
 def test_velocity_at_every_station_of_the_seventeen_spoons(case, rtol):
     first = SPOONS[case][0]
     solution = chutecalc.solve(spoon(first), rtol)
-    part = solution.parts[-1]
+    part = solution.trajectory.parts[-1]
     start, end = (np.radians(90.0 - float(first[name])) for name in ("from_slope_deg", "to_slope_deg"))
     stations = [row for row in SPOONS[case] if row["velocity_m_s"]]
     place = np.array([(float(row["theta_rad"]) - start) / (end - start) for row in stations])
     expected = np.array([float(row["velocity_m_s"]) for row in stations])
 
-    _, travelled = part.ends()
-    velocity = part.at((np.clip(place, 0.0, 1.0) / travelled)[:, None])["velocity_m_s"][:, 0]
+    _, travelled = part.span()
+    velocity = part.at((np.clip(place, 0.0, 1.0) / travelled)[:, None], ["velocity_m_s"])["velocity_m_s"][:, 0]
 
     # the entry velocity is handed over as a double, and each panel rounds: 1e-15; near a stop a place is worth
     # dv = (dv/dc) rtol instead
@@ -67,7 +67,7 @@ def test_place_of_the_stall(case):
     solution = chutecalc.solve(spoon(first))
     radius = float(first["radius_m"])
 
-    theta = np.pi / 2 - solution.legs[-1].exit.slope[0]
+    theta = np.pi / 2 - solution.trajectory.legs[-1].exit.slope[0]
 
     assert solution.status[0] == "stall"
     assert abs(theta - float(first["stall_theta_rad"])) * radius < 1e-8

@@ -8,14 +8,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chutecalc.api.chute import Chute
 from chutecalc.output.plots.side import END, Mark, Trace, deepest, draw_stream, extent, traces
 from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, labels_of, looks, styled
 from chutecalc.output.table import outcome
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
-from chutecalc.results.findings import Finding
-from chutecalc.results.solution import Solution
+from chutecalc.results.finding import Finding
+from chutecalc.results.solved import SolvedChute
 
 ALONG = ("velocity_m_s", "depth_m", "pressure_kpa")
 """The columns that are drawn along the stream."""
@@ -27,26 +26,26 @@ CHARACTER = 0.6  # width of a character over its height
 LINE = 165  # characters of a note
 
 
-def draw_run(runs: Sequence[tuple[Chute, Solution]], units: str = "metric") -> Figure:
+def draw_run(solutions: Sequence[SolvedChute], units: str = "metric") -> Figure:
     """Draws one chute with its stream, or several as lines to compare.
 
     Args:
-        runs: chutes of one design each, with their solutions.
+        solutions: of one design each.
         units: ``metric`` or ``us``.
 
     Returns:
         The figure: axes ``side`` to scale, and one for each of ``ALONG`` over the distance along the stream.
     """
     with styled():
-        return _one(*runs[0], units) if len(runs) == 1 else _several(runs, units)
+        return _one(solutions[0], units) if len(solutions) == 1 else _several(solutions, units)
 
 
-def _one(chute: Chute, solution: Solution, units: str) -> Figure:
+def _one(solution: SolvedChute, units: str) -> Figure:
     """A chute with its stream at its depth."""
     way = traces(solution)
     notes, marks = _notes(solution, way, units)
     figure, axes = _layout(len(notes), extent(solution, way), units)
-    figure.suptitle(chute.spec.title or chute.source, x=0.01, ha="left")
+    figure.suptitle(solution.spec.title or solution.source, x=0.01, ha="left")
     draw_stream(axes["side"], solution, way, marks, units)
     for name in ALONG:
         panel = axes[name]
@@ -60,13 +59,15 @@ def _one(chute: Chute, solution: Solution, units: str) -> Figure:
     return figure
 
 
-def _several(runs: Sequence[tuple[Chute, Solution]], units: str) -> Figure:
+def _several(solutions: Sequence[SolvedChute], units: str) -> Figure:
     """Chutes as lines: their paths from the side, and what their streams do along them."""
-    titles = [chute.spec.title or chute.source for chute, _ in runs]
-    labels, shared = labels_of(titles if len(set(titles)) == len(titles) else [chute.source for chute, _ in runs])
-    ways = [traces(solution) for _, solution in runs]
-    size = np.max([extent(solution, way) for (_, solution), way in zip(runs, ways, strict=True)], axis=0)
-    figure, axes = _layout(1 + -(-len(runs) // 4), size, units)
+    titles = [solution.spec.title or solution.source for solution in solutions]
+    labels, shared = labels_of(
+        titles if len(set(titles)) == len(titles) else [solution.source for solution in solutions]
+    )
+    ways = [traces(solution) for solution in solutions]
+    size = np.max([extent(solution, way) for solution, way in zip(solutions, ways, strict=True)], axis=0)
+    figure, axes = _layout(1 + -(-len(solutions) // 4), size, units)
     figure.suptitle(shared or "Comparison", x=0.01, ha="left")
     lines = []
     for way, label, look in zip(ways, labels, looks(labels), strict=True):
@@ -79,7 +80,9 @@ def _several(runs: Sequence[tuple[Chute, Solution]], units: str) -> Figure:
         _limit(axes[name], np.concatenate([np.asarray(line.get_ydata()) for line in axes[name].get_lines()]))
     axes["side"].set_aspect("equal", adjustable="datalim")
     axes["side"].set_title("paths of the streams, to scale")
-    axes["notes"].legend(handles=lines[:: len(ALONG)], ncols=min(len(runs), 4), loc="upper left", borderaxespad=0.0)
+    axes["notes"].legend(
+        handles=lines[:: len(ALONG)], ncols=min(len(solutions), 4), loc="upper left", borderaxespad=0.0
+    )
     return figure
 
 
@@ -135,7 +138,7 @@ def _mark_segments(panels: Sequence[Axes], way: Sequence[Trace], units: str) -> 
             panels[0].text(0.5 * (first + last), 1.03, part.name, **place)
 
 
-def _notes(solution: Solution, way: Sequence[Trace], units: str) -> tuple[list[str], list[Mark]]:
+def _notes(solution: SolvedChute, way: Sequence[Trace], units: str) -> tuple[list[str], list[Mark]]:
     """How the stream ends and what to mind, a number for each kind of finding, with the places of that."""
     lines, marks = [outcome(solution, units)], []
     found: dict[str, list[Finding]] = {}

@@ -15,7 +15,7 @@ from chutecalc.output.plots.style import INK, MAP, PALE, SMALL, STEEL
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.surface import point
 from chutecalc.results.columns import COLUMNS
-from chutecalc.results.solution import Solution
+from chutecalc.results.solved import SolvedChute
 
 STATIONS = 101
 """Along each part of the way."""
@@ -54,14 +54,14 @@ class Mark(NamedTuple):
     s: float
 
 
-def traces(solution: Solution) -> list[Trace]:
+def traces(solution: SolvedChute) -> list[Trace]:
     """The way of the first design, part by part; parts that it did not reach are left out.
 
     Where it reaches none at all the inlet is all there is of its way.
     """
     stations = solution.stations(points=STATIONS)
     found = []
-    for number, part in enumerate(solution.parts):
+    for number, part in enumerate(solution.trajectory.parts):
         rows = slice(number * STATIONS, (number + 1) * STATIONS)
         reached = np.isfinite(stations["s_m"][0, rows])
         if reached.any():
@@ -72,14 +72,14 @@ def traces(solution: Solution) -> list[Trace]:
     return found or [_at_inlet(solution)]
 
 
-def _at_inlet(solution: Solution) -> Trace:
+def _at_inlet(solution: SolvedChute) -> Trace:
     """A way that is the inlet alone."""
     inlet = {name: values[:1] for name, values in solution.inlet.items()}
     nowhere = {name: np.full(1, np.nan) for name in COLUMNS}
     return Trace("inlet", "inlet", 0.0, nowhere | inlet | {"s_m": np.zeros(1)})
 
 
-def extent(solution: Solution, way: Sequence[Trace]) -> Array:
+def extent(solution: SolvedChute, way: Sequence[Trace]) -> Array:
     """Width and height of a chute from the side, m, with its stream's path."""
     paths = [(part.columns["x_m"], part.columns["z_m"]) for part in way]
     points = np.concatenate([np.stack(line) for line in (*paths, *_surfaces(solution))], axis=1)
@@ -87,7 +87,7 @@ def extent(solution: Solution, way: Sequence[Trace]) -> Array:
     return size
 
 
-def draw_stream(axes: Axes, solution: Solution, way: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
+def draw_stream(axes: Axes, solution: SolvedChute, way: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
     """Draws the chute and the stream of its first design.
 
     Args:
@@ -121,7 +121,7 @@ def draw_stream(axes: Axes, solution: Solution, way: Sequence[Trace], marks: Seq
     _frame(axes, shades, any(part.side == 0.0 for part in way), units)
 
 
-def deepest(solution: Solution, way: Sequence[Trace]) -> float:
+def deepest(solution: SolvedChute, way: Sequence[Trace]) -> float:
     """The depth to which the stream is drawn, m."""
     return DEEPEST * float(extent(solution, way).max())
 
@@ -159,20 +159,20 @@ def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineColle
     return line
 
 
-def _surfaces(solution: Solution) -> Iterator[tuple[Array, Array]]:
+def _surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
     """The drawn line or arc of each contact segment that has its place."""
-    for leg in {leg.number: leg for leg in reversed(solution.legs)}.values():
+    for leg in {leg.number: leg for leg in reversed(solution.trajectory.legs)}.values():
         if leg.contact is not None:
             x, z, _ = point(leg.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
             if np.isfinite(x[:, 0] + z[:, 0]).all():
                 yield x[:, 0], z[:, 0]
 
 
-def _lost_flights(solution: Solution, surfaces: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
+def _lost_flights(solution: SolvedChute, surfaces: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
     """The paths of streams that miss what should catch them, until they are below all that is drawn."""
     lowest = min((float(z.min()) for _, z in surfaces), default=np.inf)
     further = max((float(np.ptp(z)) for _, z in surfaces), default=1.0)
-    for leg in solution.legs:
+    for leg in solution.trajectory.legs:
         if leg.status[0] == Status.MISSED:
             x, z, forward, downward, gravity = leg.path[:, 0]
             drop = z - min(lowest, z) + 0.2 * further
@@ -180,7 +180,7 @@ def _lost_flights(solution: Solution, surfaces: Sequence[tuple[Array, Array]]) -
             yield x + forward * time, z - (downward + 0.5 * gravity * time) * time
 
 
-def _draw_pulley(axes: Axes, solution: Solution, units: str) -> None:
+def _draw_pulley(axes: Axes, solution: SolvedChute, units: str) -> None:
     """The head pulley with its belt, and a piece of that."""
     belt = solution.design.belt
     if belt is None:

@@ -11,7 +11,7 @@ from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 
-from chutecalc.results.columns import Column
+from chutecalc.results.column import Column
 
 MAP = "viridis"
 """Perceptually uniform, lighter as values grow, and so the same in grey."""

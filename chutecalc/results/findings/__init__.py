@@ -1,74 +1,58 @@
-"""What a designer is told of a solution: each criterion with its place, its numbers, its limit and its source."""
+"""Design criteria, each a function with a decorator in a module of this package, and what they find.
 
-from collections.abc import Callable, Iterator
+To add a criterion, write a function with :func:`chutecalc.results.criterion.criterion` in any module here, or in a new
+one: the modules are found by the package itself, and a criterion is all that is known of its findings.
+"""
+
+from collections.abc import Sequence
+from importlib import import_module
+from pkgutil import iter_modules
 
 import numpy as np
 
-from chutecalc.design import Contact, Status
+from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
-from chutecalc.results.extremes import Extreme, Wanted
-from chutecalc.results.findings import failures, warnings
-from chutecalc.results.findings.finding import FAILURE, NOTE, WARNING, WORST, Finding, Scene
-from chutecalc.results.trajectory import Numbers, Part
+from chutecalc.results.column import Numbers
+from chutecalc.results.criterion import CRITERIA, Scene
+from chutecalc.results.finding import Finding, Severity
+from chutecalc.results.sampled import SampledPart
 
-__all__ = ["WORST", "Finding", "findings", "in_order"]
+for _module in sorted(module.name for module in iter_modules(__path__)):
+    import_module(f"{__name__}.{_module}")
 
-CRITERIA: tuple[Callable[[Scene], Iterator[Finding]], ...] = (
-    failures.stall,
-    failures.choke,
-    failures.contact_lost,
-    failures.missed,
-    warnings.steep_impact,
-    warnings.flown_past,
-    warnings.inadmissible_friction,
-    warnings.outside_locus,
-    warnings.decelerating,
-    warnings.below_cut_off,
-    warnings.thick_stream,
-    warnings.slow_stream,
-    warnings.missing_load,
-    warnings.above_chamfer,
-    warnings.geometry_follows_flow,
-)
+NEEDED = tuple(dict.fromkeys(needed for criterion in CRITERIA for needed in criterion.needs))
+"""The extremes along a part that criteria read."""
+_RANK = {severity: rank for rank, severity in enumerate(Severity)}
 
 
-def findings(
-    parts: list[Part],
-    samples: list[Numbers],
-    shares: list[Array],
-    extremes: list[dict[Wanted, Extreme]],
-    designs: int,
-) -> list[Finding]:
-    """All findings of a solution: failures, then warnings, then notes, each along the way.
+def find(parts: Sequence[SampledPart], received: Numbers, exit_distance: Array, designs: int) -> list[Finding]:
+    """Return all findings of a solution: failures, then warnings, then notes, each along the stream.
 
     Args:
-        parts: of the way.
-        samples: their columns at
-        shares: of their ways.
-        extremes: theirs, ``WORST`` among them.
-        designs: how many there are.
+        parts: of the trajectory, with ``NEEDED`` among their extremes.
+        received: receiver columns at the exit; empty where the chute loads no belt.
+        exit_distance: distance from the inlet at the exit, m, shape (designs,).
+        designs: number of designs.
     """
     found: list[Finding] = []
-    guided = [part for part in parts if part.contact is not None]
+    surfaces = [sampled.part for sampled in parts if sampled.part.guided]
     with np.errstate(all="ignore"):
-        for number, (part, sampled) in enumerate(zip(parts, samples, strict=True)):
-            if part.contact is None:
-                found += failures.fallen_short(part.leg, designs) if part.kind != "flight" else ()
+        for number, sampled in enumerate(parts):
+            if sampled.part.kind == "flight":
                 continue
-            worst = {wanted: extremes[number][wanted] for wanted in WORST}
-            goes_on = np.zeros(designs, dtype=bool)
+            continues = np.zeros(designs, dtype=bool)
             for later in parts[number + 1 :]:
-                goes_on = goes_on | (later.leg.status != Status.NOT_REACHED) & (later.leg is not part.leg)
-            segment = part.leg.segment
-            assert isinstance(segment, Contact)
+                leg = later.part.leg
+                continues = continues | (leg.status != Status.NOT_REACHED) & (leg is not sampled.part.leg)
+            last = bool(surfaces) and sampled.part is surfaces[-1]
+            at_end = received if number == len(parts) - 1 else {}
             scene = Scene(
-                part, part.contact, segment, sampled, shares[number], worst, goes_on, part is guided[-1], designs
+                sampled,
+                continues=continues,
+                last_surface=last,
+                received=at_end,
+                exit_distance=exit_distance,
+                designs=designs,
             )
-            found += [finding for criterion in CRITERIA for finding in criterion(scene)]
-    return in_order(found)
-
-
-def in_order(found: list[Finding]) -> list[Finding]:
-    """Failures, then warnings, then notes."""
-    order = {FAILURE: 0, WARNING: 1, NOTE: 2}
-    return sorted(found, key=lambda finding: order[finding.severity])
+            found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]
+    return sorted(found, key=lambda finding: _RANK[finding.severity])

@@ -7,7 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, looks, styled
-from chutecalc.results.columns import COLUMNS, FRICTION_COLUMNS
+from chutecalc.results.columns import COLUMNS
+from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.report import KEPT_TEXT, given_text
 from chutecalc.studies.friction.study import FrictionStudy
 

@@ -12,7 +12,7 @@ from chutecalc.output.csv import write_columns
 from chutecalc.output.grid import Grid
 from chutecalc.output.json import FORMAT
 from chutecalc.output.table import Printer
-from chutecalc.results.columns import FRICTION_COLUMNS
+from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.study import Best, FrictionStudy
 
 SECTION_COLUMNS = ("base_m", "chamfer_wetted_m", "depth_m")

@@ -13,13 +13,12 @@ from pydantic import Field, FiniteFloat, ValidationError
 
 from chutecalc import __version__
 from chutecalc.api.chute import Chute
+from chutecalc.api.solution import Solution
 from chutecalc.errors import SpecError
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.table import Table
-from chutecalc.results.columns import COLUMNS
-from chutecalc.results.findings import Finding
-from chutecalc.results.solution import Solution
-from chutecalc.results.trajectory import COLUMN
+from chutecalc.results.columns import COLUMNS, NUMERIC
+from chutecalc.results.finding import Finding
 from chutecalc.spec.faults import faults_of
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 
@@ -247,11 +246,9 @@ def baseline_of(
     3.878
     """
     segments = []
-    for result, part in zip(solution.ways, solution.parts, strict=True):
-        columns = part.at(STATIONS, COLUMN.keys() & COLUMNS.keys())
-        stations = [
-            _finite({name: columns[name][k] for name in COLUMNS if name in columns}) for k in range(len(STATIONS))
-        ]
+    for result, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True):
+        columns = part.at(STATIONS, NUMERIC)
+        stations = [_finite({name: columns[name][k] for name in NUMERIC}) for k in range(len(STATIONS))]
         segments.append(
             BaselineSegment(
                 name=result.name,

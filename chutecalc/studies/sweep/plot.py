@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 
 from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.output.plots.style import INK, MAP, SMALL, looks, mathematical, styled
-from chutecalc.results.columns import Column
+from chutecalc.results.column import Column
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.sweep import Sweep

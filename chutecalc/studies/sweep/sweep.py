@@ -15,15 +15,15 @@ import numpy as np
 from chutecalc import __version__
 from chutecalc.api.batch import CHUNK, exits
 from chutecalc.api.chute import Chute, check_tolerance, solve
-from chutecalc.design import Status
+from chutecalc.api.solution import Solution
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.physics.arrays import Index
-from chutecalc.results.columns import COLUMNS, WAYS, row_columns
-from chutecalc.results.exits import NOT_AT_EXIT, named
+from chutecalc.results.columns import AT_EXIT, COLUMNS
+from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
-from chutecalc.results.solution import Solution
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, select_rows
+from chutecalc.studies.sweep.columns import WAYS, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
 
@@ -66,8 +66,8 @@ class Sweep:
             parallel: Whether their lists run side by side instead of in all combinations.
             keep: Dimension of a section that is constant while its chamfer angle varies: ``base``, ``width`` or
                 ``depth``.
-            columns: Names of the columns to compute, from :func:`chutecalc.results.columns.row_columns`, or a station's
-                columns with ``points`` or ``spacing``.
+            columns: Names of the columns to compute, from :func:`~chutecalc.studies.sweep.columns.row_columns`, or
+                a station's columns with ``points`` or ``spacing``.
             top: The rows to select; all by default.
             points: Number of stations of each segment, as in :meth:`chutecalc.Solution.stations`; rows are stations
                 then.
@@ -223,20 +223,21 @@ class Sweep:
         }
         if self._at_ends:
             ends = exits(variants, self.rtol, by_prefix["exit"], jobs=1)
-            codes, error, exit_, belt = ends.codes, ends.error_estimate, ends.exit, ends.receiver
+            status, ok, error = ends.status, ends.ok, ends.error_estimate
+            exit_, belt = ends.exit, ends.receiver
             numbers: Block = {}
         else:
             run = solve(variants, self.rtol)
-            codes, error, exit_ = run.codes, run.error_estimate, run.exit_columns(by_prefix["exit"])
+            status, ok, error = run.status, run.ok, run.error_estimate
+            exit_ = run.exit_columns(by_prefix["exit"])
             belt = run.receiver if any(name.startswith("receiver_") for name in self.columns) else {}
             extremes = [(name, EXTREME[prefix]) for prefix in EXTREME for name in by_prefix[prefix]]
             keys = [f"{prefix}_{name}" for prefix in EXTREME for name in by_prefix[prefix]]
-            numbers = dict(zip(keys, run.extreme_columns(extremes).values(), strict=True))
-        numbers |= named(exit_, belt, error)
-        well = codes == Status.OK
-        block: Block = {"status": np.array(Status.LABELS)[codes]}
+            numbers = dict(zip(keys, run.trajectory.extreme_columns(extremes).values(), strict=True))
+        numbers |= output_numbers(exit_, belt, error)
+        block: Block = {"status": status}
         for name in self.columns:
-            block[name] = _codes(run) if name == "findings" else np.where(well, numbers[name], np.nan)
+            block[name] = _codes(run) if name == "findings" else np.where(ok, numbers[name], np.nan)
         return {name: np.broadcast_to(values, count) for name, values in block.items()}
 
     def _stations(self, rows: Index, variants: Chute) -> tuple[Index, Block]:
@@ -252,7 +253,7 @@ class Sweep:
     @cached_property
     def _at_ends(self) -> bool:
         """Whether all columns are those of the end of the chute, so that nothing before it has to be computed."""
-        last = {f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT}
+        last = {f"exit_{name}" for name in AT_EXIT}
         return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in self.columns)
 
     def _columns(self, names: Sequence[str]) -> list[str]:

@@ -10,8 +10,10 @@ from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.fields.units import UNITS
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
-from chutecalc.results.columns import COLUMNS, Column, row_columns
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, select_rows
+from chutecalc.studies.sweep.columns import row_columns
 from chutecalc.studies.sweep.rows import joined
 from chutecalc.studies.sweep.sweep import Sweep
 

@@ -1,0 +1,61 @@
+"""Results as data frames of pandas or Polars, which are imported only here."""
+
+from collections.abc import Iterable
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from chutecalc.errors import ExtraMissingError, UsageError
+from chutecalc.results.columns import NUMERIC
+from chutecalc.results.solved import SolvedChute
+
+LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
+"""By the name of the library, what to install for it."""
+
+
+def stations_frame(
+    solution: SolvedChute, points: int | None, spacing: float | None, columns: Iterable[str], library: str
+) -> Any:
+    """Return stations as a data frame; see :meth:`chutecalc.Solution.to_dataframe`.
+
+    Args:
+        solution: of one or several designs.
+        points: number of stations on each segment.
+        spacing: instead, distance between stations, m.
+        columns: names of the columns; all by default.
+        library: ``pandas`` or ``polars``.
+    """
+    make = _data_frame(library)
+    names = list(columns)
+    table = solution.stations(points, spacing, [*dict.fromkeys([*names, "s_m"])] if names else ())
+    reached = np.isfinite(table["s_m"])
+    rows: dict[str, Any] = {"design": np.nonzero(reached)[0]} if solution.count > 1 else {}
+    return make(rows | {name: table[name][reached] for name in names or table})
+
+
+def designs_frame(solution: SolvedChute, columns: Iterable[str], library: str) -> Any:
+    """Return designs as a data frame; see :meth:`chutecalc.Solution.designs_dataframe`.
+
+    Args:
+        solution: of one or several designs.
+        columns: names of columns at the exit.
+        library: ``pandas`` or ``polars``.
+    """
+    make, names = _data_frame(library), list(columns)
+    unknown = [name for name in names if name not in NUMERIC]
+    if unknown:
+        raise UsageError(f"there is no column {', '.join(unknown)} at an exit: `chutecalc columns` lists the columns")
+    numbers = solution.exit_columns(names)
+    rows = {"design": np.arange(solution.count), "status": np.broadcast_to(solution.status, solution.count)}
+    return make(rows | {f"exit_{name}": np.broadcast_to(numbers[name], solution.count) for name in names})
+
+
+def _data_frame(library: str) -> Any:
+    """The library's DataFrame."""
+    if library not in LIBRARIES:
+        raise UsageError(f"library has to be {' or '.join(LIBRARIES)}, not {library!r}")
+    if find_spec(library) is None:
+        raise ExtraMissingError(f"to_dataframe needs {library}: pip install '{LIBRARIES[library]}'")
+    return import_module(library).DataFrame

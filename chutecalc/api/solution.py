@@ -1,0 +1,135 @@
+"""The public solution of a chute: its results, a picture, data frames, and how it shows itself."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from chutecalc.errors import UsageError
+from chutecalc.output.extras import require_extra
+from chutecalc.results.described import html_table, number, outcomes
+from chutecalc.results.solved import SolvedChute
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+UNITS = ("metric", "us")
+DEFAULT_COLUMNS = ("velocity_m_s", "depth_m", "slope_deg")
+"""Columns at the exit that are shown by default."""
+
+
+class Solution(SolvedChute):
+    """The solution of a chute, or of n variants of it. Numbers are NaN after a design's failure.
+
+    Arrays over designs are of shape (designs,), also for one design.
+
+    >>> import chutecalc
+    >>> solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
+    >>> solution.status.tolist(), solution.exit_velocity.round(3).tolist()
+    (['ok'], [3.878])
+    >>> [finding.code for finding in solution.findings()]
+    ['below_cut_off']
+    """
+
+    def plot(self, units: str = "metric") -> "Figure":
+        """Draw the chute from the side with its stream, and velocity, depth and pressure along it.
+
+        Args:
+            units: ``metric`` or ``us``.
+
+        Returns:
+            The Matplotlib figure; ``figure.savefig("chute.svg")`` writes it.
+
+        Raises:
+            UsageError: the solution is that of several designs, or the units are unknown.
+            ExtraMissingError: Matplotlib is not installed.
+        """
+        if self.count != 1:
+            raise UsageError(
+                f"plot draws one design, and this solution has {self.count}: solve the design to draw alone"
+            )
+        if units not in UNITS:
+            raise UsageError(f"units has to be {' or '.join(UNITS)}, not {units!r}")
+        require_extra("plot", "Solution.plot")
+        from chutecalc.output.plots.run import draw_run
+
+        return draw_run([self], units)
+
+    def to_dataframe(
+        self,
+        points: int | None = None,
+        spacing: float | None = None,
+        columns: Iterable[str] = (),
+        library: str = "pandas",
+    ) -> Any:
+        """Return the stations as a data frame, a row for each that a design's stream reached.
+
+        Args:
+            points: number of stations on each segment, as for :meth:`stations`.
+            spacing: instead, distance between stations, m.
+            columns: names of the columns; all by default.
+            library: ``pandas`` or ``polars``; it is imported only here.
+
+        Returns:
+            A ``DataFrame`` of that library. Of several designs it begins with a column ``design``, numbered from 0.
+
+        Raises:
+            UsageError: as for :meth:`stations`, or another library.
+            ExtraMissingError: the library is not installed.
+        """
+        from chutecalc.api.dataframe import stations_frame
+
+        return stations_frame(self, points, spacing, columns, library)
+
+    def designs_dataframe(self, columns: Iterable[str] = DEFAULT_COLUMNS, library: str = "pandas") -> Any:
+        """Return a data frame with a row for each design: its status and columns at the exit.
+
+        Args:
+            columns: names of columns at the exit; in the frame ``exit_`` stands before them, as in sweeps.
+            library: ``pandas`` or ``polars``; it is imported only here.
+
+        Returns:
+            A ``DataFrame`` of that library, NaN for designs that fail.
+
+        Raises:
+            UsageError: a name is unknown, or the library.
+            ExtraMissingError: the library is not installed.
+        """
+        from chutecalc.api.dataframe import designs_frame
+
+        return designs_frame(self, columns, library)
+
+    def __repr__(self) -> str:
+        """Return the outcome and how the stream leaves.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
+        <Solution: ok, leaves spoon at 3.878 m/s, 0.1399 m deep>
+        """
+        return f"<Solution{self._described()}>"
+
+    def _repr_html_(self) -> str:
+        """A row for each segment, for notebooks: of several designs the ranges."""
+        headings = ("segment", "kind", "status", "entry, m/s", "exit, m/s", "exit depth, m")
+        rows = [
+            (
+                segment.name,
+                segment.kind,
+                str(segment.status[0]) if self.count == 1 else outcomes(segment.status),
+                number(segment.entry["velocity_m_s"]),
+                number(np.where(segment.status == "ok", segment.exit["velocity_m_s"], np.nan)),
+                number(np.where(segment.status == "ok", segment.exit["depth_m"], np.nan)),
+            )
+            for segment in self.segments
+        ]
+        return html_table(f"Solution{self._described()}", headings, rows)
+
+    def _described(self) -> str:
+        if self.count > 1:
+            return f" of {self.count} designs: {outcomes(self.status)}"
+        if not self.ok[0]:
+            legs, code = self.trajectory.legs, self.trajectory.codes[0]
+            failed = next((leg for leg in legs if leg.status[0] == code), legs[-1])
+            return f": {self.status[0]} in {failed.segment.name} at s = {number(failed.exit.distance, 'm')}"
+        last, depth = self.design.segments[-1].name, number(self.exit_depth, "m deep")
+        return f": ok, leaves {last} at {number(self.exit_velocity, 'm/s')}" + ("" if depth == "–" else f", {depth}")

@@ -1,0 +1,125 @@
+"""A column of a table: its name, its unit, and how people read its numbers."""
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from chutecalc.fields.units import TEXT, convert
+from chutecalc.physics.arrays import Array
+
+Numbers = dict[str, Array]
+"""Arrays by column name."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A quantity, and how people read it."""
+
+    name: str
+    """In CSV and JSON and from Python, with its unit."""
+    heading: str
+    """Over its column in tables."""
+    symbol: str
+    """As docs/nomenclature.md has it; empty where there is none."""
+    meaning: str
+    dimension: str = ""
+    """Empty for text; ``number`` for what has no unit."""
+    unit: str = ""
+    """As specs spell it, such as ``m_s``; empty for text and for numbers without a unit."""
+    digits: int = 3
+    """Decimals in tables."""
+    us_unit: str = ""
+    """Unit for people in the United States; empty where that is the same."""
+    us_digits: int = 1
+
+    def shown(self, value: float, units: str) -> str:
+        """Format a number for tables.
+
+        Args:
+            value: in the column's own unit.
+            units: ``metric`` or ``us``.
+
+        Returns:
+            The number without its unit; empty for NaN, ∞ where it grows without bound.
+
+        >>> column = Column("depth_m", "depth", "H", "flow depth", "length", "m", 4, "in", 2)
+        >>> column.shown(0.0254, "us"), column.shown(float("nan"), "metric")
+        ('1.00', '')
+        """
+        if value != value:
+            return ""
+        if math.isinf(value):
+            return "∞" if value > 0 else "-∞"
+        if units == "us" and self.us_unit:
+            return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
+        return f"{value:.{self.digits}f}"
+
+    def converted(self, values: Any, units: str) -> Any:
+        """Convert numbers to the unit of :meth:`unit_text`.
+
+        Args:
+            values: numbers or arrays in the column's own unit.
+            units: ``metric`` or ``us``.
+
+        >>> column = Column("velocity_m_s", "velocity", "v", "mean velocity", "velocity", "m_s", 3, "fpm", 1)
+        >>> round(column.converted(1.5, "us"), 1)
+        295.3
+        """
+        return convert(values, self.dimension, self.unit, self.us_unit) if units == "us" and self.us_unit else values
+
+    def label(self, units: str) -> str:
+        """Return the label of an axis: name, symbol and unit.
+
+        Args:
+            units: ``metric`` or ``us``.
+
+        >>> Column("velocity_m_s", "velocity", "v", "mean velocity", "velocity", "m_s", 3, "fpm", 1).label("us")
+        'velocity v, fpm'
+        >>> Column("equivalent_friction", "μ_e", "μ_e", "equivalent friction", "number", "", 4).label("metric")
+        'equivalent friction μ_e'
+        """
+        words = self.heading if self.heading != self.symbol else re.split("[;,:]", self.meaning)[0]
+        return ", ".join(part for part in (f"{words} {self.symbol}".strip(), self.unit_text(units)) if part)
+
+    def unit_text(self, units: str) -> str:
+        """Return the unit of :meth:`shown` as people write it.
+
+        Args:
+            units: ``metric`` or ``us``.
+        """
+        unit = self.us_unit if units == "us" and self.us_unit else self.unit
+        return TEXT.get(unit, unit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaColumn(Column):
+    """A column with the formula of its values."""
+
+    formula: Callable[..., Array]
+
+
+_US_UNITS = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
+"""Units that messages convert to US units, by their dimension."""
+_INCHES = ("depth_m", "chamfer_m", "wall_height_m")
+
+
+def quantity_text(name: str, value: float, units: str) -> str:
+    """Format a number of a message with its unit.
+
+    Args:
+        name: of the number; it ends in the unit, as ``depth_m``.
+        value: in that unit.
+        units: ``metric`` or ``us``.
+
+    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us")
+    ('1.5 m/s', '12 in')
+    """
+    known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
+    unit = known[-1] if known else ""
+    if units == "us" and unit in _US_UNITS:
+        dimension, other = ("length", "in") if name in _INCHES else _US_UNITS[unit]
+        value, unit = convert(value, dimension, unit, other), other
+    shown = TEXT.get(unit, unit)
+    return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

@@ -1,0 +1,71 @@
+"""A finding about a solution: what it says, how severe it is, which designs it concerns and where."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.results.column import Numbers, quantity_text
+
+
+class Severity(StrEnum):
+    """How severe a finding is, the worst first.
+
+    >>> list(Severity)
+    [<Severity.FAILURE: 'failure'>, <Severity.WARNING: 'warning'>, <Severity.NOTE: 'note'>]
+    """
+
+    FAILURE = "failure"
+    """The stream does not get through."""
+    WARNING = "warning"
+    """The design, or the validity of the model, is in doubt."""
+    NOTE = "note"
+    """Worth knowing."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Finding:
+    """One finding about some of the designs; arrays are of shape (designs,)."""
+
+    code: str
+    """Short name, such as ``stall``; README lists all codes."""
+    severity: Severity
+    """``failure``, ``warning`` or ``note``."""
+    segment: str
+    """Name of the segment concerned."""
+    mask: Mask
+    """True for the designs concerned."""
+    s_m: Array
+    """Position: distance from the inlet along the stream, m."""
+    template: str
+    """The message, with names of ``numbers`` in braces."""
+    numbers: Numbers
+    """The numbers that led to the finding; names end in their units."""
+
+    def message(self, design: int = 0, units: str = "metric") -> str:
+        """Return the finding in words for one design.
+
+        Args:
+            design: index of the design, from 0.
+            units: ``metric`` or ``us``.
+
+        Returns:
+            A sentence without its final period.
+        """
+        return self.template.format(
+            **{name: quantity_text(name, float(values[design]), units) for name, values in self.numbers.items()}
+        )
+
+    def __repr__(self) -> str:
+        """Return code, position and message of the first design concerned.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).findings()[0]  # doctest: +ELLIPSIS
+        <warning below_cut_off: spoon, s = ... m: the spoon ends at ...>
+        """
+        concerned = np.flatnonzero(self.mask)
+        first = int(concerned[0]) if concerned.size else 0
+        designs = f" ({concerned.size} of {len(self.mask)} designs)" if len(self.mask) > 1 else ""
+        position = quantity_text("s_m", float(self.s_m[first]), "metric")
+        return f"<{self.severity} {self.code}{designs}: {self.segment}, s = {position}: {self.message(first)}>"

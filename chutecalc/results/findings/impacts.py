@@ -1,0 +1,57 @@
+"""How the stream meets segments."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.design import Status
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.finding import Severity
+
+STEEPEST_IMPACT = np.radians(20.0)
+
+
+@criterion(
+    "steep_impact",
+    Severity.WARNING,
+    summary="the stream strikes a surface at a steep angle",
+    limit=f"incidence > {np.degrees(STEEPEST_IMPACT):g}°",
+    source="practice",
+)
+def steep_impact(scene: Scene) -> Iterator[Case]:
+    """Find impacts at more than 20° (practice).
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    arrival = scene.contact.arrival
+    template = (
+        "the stream strikes the surface at {incidence_deg} (limit 20°, practice), which slows it from {velocity_m_s} to"
+        " {after_m_s} and loads the surface with {pressure_kpa}; align the surface with the stream"
+    )
+    yield Case(
+        (arrival.incidence > STEEPEST_IMPACT) & (arrival.status <= Status.STALL),
+        scene.leg.entry.distance,
+        template,
+        {
+            "incidence_deg": np.degrees(arrival.incidence),
+            "velocity_m_s": arrival.velocity,
+            "after_m_s": arrival.impact.after,
+            "pressure_kpa": arrival.impact.pressure / 1000.0,
+        },
+    )
+
+
+@criterion("flown_past", Severity.WARNING, summary="the stream flies past a segment to one further on")
+def flown_past(scene: Scene) -> Iterator[Case]:
+    """Find flights past the segment to one further on.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    template = (
+        "the stream flies past the segment, {gap_m} from its end, to one further on; move the segment into the stream"
+        " or leave it out"
+    )
+    mask, gap = scene.leg.status == Status.PASSED, scene.contact.arrival.gap
+    yield Case(mask, scene.leg.start.distance, template, {"gap_m": gap})

@@ -1,0 +1,88 @@
+"""Whether slopes keep the stream moving."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.design import Status
+from chutecalc.physics.motion import FLOOR
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.extremes import LARGEST, LEAST, extremes
+from chutecalc.results.finding import Severity
+
+DECELERATION_MARGIN = 1.25
+CUT_OFF = np.radians(5.0)
+
+
+@criterion(
+    "decelerating",
+    Severity.WARNING,
+    summary="on a straight the stream comes near or falls below the velocity at which friction slows it",
+    limit=f"v < {DECELERATION_MARGIN:g} v_c",
+    needs=[("velocity_m_s", LEAST), ("wall_friction", LARGEST)],
+)
+def decelerating(scene: Scene) -> Iterator[Case]:
+    """Find straights on which the stream comes near, or falls below, the velocity at which friction slows it.
+
+    Where the section is constant, the slowest point decides; along a taper the critical velocity changes.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    if scene.segment.deflects or scene.segment.radius is not None:
+        return
+    worst = scene.extreme("velocity_m_s", LEAST)
+    if scene.segment.end_section is not None:
+        shares, least_margin = scene.sampled.shares, ("balance_margin", LEAST)
+        margins = scene.part.at(shares, ["balance_margin"])
+        worst = extremes(scene.part, margins, shares, [least_margin])[least_margin]
+    velocity, critical, friction = scene.at(worst.share, "velocity_m_s", "balance_m_s", "wall_friction")
+    at_entry = scene.sampled.columns["wall_friction"][0]  # quoted for a stalled stream, rather than that of a heap
+    friction = np.where(velocity > 0.0, friction, at_entry)
+    slope, s = np.degrees(scene.contact.surface.slope), scene.distance(worst.share)
+    flat = np.isinf(critical) & np.isfinite(velocity)
+    template = (
+        "the slope of {slope_deg} is flatter than the equivalent friction angle at any velocity (wall friction"
+        " {friction_deg}), so the stream decelerates; make the slope steeper or reduce the friction"
+    )
+    angle = np.degrees(np.arctan(friction))
+    yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle})
+    margin = velocity / critical
+    template = (
+        "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
+        " friction brings it to a stall on a slope of {slope_deg} (limit 1.25); make the slope steeper"
+    )
+    yield Case(
+        (margin < DECELERATION_MARGIN) & ~flat,
+        s,
+        template,
+        {"velocity_m_s": velocity, "margin": margin, "critical_velocity_m_s": critical, "slope_deg": slope},
+    )
+
+
+@criterion(
+    "below_cut_off",
+    Severity.WARNING,
+    summary="the last spoon ends too flat to clear itself",
+    limit=f"slope < atan(μ_e) + {np.degrees(CUT_OFF):g}°",
+    source="practice",
+)
+def below_cut_off(scene: Scene) -> Iterator[Case]:
+    """Find a last spoon that ends flatter than the equivalent friction angle + 5° (practice).
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    surface = scene.contact.surface
+    if not (scene.last_surface and surface.side == FLOOR):
+        return
+    needed = np.arctan(scene.sampled.columns["equivalent_friction"][-1]) + CUT_OFF
+    slope = surface.slope + surface.turn
+    template = (
+        "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
+        " (equivalent friction angle + 5°, practice)"
+    )
+    mask = (scene.leg.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
+    yield Case(
+        mask, scene.leg.exit.distance, template, {"slope_deg": np.degrees(slope), "needed_deg": np.degrees(needed)}
+    )

@@ -1,0 +1,139 @@
+"""Whether the stream is one that the model and the drawn section describe."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.extremes import LARGEST, LEAST
+from chutecalc.results.finding import Severity
+from chutecalc.solver.leg import TANGENT
+
+THICKEST = 1.0
+THICKEST_ON_ARC = 0.1
+SLOWEST_FROUDE = 2.0
+MOST_MISSING = 0.10
+
+
+@criterion(
+    "thick_stream",
+    Severity.WARNING,
+    summary="the stream is too deep for its width or for the radius of its surface",
+    limit=f"H > {THICKEST:g} b_s, H > {THICKEST_ON_ARC:g} R",
+    needs=[("thickness", LARGEST), ("depth_m", LARGEST)],
+)
+def thick_stream(scene: Scene) -> Iterator[Case]:
+    """Find depths above the free surface's width, or above a tenth of the radius.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    thick, deep = scene.extreme("thickness", LARGEST), scene.extreme("depth_m", LARGEST)
+    template = (
+        "the depth reaches {thickness} times the stream's width (limit 1), too thick for a model with one mean"
+        " velocity; use a wider section"
+    )
+    mask = thick.value > THICKEST
+    yield Case(mask, scene.distance(thick.share), template, {"thickness": thick.value})
+    share = deep.value * np.abs(scene.contact.surface.curvature)
+    template = (
+        "the depth of {depth_m} reaches {share} of the radius (limit 0.1), too thick for a model with one mean"
+        " velocity; use a larger radius"
+    )
+    mask, s = share > THICKEST_ON_ARC, scene.distance(deep.share)
+    yield Case(mask, s, template, {"depth_m": deep.value, "share": share})
+
+
+@criterion(
+    "slow_stream",
+    Severity.WARNING,
+    summary="the stream is so slow that the neglected pressure gradient counts",
+    limit=f"Fr < {SLOWEST_FROUDE:g}",
+    needs=[("froude", LEAST)],
+)
+def slow_stream(scene: Scene) -> Iterator[Case]:
+    """Find Froude numbers below 2, where the neglected pressure gradient changes dv/ds by about K/Fr².
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    froude = scene.extreme("froude", LEAST)
+    template = (
+        "the Froude number falls to {froude} (limit 2): the pressure gradient along the stream, which the model"
+        " neglects, changes dv/ds by about 1/Fr² there; a steeper slope makes the stream faster"
+    )
+    mask = froude.value < SLOWEST_FROUDE
+    yield Case(mask, scene.distance(froude.share), template, {"froude": froude.value})
+
+
+@criterion(
+    "missing_load",
+    Severity.WARNING,
+    summary="the paper's law lays much of the weight on the centre section by way of correction",
+    limit=f"m > {MOST_MISSING:g}",
+    needs=[("missing_load", LARGEST)],
+)
+def missing_load(scene: Scene) -> Iterator[Case]:
+    """Find loads above a tenth of the weight that the paper's law lays on the centre section as a correction.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    if scene.design.equilibrium:
+        return
+    missing = scene.extreme("missing_load", LARGEST)
+    friction, even = scene.at(missing.share, "equivalent_friction", "equilibrium_friction")
+    template = (
+        "hydrostatic wall pressures do not carry {missing_load} of the weight (limit 0.1): the paper's law lays it on"
+        " the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it would be"
+        ' {equilibrium_friction} (friction_law = "equilibrium")'
+    )
+    yield Case(
+        missing.value > MOST_MISSING,
+        scene.distance(missing.share),
+        template,
+        {"missing_load": missing.value, "equivalent_friction": friction, "equilibrium_friction": even},
+    )
+
+
+@criterion(
+    "above_chamfer",
+    Severity.NOTE,
+    summary="the depth passes the drawn top of the section",
+    needs=[("above_top_m", LARGEST)],
+)
+def above_chamfer(scene: Scene) -> Iterator[Case]:
+    """Find depths above the drawn top of the section.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    worst = scene.extreme("above_top_m", LARGEST)
+    (top,) = scene.at(worst.share, "top_m")
+    template = (
+        "the depth of {depth_m} exceeds the drawn top of the section at {top_m}; above it the walls are taken as"
+        " vertical"
+    )
+    numbers = {"depth_m": worst.value + top, "top_m": top}
+    yield Case(worst.value > 0.0, scene.distance(worst.share), template, numbers)
+
+
+@criterion(
+    "geometry_follows_flow", Severity.NOTE, summary="a curve is drawn tangent to a stream that does not fall vertically"
+)
+def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
+    """Find curves tangent to a stream that does not fall vertically: their drawn slope changes with the flow.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    if scene.segment.entry_slope is not None:
+        return
+    slope = np.degrees(scene.contact.surface.slope)
+    template = (
+        "the curve is drawn tangent to the stream, from {slope_deg}, so its shape changes with the flow; set"
+        " from_slope_deg to fix it"
+    )
+    s = scene.leg.start.distance
+    mask = slope < 90.0 - np.degrees(TANGENT)
+    yield Case(mask, s, template, {"slope_deg": slope})

@@ -1,0 +1,241 @@
+"""Parts of a solved trajectory, and their columns at any share of their length.
+
+Arrays are of shape (stations, designs), or of shape (designs,) where each design has one value.
+"""
+
+from collections.abc import Iterable
+from functools import cached_property
+
+import numpy as np
+
+from chutecalc.core.profile import flown
+from chutecalc.design import Contact, Design, Segment, Status, stretched
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.section import Polygon
+from chutecalc.results.column import Numbers
+from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
+from chutecalc.results.impacts import impact_of
+from chutecalc.solver.leg import ContactLeg, Ends, Leg
+from chutecalc.solver.profile import EndFlight, EndProfile, FlightProfile, SlideProfile
+
+FLIGHT_SHARES = np.linspace(0.0, 1.0, 65)
+"""Shares at which a flight is sampled: all is smooth along it."""
+AT_REST = (1e-40, 1e-44)
+"""Two values of v², m²/s², so near rest that a quantity with a limit there has reached it to the last digit."""
+LIFT_OFF = 1e-6
+"""Ratio to gravity of the normal acceleration below which contact was lost by it falling to 0."""
+
+Profile = FlightProfile | SlideProfile
+
+
+class SegmentContext:
+    """What formulas of columns know of where they are worked out: on a segment, or in a flight to it."""
+
+    def __init__(self, segment: Segment, design: Design, guided: bool) -> None:
+        """A context.
+
+        Args:
+            segment: its description.
+            design: the chutes.
+            guided: whether the stream follows a surface here.
+        """
+        self.segment, self.design, self.guided = segment, design, guided
+
+    @cached_property
+    def start_time(self) -> Array:
+        """Time from the inlet to the start, s; NaN, as only a part of a whole trajectory knows it."""
+        return np.full(1, np.nan)
+
+    @property
+    def slip_ratio(self) -> Array:
+        """Slip velocity at the wall over mean velocity, dimensionless."""
+        assert isinstance(self.segment, Contact)
+        return self.segment.slip_ratio
+
+    @property
+    def between_facets(self) -> bool:
+        """Whether the section has drawn facets beside its centre."""
+        section = self.segment.section if isinstance(self.segment, Contact) else None
+        return self.guided and isinstance(section, Polygon) and bool(section.lengths)
+
+    @property
+    def on_arc(self) -> bool:
+        """Whether the stream follows an arc."""
+        return self.guided and isinstance(self.segment, Contact) and self.segment.radius is not None
+
+
+class Part(SegmentContext):
+    """A part of the trajectory: a segment, or a flight that leads to one."""
+
+    def __init__(
+        self, name: str, kind: str, leg: Leg, *, contact: ContactLeg | None, before: "Part | None", design: Design
+    ) -> None:
+        """A part.
+
+        Args:
+            name: of the segment; ``NAME:flight`` for a flight that leads to it.
+            kind: of the segment, or ``flight``.
+            leg: the solved segment.
+            contact: its contact with the surface; None in flight.
+            before: the part before it.
+            design: the chutes.
+        """
+        super().__init__(leg.segment, design, contact is not None)
+        self.name, self.kind, self.leg, self.contact, self.before = name, kind, leg, contact, before
+
+    @cached_property
+    def start_time(self) -> Array:
+        """Time from the inlet to the start of the part, s, shape (designs,)."""
+        return np.zeros(1) if self.before is None else self.before.end_time
+
+    @cached_property
+    def end_time(self) -> Array:
+        """Time from the inlet to the end of the part, s, shape (designs,); to its start where a design skips it."""
+        with np.errstate(all="ignore"):
+            time = self.start_time + self._profile(np.ones(1)).time[0]
+        return np.where(np.isfinite(time), time, self.start_time)
+
+    def span(self) -> tuple[Array, Array]:
+        """Return where each design enters and leaves the part: m flown in flight, shares of the segment in contact."""
+        if self.contact is None:
+            flies = (self.leg.flight_time > 0.0) | (self.kind != "flight")
+            end = np.where(flies, self.leg.flown, np.nan)
+            return np.where(np.isnan(end), np.nan, 0.0), end
+        ends = self.contact.ends
+        return ends[0], ends[2]
+
+    def length(self) -> Array:
+        """Return the distance travelled on the part, m, shape (designs,)."""
+        begin, end = self.span()
+        return end - begin if self.contact is None else (end - begin) * self.contact.surface.length
+
+    def status(self) -> Index:
+        """Return how the part ends for each design, by status number; a flight to a segment is ok where it lands."""
+        if self.kind == "flight":
+            return np.where(self.leg.flight_time > 0.0, Status.OK, Status.NOT_REACHED)
+        return self.leg.status
+
+    def impact(self) -> Numbers:
+        """Return each design's impact on the segment, see :func:`chutecalc.results.impacts.impact_of`."""
+        return {} if self.contact is None else impact_of(self.contact.arrival, self.slip_ratio)
+
+    def shares(self) -> Array:
+        """Return shares of the length travelled that resolve all columns: 0, the knots of the solver's panels, and 1.
+
+        Between two neighbours everything is smooth, as panels end at kinks.
+
+        Returns:
+            Shares of shape (samples,) where they are the same for all designs, else (samples, designs); a design with
+            fewer samples repeats its end.
+        """
+        begin, end = self.span()
+        if self.contact is None:
+            _, _, _, downward, gravity = self.leg.path
+            rises = (downward < 0.0) & (end > 0.0)
+            if not rises.any():
+                return FLIGHT_SHARES
+            top = np.minimum(-downward / gravity, self.leg.flight_time)[None]  # next to it the velocity has its dip
+            length = np.empty(top.shape)
+            flown(self.leg.path, top, length)
+            share = np.where(rises, length[0] / np.where(rises, end, 1.0), 1.0)
+            return np.sort(np.concatenate([np.repeat(FLIGHT_SHARES[:, None], len(share), axis=1), share[None]]), axis=0)
+        positions = self.contact.panels.knots()
+        length = np.where(end > begin, end - begin, np.inf)
+        shares = np.ones((len(positions) + 1, len(begin)))
+        shares[0] = 0.0
+        inside = np.clip((positions - begin) / length, 0.0, 1.0)
+        shares[1:] = np.where(np.isnan(inside), 1.0, inside)
+        alike = (shares == shares[:, :1]).all()
+        return shares[:, 0] if alike else shares
+
+    def limits(self, names: Iterable[str]) -> Numbers:
+        """Return the limits of columns at the end of the part.
+
+        Towards a stall depth grows without bound, towards a loss of contact the Froude number: such limits are
+        infinite, where a station has no value.
+
+        Args:
+            names: of the columns.
+
+        Returns:
+            Arrays of shape (designs,) by name.
+        """
+        with np.errstate(all="ignore"):
+            at = self._profile(np.ones(1))
+            values = {name: ALL_COLUMNS[name].values(self, at)[0] for name in names}
+            if not isinstance(at, SlideProfile):
+                return values
+            rest = at.velocity_squared[0] == 0.0
+            if rest.any():
+                slow, slower = (at.moving(tiny) for tiny in AT_REST)
+                for name, there in values.items():
+                    near, nearer = (ALL_COLUMNS[name].values(self, one)[0] for one in (slow, slower))
+                    tends = np.where(np.abs(nearer) > 2.0 * np.abs(near), np.copysign(np.inf, near), near)
+                    values[name] = np.where(rest, np.where(np.abs(nearer) < 0.5 * np.abs(near), 0.0, tends), there)
+            for name in values:
+                if ALL_COLUMNS[name].infinite_at_lift_off:
+                    lost = self.leg.status == Status.CONTACT_LOST
+                    lost = lost & (np.abs(at.normal[0]) < LIFT_OFF * self.design.gravity)
+                    values[name] = np.where(lost, np.inf, values[name])
+        return values
+
+    def at(self, shares: Array, names: Iterable[str]) -> Numbers:
+        """Return columns at shares of the length travelled.
+
+        Args:
+            shares: dimensionless, 0 to 1, of shape (stations,) for all designs or (stations, designs).
+            names: of the columns to work out.
+
+        Returns:
+            Arrays of shape (stations, designs) by name.
+        """
+        at = self._profile(shares)
+        with np.errstate(all="ignore"):
+            values = {name: ALL_COLUMNS[name].values(self, at) for name in names}
+        shapes = {at.shape, *(column.shape for column in values.values())}
+        shape = at.shape if len(shapes) == 1 else np.broadcast_shapes(*shapes)
+        return {name: stretched(column, shape) for name, column in values.items()}
+
+    def _profile(self, shares: Array) -> Profile:
+        each = shares[:, None] if shares.ndim == 1 else shares
+        leg = self.leg
+        if each.shape[1] > leg.table.shape[1]:  # designs that differ in what the stream does not feel, as slip at walls
+            leg = leg.widened(each.shape[1])
+        begin, end = self.span()
+        positions = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
+        if self.contact is None:
+            return FlightProfile(leg, self.design.volume_rate, positions)
+        assert leg.contact is not None
+        return SlideProfile(leg, leg.contact, self.design.volume_rate, positions)
+
+
+def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
+    """Return columns at the end of the chute.
+
+    Args:
+        design: the chutes.
+        ends: how they end, solved with what :func:`exit_needs` gives for these columns.
+        names: of columns, among :data:`chutecalc.results.columns.AT_EXIT`.
+
+    Returns:
+        Arrays of shape (designs,) by name, NaN where a design fails.
+    """
+    last = design.segments[-1]
+    context, well = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
+    at: Profile = EndProfile(ends, design.volume_rate) if context.guided else EndFlight(ends, design.volume_rate)
+    with np.errstate(all="ignore"):
+        columns = {name: ALL_COLUMNS[name].values(context, at)[0] for name in names}
+    return {name: np.where(well, values, np.nan) for name, values in columns.items()}
+
+
+def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:
+    """Return what the solver has to work out at the exit for some columns.
+
+    Args:
+        names: of columns.
+
+    Returns:
+        Whether they need how the stream fills the section, and what the walls carry.
+    """
+    names = set(names)
+    return not names.isdisjoint(NEEDING_DEPTH), not names.isdisjoint(NEEDING_WALLS)

@@ -1,0 +1,33 @@
+"""A part of the trajectory with its columns where it was sampled, and their extremes."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from chutecalc.physics.arrays import Array
+from chutecalc.results.column import Numbers
+from chutecalc.results.extremes import Extreme, ExtremeOf, extremes
+from chutecalc.results.part import Part
+
+
+class SampledPart(NamedTuple):
+    """A part of the trajectory with its columns where it was sampled."""
+
+    part: Part
+    shares: Array
+    """Of the part's length, where it was sampled, see :meth:`chutecalc.results.part.Part.shares`."""
+    columns: Numbers
+    """By name, each of shape (samples, designs)."""
+    extremes: dict[ExtremeOf, Extreme]
+
+
+def sample(part: Part, names: Sequence[str], extremes_of: Sequence[ExtremeOf]) -> SampledPart:
+    """Sample a part where that resolves all quantities on it.
+
+    Args:
+        part: of a trajectory.
+        names: of the columns to sample.
+        extremes_of: extremes to find, of columns among them.
+    """
+    shares = part.shares()
+    columns = part.at(shares, names)
+    return SampledPart(part, shares, columns, extremes(part, columns, shares, extremes_of))
