@@ -144,8 +144,9 @@ def _write(campaign: Campaign) -> int:
 def _run(campaign: Campaign, jobs: int | None, mpi: int, lmp: str) -> None:
     """Runs what is needed; says before how long that takes."""
     from chutecalc.dem.campaign import expected_seconds
-    from chutecalc.dem.engine import Engine, cores
+    from chutecalc.dem.engine import Engine
     from chutecalc.output.progress import progress
+    from chutecalc.runtime import cores
 
     if not any(campaign.outcome(group).needed for group in campaign.groups):
         return

@@ -87,11 +87,6 @@ class Engine:
                 _end(process)
 
 
-def cores() -> int:
-    """How many this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def _end(process: "subprocess.Popen[bytes]") -> None:
     """Ends a program with what it has started."""
     with suppress(ProcessLookupError):

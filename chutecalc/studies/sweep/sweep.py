@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 from collections import deque
 from collections.abc import Generator, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -22,6 +21,7 @@ from chutecalc.results.columns import COLUMNS, WAYS, row_columns
 from chutecalc.results.exits import NOT_AT_EXIT, named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
+from chutecalc.runtime import cores
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.kept import Kept
@@ -129,7 +129,7 @@ class Sweep:
             numbers: which.
             jobs: threads; as many as there are cores where that is not given. The rows do not depend on it.
         """
-        threads = jobs or os.cpu_count() or 1
+        threads = jobs or cores()
         waiting: deque[tuple[int, Future[Block]]] = deque()
         with ThreadPoolExecutor(threads) as pool:
             try:
