@@ -6,17 +6,23 @@ from typing import Any, NamedTuple
 
 
 class ExitStatus(IntEnum):
-    """Exit statuses of the commands."""
+    """Exit statuses of the commands, each with its meaning. ``chutecalc --help`` lists them."""
 
-    OK = 0
-    FAILS = 1
-    """The design fails, or a check found a difference."""
-    USAGE = 2
-    """A wrong command or spec, or an output that cannot be opened."""
-    EXTRA_MISSING = 3
-    INTERNAL = 70
-    WRITE_FAILED = 74
-    INTERRUPTED = 130
+    meaning: str
+
+    def __new__(cls, value: int, meaning: str = "") -> "ExitStatus":
+        """Make a status of its number and meaning."""
+        status = int.__new__(cls, value)
+        status._value_, status.meaning = value, meaning
+        return status
+
+    OK = 0, "Success. A sweep succeeds whatever its rows say."
+    FAILS = 1, "A chute fails, check finds a difference, or a dem case fails."
+    USAGE = 2, "The command or a spec is wrong, or an output cannot be opened."
+    EXTRA_MISSING = 3, "An optional library or program is not installed."
+    INTERNAL = 70, "A fault of chutecalc itself. --debug shows a traceback."
+    WRITE_FAILED = 74, "Writing an output failed, for example because the disk is full."
+    INTERRUPTED = 130, "Interrupted with Ctrl-C."
 
 
 class ChutecalcError(Exception):

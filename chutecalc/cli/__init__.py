@@ -14,12 +14,12 @@ from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 COMMANDS = ("run", "sweep", "check", "dem", "new", "schema", "columns")
-HELP = "How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model."
+HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
 
-def _show_version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"chutecalc {__version__}{'' if compiled() else ' (its core uncompiled: slower)'}")
+def _show_version(requested: bool) -> None:
+    if requested:
+        typer.echo(f"chutecalc {__version__}{'' if compiled() else ' (core not compiled: slower)'}")
         raise typer.Exit()
 
 
@@ -32,19 +32,33 @@ def _common(
 
 
 def _app(given: Sequence[str]) -> typer.Typer:
-    """The commands; the one that is asked for alone, where there is one: each takes some milliseconds to set up."""
+    """Return the commands, or only the one that is called: each takes some milliseconds to set up."""
     app = typer.Typer(
         name="chutecalc",
-        help=HELP,
         rich_markup_mode=None,
         no_args_is_help=True,
         add_completion=False,
         context_settings={"help_option_names": ["-h", "--help"]},
     )
-    app.callback(help=HELP)(_common)
+    app.callback(help=HELP, epilog=_block("Exit status:", exit_statuses()))(_common)
     for name in given[:1] if given and given[0] in COMMANDS else COMMANDS:
-        app.command(name)(getattr(import_module(f"chutecalc.cli.{name}"), name))
+        module = import_module(f"chutecalc.cli.{name}")
+        app.command(name, epilog=_block("Examples:", module.EXAMPLES))(getattr(module, name))
     return app
+
+
+def exit_statuses() -> list[str]:
+    """Return a line for each exit status: its number, and what it means.
+
+    >>> exit_statuses()[-1]
+    '130  Interrupted with Ctrl-C.'
+    """
+    return [f"{status.value:>3}  {status.meaning}" for status in ExitStatus]
+
+
+def _block(heading: str, lines: Sequence[str]) -> str:
+    """Return lines under a heading, as the end of a help text that is not wrapped."""
+    return "\n".join(["\b", heading, *(f"  {line}" for line in lines)])
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

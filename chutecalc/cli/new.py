@@ -4,8 +4,12 @@ import typer
 
 from chutecalc.errors import OutputError
 
+EXAMPLES = ("chutecalc new", "chutecalc new spoon.toml")
 
-def new(file: str = typer.Argument("chute.toml", metavar="[FILE]", help="To write; - for standard output.")) -> int:
+
+def new(
+    file: str = typer.Argument("chute.toml", metavar="[FILE]", help="File to write; - for standard output."),
+) -> int:
     """Write a commented spec to start from. An existing file is never overwritten."""
     from chutecalc.spec.starter import STARTER
 
@@ -16,8 +20,8 @@ def new(file: str = typer.Argument("chute.toml", metavar="[FILE]", help="To writ
         with open(file, "x", encoding="utf-8") as stream:
             stream.write(STARTER)
     except FileExistsError:
-        raise OutputError(f"{file} exists, and is left as it is: choose another name") from None
+        raise OutputError(f"{file} exists and was not changed: choose another name") from None
     except OSError as error:
         raise OutputError(f"{file} cannot be written: {error.strerror}") from None
-    typer.echo(f"wrote {file}; now: chutecalc run {file}")
+    typer.echo(f"wrote {file}. Next: chutecalc run {file}")
     return 0

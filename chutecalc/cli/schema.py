@@ -2,9 +2,11 @@
 
 import typer
 
+EXAMPLES = ("chutecalc schema > chute.schema.json",)
+
 
 def schema() -> int:
-    """Print the JSON Schema of a spec, with which editors complete and check it."""
+    """Print the JSON Schema of a spec, for editors."""
     import json
 
     from chutecalc.spec.schema import json_schema

@@ -9,6 +9,7 @@ import tomli_w
 
 from chutecalc.cli import main
 from chutecalc.cli.friction import run_friction_study
+from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExtraMissingError
 from tests.conftest import ROOT, spec
 
@@ -93,14 +94,14 @@ def test_a_missing_extra_ends_with_3_before_solving(
 def test_the_study_needs_the_extra_too(tmp_path, monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(ExtraMissingError, match="plot"):
-        run_friction_study(plot=str(tmp_path / "study.svg"))
+        run_friction_study(Outputs(plot=str(tmp_path / "study.svg")))
     assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize("ending", MAGIC)
 def test_the_study_is_drawn(ending, tmp_path, capsys):
     file = tmp_path / f"study.{ending}"
-    assert run_friction_study(keep="width", plot=str(file)) == 0
+    assert run_friction_study(Outputs(plot=str(file)), keep="width") == 0
     assert file.read_bytes().startswith(MAGIC[ending])
 
 

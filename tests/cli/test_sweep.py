@@ -323,7 +323,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top chooses among designs"),
         (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "known are a station's columns"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
-        (["beta", SPOON, "--resume"], "--resume goes on with a file"),
+        (["beta", SPOON, "--resume"], "--resume continues a data file"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),
         (["beta", SPOON, "--csv", "-", "--json", "-"], "standard output"),
         (["beta", SPOON, "--parquet", "-"], "standard output"),
@@ -544,7 +544,7 @@ def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
     assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
     status, said = stopped(target, signal.SIGINT)
     assert status == 130
-    assert "--resume goes on" in said
+    assert "--resume continues from" in said
     part = target.read_bytes()
     assert part == whole.read_bytes()[: len(part)]
     assert 1 < part.count(b"\r\n") < 90_001
@@ -571,7 +571,7 @@ def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
     asked = []
     monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    monkeypatch.setattr("chutecalc.cli.sweep.MEANT", 3)
+    monkeypatch.setattr("chutecalc.cli.sweep.CONFIRMED_ABOVE", 3)
     monkeypatch.setattr("typer.confirm", lambda text, **_: asked.append(text))
     assert main(["sweep", "phi=20:30:1", SPOON]) == 2
     assert "11 designs" in asked[0]

@@ -9,7 +9,7 @@ import pytest
 
 import chutecalc
 from chutecalc.output.plots.run import ALONG, draw_run
-from chutecalc.output.plots.save import FORMATS, save
+from chutecalc.output.plots.save import PICTURE_FORMATS, save
 from chutecalc.output.plots.side import STATIONS
 from chutecalc.output.plots.style import colours
 from chutecalc.results.columns import COLUMNS
@@ -213,7 +213,7 @@ def test_chutes_of_one_title_go_by_their_files_too():
     assert [text.get_text() for text in axes["notes"].get_legend().get_texts()] == ["a.toml", "b.toml"]
 
 
-@pytest.mark.parametrize("ending", FORMATS)
+@pytest.mark.parametrize("ending", PICTURE_FORMATS)
 def test_the_same_picture_is_the_same_file(ending):
     def file():
         stream = io.BytesIO()

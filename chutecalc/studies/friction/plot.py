@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, looks, styled
 from chutecalc.results.columns import COLUMNS, FRICTION_COLUMNS
-from chutecalc.studies.friction.report import KEPT_TEXT, given_text
+from chutecalc.studies.friction.report import CONSTRAINT_TEXT, given_text
 from chutecalc.studies.friction.study import FrictionStudy
 
 FILL = "0.8"
@@ -30,7 +30,7 @@ def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
     with styled():
         figure = Figure(figsize=(10.0, 5.0))
         axes = figure.subplot_mosaic([["sections", "friction"]], width_ratios=[1.0, 1.7])
-        figure.suptitle(f"Equivalent friction over the chamfer angle, {KEPT_TEXT[study.keep]}", x=0.01, ha="left")
+        figure.suptitle(f"Equivalent friction over the chamfer angle, {CONSTRAINT_TEXT[study.keep]}", x=0.01, ha="left")
         _draw_sections(axes["sections"], study, units)
         _draw_friction(axes["friction"], study, units)
         figure.supxlabel(given_text(study, units), x=0.01, ha="left", fontsize=SMALL)
@@ -70,7 +70,7 @@ def _draw_friction(axes: Axes, study: FrictionStudy, units: str) -> None:
         axes.plot(rows["chamfer_deg"], rows["equivalent_friction"], **look, label=name, gid="friction")
     best = [(each.inside_deg, each.inside_friction) for each in study.best() if np.isfinite(each.inside_deg)]
     if best:
-        axes.plot(*np.transpose(best), **STAR, label="best β inside the range", gid="best")
+        axes.plot(*np.transpose(best), **STAR, label="minimum inside the range", gid="best")
     axes.axhline(np.tan(np.radians(study.wall_friction_deg)), color=PALE, linewidth=1.0, label="tan φ", gid="wall")
     label_axes(axes, FRICTION_COLUMNS["chamfer_deg"], FRICTION_COLUMNS["equivalent_friction"], units)
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

@@ -14,6 +14,8 @@ from chutecalc.physics.wetting import wetting
 
 CHAMFERS = tuple(float(angle) for angle in range(0, 91, 5))
 INTERNAL_FRICTIONS = tuple(float(angle) for angle in range(30, 56, 5))
+ANGLE_RANGES = {"beta": "0:90:5", "delta": "30:55:5"}
+"""The same as a command line has them."""
 WALL_FRICTION, BASE, AREA = 25.0, 0.5, 0.05
 """Angle, deg, as in the paper; width, m, and flow area, m²: A/B² = 0.2 is what its text and figures agree with."""
 FINE = 10_001

@@ -1,18 +1,31 @@
-"""Verdicts on standard designs: for people, as JSON, and as JUnit's XML."""
+"""Verdicts on standard designs: for people, as a dataset for files, and as JUnit XML."""
 
-import json
 import math
 from collections import Counter
 from collections.abc import Sequence
 from typing import IO, Any
 from xml.etree import ElementTree
 
-from chutecalc import __version__
+from chutecalc.output.dataset import Dataset, block_of, document_head
 from chutecalc.output.grid import GAP, Grid
-from chutecalc.output.json import FORMAT
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.regression.regression import NO_BASELINE, OK, Drift, Verdict, worst
+
+ROW_COLUMNS: dict[str, type] = {
+    "spec": str,
+    "outcome": str,
+    "tolerance": float,
+    "segment": str,
+    "visit": int,
+    "row": str,
+    "column": str,
+    "s_m": float,
+    "was": float,
+    "is": float,
+    "off_by": float,
+}
+"""Columns of the rows, in order."""
 
 
 def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Sequence[str]) -> None:
@@ -79,8 +92,7 @@ def _designs(count: int) -> str:
 def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
     """All verdicts as JSON's own types, with each number that drifted."""
     return {
-        "chutecalc": __version__,
-        "format": FORMAT,
+        **document_head(),
         "rtol": rtol,
         "designs": [
             {
@@ -107,10 +119,19 @@ def _drift(drift: Drift) -> dict[str, Any]:
     }
 
 
-def write_check(stream: IO[str], document: dict[str, Any]) -> None:
-    """Writes what :func:`check_document` gives."""
-    json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
-    stream.write("\n")
+def check_dataset(verdicts: Sequence[Verdict], rtol: float) -> Dataset:
+    """Return a row for each number that drifted, and one for each design without drift.
+
+    Args:
+        verdicts: one for each design.
+        rtol: relative tolerance that the designs were solved to, for the document.
+    """
+    rows = [
+        {"spec": verdict.spec, "outcome": verdict.outcome, "tolerance": verdict.tolerance} | drift
+        for verdict in verdicts
+        for drift in (map(_drift, verdict.drifts) if verdict.drifts else [{}])
+    ]
+    return Dataset(ROW_COLUMNS, [block_of(rows, ROW_COLUMNS)], document=lambda: check_document(verdicts, rtol))
 
 
 def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:

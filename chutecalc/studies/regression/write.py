@@ -22,7 +22,6 @@ def write_baseline(spec: str, document: Mapping[str, Any]) -> Path:
 
     path = baseline_path(Path(spec))
     with open_whole(str(path)) as stream:
-        assert stream is not None
         stream.write(
             f"# What came out of {Path(spec).name}, by chutecalc check --update. The tolerance is yours to set.\n"
         )

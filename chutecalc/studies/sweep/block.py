@@ -1,14 +1,13 @@
 """A block of a sweep's rows, and the best rows of all blocks."""
 
-from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 
-Block = dict[str, Any]
-"""Arrays of one length by column name."""
 TEXT = ("status", "findings", "segment", "kind")
 """Columns that are text."""
 IMPOSSIBLE = "impossible"
@@ -43,3 +42,8 @@ def best_of(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
         kept = chosen(both, np.sort(top.best(both)))
     if kept:
         yield chosen(kept, top.best(kept))
+
+
+def joined(blocks: Sequence[Block]) -> Block:
+    """Return blocks as one, or an empty one for no blocks."""
+    return {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]} if blocks else {}

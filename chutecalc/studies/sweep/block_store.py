@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import OutputError, UsageError, WriteError
-from chutecalc.studies.sweep.block import Block
+from chutecalc.output.dataset import Block
 
 IDENTITY = "sweep.json"
 

@@ -3,8 +3,9 @@
 import numpy as np
 
 from chutecalc.output.chart import CHARTED, chart_lines, terminal_width
+from chutecalc.output.dataset import Block
 from chutecalc.output.table import Printer
-from chutecalc.studies.sweep.block import TEXT, Block
+from chutecalc.studies.sweep.block import TEXT
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of
 

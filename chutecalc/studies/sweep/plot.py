@@ -9,9 +9,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from chutecalc.fields.units import TEXT as UNIT_TEXT
+from chutecalc.output.dataset import Block
 from chutecalc.output.plots.style import INK, MAP, SMALL, looks, mathematical, styled
 from chutecalc.results.columns import Column
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of, parameter_label

@@ -16,13 +16,14 @@ from chutecalc.api.batch import CHUNK, exits
 from chutecalc.api.chute import Chute, check_tolerance, solve
 from chutecalc.design import Status
 from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import COLUMNS, WAYS, row_columns
 from chutecalc.results.exits import NOT_AT_EXIT, named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
 from chutecalc.runtime import cores
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, chosen
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, chosen
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.kept import Kept
 from chutecalc.studies.sweep.parameters import Parameter

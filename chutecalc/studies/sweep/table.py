@@ -8,11 +8,11 @@ import numpy as np
 
 from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.fields.units import UNITS
+from chutecalc.output.dataset import Block
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS, Column, row_columns
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, chosen
-from chutecalc.studies.sweep.rows import joined
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, chosen, joined
 from chutecalc.studies.sweep.sweep import Sweep
 
 MOST_SHOWN, SHOWN_WITH_FILE = 1000, 40
@@ -51,8 +51,8 @@ def parameter_label(column: Column) -> str:
     return ", ".join(part for part in (words, UNIT_TEXT.get(column.unit, column.unit)) if part)
 
 
-class ShownRows:
-    """The first rows, and how all designs end."""
+class FirstRows:
+    """The first rows of a sweep for a table, and the number of designs that end in each way."""
 
     def __init__(self, sweep: Sweep, most: int) -> None:
         self.sweep, self.most = sweep, most
