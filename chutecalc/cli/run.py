@@ -51,13 +51,14 @@ def run(
     JSON has all other results as well.
     """
     from chutecalc.api.chute import solve
-    from chutecalc.output.run import run_dataset
 
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
     runs = [(chute, solve(chute, rtol)) for chute in chutes]
     tables = [run.stations(stations.points, stations.stations) for _, run in runs] if stations.given else None
     if outputs.files:
+        from chutecalc.output.run import run_dataset
+
         outputs.write(run_dataset(runs, tables))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run

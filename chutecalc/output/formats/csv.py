@@ -1,6 +1,5 @@
 """CSV by RFC 4180: full double precision, and an empty cell where a quantity does not exist."""
 
-import csv
 from typing import IO, Any
 
 from chutecalc.output.dataset import Block, Dataset
@@ -11,6 +10,8 @@ class CsvRows:
     """Writes rows as lines."""
 
     def __init__(self, stream: IO[str], dataset: Dataset) -> None:
+        import csv
+
         self._names = list(dataset.columns)
         self._writer = csv.writer(stream)
         self._writer.writerow(self._names)

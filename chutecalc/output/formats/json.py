@@ -1,6 +1,5 @@
 """JSON: full double precision, and null where a quantity does not exist or is infinite."""
 
-import json
 from typing import IO, Any
 
 from chutecalc.output.dataset import Block, Dataset, document_head, numbers
@@ -11,7 +10,10 @@ class JsonRows:
     """Writes rows as objects, each on a line of its own, after what was asked for."""
 
     def __init__(self, stream: IO[str], dataset: Dataset) -> None:
+        import json
+
         self._stream, self._names, self._comma = stream, list(dataset.columns), ""
+        self._encode = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
         head = document_head() | dict(dataset.head)
         text = json.dumps(head, indent=2, allow_nan=False, ensure_ascii=False).removesuffix("\n}")
         stream.write(f'{text},\n  "rows": [')
@@ -19,7 +21,7 @@ class JsonRows:
     def write(self, block: Block) -> None:
         """Write the next block."""
         for row in zip(*(numbers(block[name]) for name in self._names), strict=True):
-            text = json.dumps(dict(zip(self._names, row, strict=True)), allow_nan=False, ensure_ascii=False)
+            text = self._encode(dict(zip(self._names, row, strict=True)))
             self._stream.write(f"{self._comma}\n    {text}")
             self._comma = ","
 
@@ -30,6 +32,8 @@ class JsonRows:
 
 def write_document(stream: IO[str], document: Any) -> None:
     """Write nested mappings and lists, indented."""
+    import json
+
     json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
     stream.write("\n")
 
