@@ -1,4 +1,4 @@
-"""The command line: one thin file a command. ``main`` alone prints errors and sets the exit status."""
+"""The command line, one file for each command. ``main`` alone prints errors and sets the exit status."""
 
 import io
 import os
@@ -62,16 +62,16 @@ def _block(heading: str, lines: Sequence[str]) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs a command line.
+    """Run a command line.
 
     Args:
-        arguments: without the program's name; those of the process where none are given.
+        arguments: arguments without the name of the program; None for those of the process.
 
     Returns:
         The exit status, see :class:`chutecalc.errors.ExitStatus`.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
-    _speak_unicode()
+    _use_unicode()
     try:
         status = _app(given)(args=given, prog_name="chutecalc", standalone_mode=False)
         if status == ExitStatus.INTERRUPTED:
@@ -79,7 +79,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return int(status or ExitStatus.OK)
     except (BrokenPipeError, SystemExit):
-        # Whoever read our output has had enough; Typer makes SystemExit of it. Python would complain again at exit.
+        # The reader closed the pipe, which Typer may turn into SystemExit. Python would complain again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitStatus.OK
     except typer.TyperException as error:
@@ -91,22 +91,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _complain("chutecalc: interrupted", ExitStatus.INTERRUPTED)
     except OSError as error:
-        return _complain(f"chutecalc: the output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
+        return _complain(f"chutecalc: output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
     except Exception as error:
         if "--debug" in given:
             traceback.print_exc()
         return _complain(
-            f"a fault of the program, version {__version__}: {error!r}\n"
-            "Please report it with the command and the spec; --debug shows where it happened.",
+            f"chutecalc {__version__} failed, which is a fault of the program: {error!r}\n"
+            "Please report it with the command and the spec. --debug shows a traceback.",
             ExitStatus.INTERNAL,
         )
 
 
-def _speak_unicode() -> None:
-    """Data leave in UTF-8 whatever the locale says; a terminal that cannot show a character shows another."""
+def _use_unicode() -> None:
+    """Write UTF-8 to files and pipes whatever the locale, and replace characters that a terminal cannot show."""
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # closed before we began
-            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - stays open to the end
+        if getattr(sys, name) is None:  # closed before the start
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - stays open until the end
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and stream.encoding.lower().replace("-", "") != "utf8":
             if stream.isatty():
@@ -116,6 +116,6 @@ def _speak_unicode() -> None:
 
 
 def _complain(text: str, status: ExitStatus) -> int:
-    """Says on standard error what is wrong. Faults of specs and usage texts say themselves what they are about."""
+    """Print an error to standard error, and return its exit status."""
     print(text, file=sys.stderr)
     return status

@@ -58,7 +58,7 @@ class StationOptions(OptionGroup):
 
     def __post_init__(self) -> None:
         if self.points is not None and self.stations is not None:
-            raise UsageError("--points and --stations both place the stations: give one of them")
+            raise UsageError("--points and --stations exclude each other: give one of them")
 
     @property
     def given(self) -> bool:
@@ -67,7 +67,7 @@ class StationOptions(OptionGroup):
 
 
 def with_groups(command: Callable[..., int]) -> Callable[..., int]:
-    """Return a command for Typer that has the options of groups in place of the groups.
+    """Return a command for Typer that takes the options of groups instead of the groups.
 
     Args:
         command: function whose parameters are arguments and options of Typer, or typed as an :class:`OptionGroup`.

@@ -119,6 +119,6 @@ def test_help_says_what_each_exit_status_means(capsys):
 @pytest.mark.parametrize("command", ["run", "sweep", "check", "dem", "new", "schema", "columns"])
 def test_help_has_examples(command, capsys):
     assert main([command, "--help"]) == 0
-    examples = capsys.readouterr().out.partition("Examples:\n")[2].splitlines()
+    examples = capsys.readouterr().out.partition("Examples:")[2].strip().splitlines()
     assert all(line.strip().startswith(f"chutecalc {command}") for line in examples)
     assert examples

@@ -155,7 +155,7 @@ def test_a_chart_takes_a_terminal_wide_enough(columns, shown, monkeypatch):
     assert main(["run", SPOON, "--chart"]) == 0
     out = terminal.getvalue()
     assert ("velocity v, m/s" in out) == shown
-    assert (f"no chart: it takes 60 columns, and there are {columns}" in out) == (not shown)
+    assert (f"no chart: it needs 60 columns, and the terminal has {columns}" in out) == (not shown)
     if shown:
         assert max(map(len, charts(out))) <= min(columns, 120)
 

@@ -232,7 +232,7 @@ def test_impossible_designs_keep_their_rows(capsys, tmp_path):
         assert (row["status"] == "impossible") == impossible
         assert (row["exit_velocity_m_s"] == "") == impossible
     assert main(["sweep", "beta=10:50:5", "--keep", "depth", path]) == 0
-    assert "left out: 4 impossible" in capsys.readouterr().out
+    assert "left out: 4 impossible designs" in capsys.readouterr().out
 
 
 def test_values_that_only_together_cannot_be(capsys, tmp_path):
@@ -530,7 +530,7 @@ def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
     capsys.readouterr()
     assert "--resume" in refused(capsys, *LONG, SPOON, "--csv", str(target))
     other = refused(capsys, LONG[0], "phi=15:25:#300", SPOON, "--csv", str(target), "--resume")
-    assert "another sweep: it differs in the parameters" in other
+    assert "another sweep, which differs in the parameters" in other
     before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "rows.csv.part").glob("[0-9]*")}
     assert 0 < len(before) < 6
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0

@@ -1,4 +1,4 @@
-"""The picture of the friction study: the sections, and the equivalent friction over the chamfer angle."""
+"""The picture of the friction study: sections, and the equivalent friction over the chamfer angle."""
 
 from typing import Any
 
@@ -12,17 +12,18 @@ from chutecalc.studies.friction.report import CONSTRAINT_TEXT, given_text
 from chutecalc.studies.friction.study import FrictionStudy
 
 FILL = "0.8"
+"""Shade of grey of the stream."""
 STAR: dict[str, Any] = {"marker": "*", "markersize": 11, "color": "white", "markeredgecolor": INK, "linestyle": ""}
 OUTLINES = 5
-"""Sections that are drawn, of all that there are."""
+"""Most sections drawn."""
 
 
 def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
-    """Draws a friction study, as Figures 4 and 5 (or 6 and 7, or 8 and 9) of the paper are.
+    """Draw a friction study as in Figures 4 and 5 (or 6 and 7, or 8 and 9) of the paper.
 
     Args:
-        study: to draw.
-        units: ``metric`` or ``us``, of the sections.
+        study: the study.
+        units: units of the sections, ``metric`` or ``us``.
 
     Returns:
         The figure: axes ``sections`` to scale, and ``friction`` with a line for each material.
@@ -38,7 +39,7 @@ def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
 
 
 def _draw_sections(axes: Axes, study: FrictionStudy, units: str) -> None:
-    """The stream across the chute at some of the angles, one below the other."""
+    """Draw cross-sections of the stream at some of the angles, one below the other."""
     rows = study.line(float(study.internal_friction_deg[0]))
     drawn = np.flatnonzero(rows["chamfer_deg"] > 0.0)
     chosen = drawn[np.unique(np.linspace(0, len(drawn) - 1, OUTLINES).round().astype(int))] if drawn.size else drawn
@@ -63,7 +64,7 @@ def _draw_sections(axes: Axes, study: FrictionStudy, units: str) -> None:
 
 
 def _draw_friction(axes: Axes, study: FrictionStudy, units: str) -> None:
-    """A line for each material, with the best angle inside the range."""
+    """Draw a line for each material, with the best angle inside the range."""
     names = [f"δ = {delta:g}°" for delta in study.internal_friction_deg]
     for delta, name, look in zip(study.internal_friction_deg, names, looks([(name,) for name in names]), strict=True):
         rows = study.line(float(delta))

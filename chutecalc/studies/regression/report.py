@@ -29,22 +29,30 @@ ROW_COLUMNS: dict[str, type] = {
 
 
 def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Sequence[str]) -> None:
-    """What is not as it was, with a table for each design; what was written; how many there are of each outcome."""
+    """Print the verdicts.
+
+    Args:
+        printer: where to print.
+        verdicts: one for each design. Those that do not pass are printed with a table of what drifted.
+        written: baselines that were written.
+    """
     for verdict in verdicts:
         if verdict.outcome != OK and not (verdict.outcome == NO_BASELINE and verdict.document):
             _print_failing(printer, verdict)
     notes = Counter(note for verdict in verdicts if verdict.outcome == OK for note in verdict.notes)
     for note, count in notes.items():
-        printer.text(f"{note}: {_designs(count)} as before")
+        printer.text(f"{note}: {_designs(count)} unchanged")
     for path in written:
         printer.text(f"wrote {path}")
     counts = Counter("written" if verdict.document else _words(verdict.outcome) for verdict in verdicts)
-    said = [f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != OK, word == "written", word))]
-    printer.text(f"{_designs(len(verdicts))}: {', '.join(said)}")
+    parts = [
+        f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != OK, word == "written", word))
+    ]
+    printer.text(f"{_designs(len(verdicts))}: {', '.join(parts)}")
 
 
 def _print_failing(printer: Printer, verdict: Verdict) -> None:
-    """One design that is not as it was."""
+    """Print a design that does not pass."""
     heading = f"{verdict.spec}: {_words(verdict.outcome)}"
     lines = [*(change.message for change in verdict.changes), *verdict.notes]
     if len(lines) == 1 and not verdict.drifts:
@@ -58,24 +66,24 @@ def _print_failing(printer: Printer, verdict: Verdict) -> None:
 
 
 def _drifts(verdict: Verdict) -> Grid:
-    """A row a column: from where on along the chute it is off, and where it is most."""
+    """Return a row for each column that drifted: its first drift along the chute, and its largest."""
     table = Grid(indent=GAP)
-    for heading in ("column", "off from", "s\nm", "most at", "s\nm", "was", "is", "off by"):
-        table.column(heading, to_left=heading in ("column", "off from", "most at"))
+    for heading in ("column", "first at", "s\nm", "largest at", "s\nm", "was", "is", "drift"):
+        table.column(heading, left=heading in ("column", "first at", "largest at"))
     for first, most in worst(verdict.drifts):
         table.row([most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}"])
     return table
 
 
 def _where(drift: Drift) -> tuple[str, str]:
-    """The segment, with the row where it is no station, and s."""
+    """Return the segment of a drift, with the row unless that is a station, and its distance s."""
     row = "" if drift.place.row.startswith("station") else drift.place.row
     s = "" if drift.s_m is None else COLUMNS["s_m"].shown(drift.s_m, "metric")
     return f"{drift.place.segment} {row}".rstrip(), s
 
 
 def _values(drift: Drift) -> tuple[str, str]:
-    """Both values, with the digits that show the difference."""
+    """Return both values, with enough digits to show the difference."""
     digits = min(max(2 - math.floor(math.log10(drift.off)), 4), 16)
     was, now = ("none" if value is None else f"{value:.{digits}g}" for value in (drift.was, drift.now))
     return was, now
@@ -90,7 +98,7 @@ def _designs(count: int) -> str:
 
 
 def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
-    """All verdicts as JSON's own types, with each number that drifted."""
+    """Return all verdicts as a document, with each number that drifted."""
     return {
         **document_head(),
         "rtol": rtol,
@@ -109,7 +117,7 @@ def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
 
 
 def _drift(drift: Drift) -> dict[str, Any]:
-    """A drift as an object."""
+    """Return a drift as an object."""
     return drift.place._asdict() | {
         "column": drift.column,
         "s_m": drift.s_m,
@@ -135,7 +143,12 @@ def check_dataset(verdicts: Sequence[Verdict], rtol: float) -> Dataset:
 
 
 def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
-    """Writes the verdicts as CI systems read tests: a case a design, a failure with what is not as it was."""
+    """Write the verdicts as CI systems read tests: a case for each design, with a failure if it does not pass.
+
+    Args:
+        stream: where to write.
+        verdicts: one for each design.
+    """
     fails = sum(verdict.outcome != OK for verdict in verdicts)
     total = {"tests": str(len(verdicts)), "failures": str(fails), "errors": "0", "skipped": "0"}
     total["time"] = f"{sum(verdict.seconds for verdict in verdicts):.3f}"
@@ -147,8 +160,8 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
         if verdict.outcome != OK:
             lines = [*(change.message for change in verdict.changes), *verdict.notes]
             lines += [_line(*pair) for pair in worst(verdict.drifts)]
-            said = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
-            ElementTree.SubElement(element, "failure", said).text = "\n".join(lines)
+            failure = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
+            ElementTree.SubElement(element, "failure", failure).text = "\n".join(lines)
     ElementTree.indent(root)
     stream.write('<?xml version="1.0" encoding="utf-8"?>\n')
     stream.write(ElementTree.tostring(root, encoding="unicode"))
@@ -156,7 +169,7 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
 
 
 def _line(first: Drift, most: Drift) -> str:
-    """What a column is off by, in a line."""
+    """Return the first and the largest drift of a column, in a line."""
     begin, end = (f"{where}, s = {s} m" if s else where for where, s in (_where(first), _where(most)))
     was, now = _values(most)
-    return f"{most.column}: off from {begin} on; most at {end}: {now}, was {was} (off by {most.off:.1e})"
+    return f"{most.column}: first drift at {begin}; largest at {end}: {now}, was {was} (drift {most.off:.1e})"
