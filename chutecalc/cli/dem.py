@@ -74,6 +74,9 @@ class CaseOptions(OptionGroup):
     def check(self, outputs: Outputs) -> None:
         """Check that the options fit together.
 
+        Args:
+            outputs: the other outputs of the command.
+
         Raises:
             UsageError: they do not.
         """

@@ -125,7 +125,11 @@ class Outputs(OptionGroup):
                 writer.close()
 
     def draw(self, figure: Figure) -> None:
-        """Write the picture. Call it only where there is a ``plot``."""
+        """Write the picture. Call it only where there is a ``plot``.
+
+        Args:
+            figure: the picture.
+        """
         assert self.plot is not None
         with open_whole(self.plot, "wb") as stream:
             save(figure, stream, picture_format(self.plot))

@@ -14,7 +14,11 @@ Row = dict[str, Any]
 
 
 def rows(study: Study) -> list[Row]:
-    """Return a row for each bed: the columns :data:`chutecalc.dem.columns.DEM_COLUMNS`, then those of its walls."""
+    """Return a row for each bed: the columns :data:`chutecalc.dem.columns.DEM_COLUMNS`, then those of its walls.
+
+    Args:
+        study: the results.
+    """
     found = []
     for series in study.series:
         for point in study.points:
@@ -58,7 +62,11 @@ def _row(study: Study, series: Series, point: Point, bed: Bed) -> Row:
 
 
 def study_dataset(study: Study) -> Dataset:
-    """Return a row for each bed; the document has means, fits and failures as well."""
+    """Return a row for each bed; the document has means, fits and failures as well.
+
+    Args:
+        study: the results.
+    """
     found = rows(study)
     measured = dict.fromkeys(name for row in found for name in row)
     columns = column_types(DEM_COLUMNS.values()) | {"seed": int}

@@ -33,7 +33,11 @@ def print_study(printer: Printer, study: Study) -> None:
 
 
 def series_title(series: Series) -> str:
-    """Return the name of a series."""
+    """Return the name of a series.
+
+    Args:
+        series: a series of beds.
+    """
     force = f", {series.body_force:g} g" if series.body_force != 1.0 or series.raised_to else ""
     raised = f" raised to {series.raised_to:g} g" if series.raised_to else ""
     return f"{series.pour}, particle friction {series.friction:g}{force}{raised}"
@@ -104,7 +108,11 @@ def _shallow_lines(series: Series) -> list[str]:
 
 
 def delta_text(fit: Fit) -> str:
-    """Return a fitted δ with its scatter, as text."""
+    """Return a fitted δ with its scatter, as text.
+
+    Args:
+        fit: the fit of a friction law.
+    """
     if fit.internal_friction != fit.internal_friction:
         return "any"
     scatter = "" if fit.scatter != fit.scatter else f" ± {math.degrees(fit.scatter):.1f}°"
@@ -114,7 +122,11 @@ def delta_text(fit: Fit) -> str:
 
 
 def failures(study: Study) -> list[str]:
-    """Return a line for each failure, with the folder of the case."""
+    """Return a line for each failure, with the folder of the case.
+
+    Args:
+        study: the results.
+    """
     lines = []
     for point in study.points:
         for bed in point.failed:

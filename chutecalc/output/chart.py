@@ -45,7 +45,11 @@ def print_chart(printer: Printer, solution: Solution) -> None:
 
 
 def terminal_width(printer: Printer) -> int:
-    """Return the width of a chart, characters. If the terminal is too narrow, say so and return 0."""
+    """Return the width of a chart, characters. If the terminal is too narrow, say so and return 0.
+
+    Args:
+        printer: where the chart goes.
+    """
     width = min(printer.console.width, MAX_WIDTH) if printer.is_terminal else WIDTH_IN_PIPE
     if width < MIN_WIDTH:
         printer.text(f"no chart: it needs {MIN_WIDTH} columns, and the terminal has {width}")

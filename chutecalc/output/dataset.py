@@ -32,7 +32,11 @@ class Dataset:
 
 
 def column_types(columns: Iterable[Column]) -> dict[str, type]:
-    """Return the types of columns of the catalogue: text where a column has no dimension, else floating-point."""
+    """Return the types of columns of the catalogue: text where a column has no dimension, else floating-point.
+
+    Args:
+        columns: columns of the catalogue.
+    """
     return {column.name: float if column.dimension else str for column in columns}
 
 
@@ -65,6 +69,9 @@ def document_head() -> dict[str, Any]:
 def number(value: float) -> float | None:
     """Return a number as a document holds it: None where it is infinite or does not exist.
 
+    Args:
+        value: a number, in any unit.
+
     >>> number(2), number(float("nan"))
     (2.0, None)
     """
@@ -72,12 +79,20 @@ def number(value: float) -> float | None:
 
 
 def numbers(values: Any) -> list[Any]:
-    """Return an array as a document holds it: None for numbers that are infinite or do not exist."""
+    """Return an array as a document holds it: None for numbers that are infinite or do not exist.
+
+    Args:
+        values: array of numbers or text, of one dimension.
+    """
     if values.dtype.kind != "f":
         return list(values.tolist())
     return [value if math.isfinite(value) else None for value in values.tolist()]
 
 
 def first(columns: Mapping[str, Any]) -> dict[str, float | None]:
-    """Return the numbers of the first design, as a document holds them."""
+    """Return the numbers of the first design, as a document holds them.
+
+    Args:
+        columns: arrays by column name, one entry for each design.
+    """
     return {name: number(values[0]) for name, values in columns.items()}

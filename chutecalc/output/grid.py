@@ -21,7 +21,7 @@ ZERO_WIDTH = ("Mn", "Me", "Cf")
 class Grid:
     """Headings of one line or two, and rows of cells.
 
-    Attributes:
+    Args:
         title: a line above the headings, or empty.
         indent: text before each line.
     """
@@ -43,7 +43,11 @@ class Grid:
         self.left_aligned.append(left)
 
     def row(self, cells: Iterable[str]) -> None:
-        """Add a row. Missing cells at its end are empty."""
+        """Add a row. Missing cells at its end are empty.
+
+        Args:
+            cells: text of the cells, from the first column on.
+        """
         row = tuple(cells)
         self.rows.append(row + ("",) * (len(self.headings) - len(row)))
 
@@ -81,6 +85,9 @@ class Grid:
 
 def width(text: str) -> int:
     """Return how many columns of a terminal a text takes. Emoji made of several characters count more than they take.
+
+    Args:
+        text: any text.
 
     >>> width("μ_e"), width("石炭")
     (3, 4)

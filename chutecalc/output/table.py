@@ -81,7 +81,11 @@ class Printer:
             self.stream.write(f"{text}{plain}\n")
 
     def table(self, grid: Grid) -> None:
-        """Print a table at its own width: numbers are never cut or wrapped."""
+        """Print a table at its own width: numbers are never cut or wrapped.
+
+        Args:
+            grid: the table.
+        """
         if not self.is_terminal:
             self.stream.writelines(f"{line}\n" for line in grid.lines())
             return
@@ -111,7 +115,11 @@ class Printer:
         self.findings(solution.findings())
 
     def findings(self, findings: Sequence[Finding]) -> None:
-        """Print findings, a line each."""
+        """Print findings, a line each.
+
+        Args:
+            findings: findings of one design.
+        """
         for finding in findings:
             distance = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
             unit = COLUMNS["s_m"].unit_text(self.units)
@@ -134,7 +142,11 @@ class Printer:
         self.table(table)
 
     def comparison(self, runs: Sequence[tuple[Chute, Solution]]) -> None:
-        """Print the streams at the ends of several chutes, a row each."""
+        """Print the streams at the ends of several chutes, a row each.
+
+        Args:
+            runs: chutes of one design each, with their solutions.
+        """
         table = self._new_table(["spec", "status"], "comparison")
         for chute, solution in runs:
             cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in SHOWN)
@@ -238,7 +250,12 @@ class Printer:
 
 
 def outcome(solution: Solution, units: str) -> str:
-    """Return the status of a chute and the stream at its exit, in a line."""
+    """Return the status of a chute and the stream at its exit, in a line.
+
+    Args:
+        solution: solution of one design.
+        units: ``metric`` or ``us``.
+    """
     status = str(solution.status[0])
     if status != "ok":
         return f"status {status}"

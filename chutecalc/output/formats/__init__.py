@@ -18,7 +18,11 @@ class RowWriter(Protocol):
     """Takes the rows of a dataset, block after block."""
 
     def write(self, block: Block) -> None:
-        """Take the next block."""
+        """Take the next block.
+
+        Args:
+            block: the block, with all columns of the dataset.
+        """
 
     def close(self) -> None:
         """Finish after the last block. The stream stays open."""

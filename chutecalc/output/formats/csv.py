@@ -7,7 +7,12 @@ from chutecalc.output.formats import OutputFormat
 
 
 class CsvRows:
-    """Writes rows as lines."""
+    """Writes rows as lines.
+
+    Args:
+        stream: where to write.
+        dataset: the dataset, for the names of its columns.
+    """
 
     def __init__(self, stream: IO[str], dataset: Dataset) -> None:
         import csv
@@ -17,7 +22,11 @@ class CsvRows:
         self._writer.writerow(self._names)
 
     def write(self, block: Block) -> None:
-        """Write the next block."""
+        """Write the next block.
+
+        Args:
+            block: the block, with all columns of the dataset.
+        """
         self._writer.writerows(zip(*(cells(block[name]) for name in self._names), strict=True))
 
     def close(self) -> None:
@@ -26,6 +35,9 @@ class CsvRows:
 
 def cells(values: Any) -> list[Any]:
     """Return a column as CSV holds it. Python's text of a float is the shortest that reads back as the same number.
+
+    Args:
+        values: array of numbers or text, of one dimension.
 
     >>> import numpy
     >>> cells(numpy.array([0.1, float("nan")]))

@@ -7,7 +7,12 @@ from chutecalc.output.formats import OutputFormat
 
 
 class JsonRows:
-    """Writes rows as objects, each on a line of its own, after what was asked for."""
+    """Writes rows as objects, each on a line of its own, after what was asked for.
+
+    Args:
+        stream: where to write.
+        dataset: the dataset, for its head and the names of its columns.
+    """
 
     def __init__(self, stream: IO[str], dataset: Dataset) -> None:
         import json
@@ -19,7 +24,11 @@ class JsonRows:
         stream.write(f'{text},\n  "rows": [')
 
     def write(self, block: Block) -> None:
-        """Write the next block."""
+        """Write the next block.
+
+        Args:
+            block: the block, with all columns of the dataset.
+        """
         for row in zip(*(numbers(block[name]) for name in self._names), strict=True):
             text = self._encode(dict(zip(self._names, row, strict=True)))
             self._stream.write(f"{self._comma}\n    {text}")
@@ -31,7 +40,12 @@ class JsonRows:
 
 
 def write_document(stream: IO[str], document: Any) -> None:
-    """Write nested mappings and lists, indented."""
+    """Write nested mappings and lists, indented.
+
+    Args:
+        stream: where to write.
+        document: mappings, lists, text and numbers.
+    """
     import json
 
     json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)

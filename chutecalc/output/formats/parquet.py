@@ -11,7 +11,12 @@ ROWS_OF_A_GROUP = 131_072
 
 
 class ParquetRows:
-    """Writes rows in groups."""
+    """Writes rows in groups.
+
+    Args:
+        stream: where to write.
+        dataset: the dataset, for its columns.
+    """
 
     def __init__(self, stream: IO[bytes], dataset: Dataset) -> None:
         import pyarrow
@@ -27,7 +32,11 @@ class ParquetRows:
         self._waiting: list[Any] = []
 
     def write(self, block: Block) -> None:
-        """Take the next block, and write a group if there are enough rows."""
+        """Take the next block, and write a group if there are enough rows.
+
+        Args:
+            block: the block, with all columns of the dataset.
+        """
         columns = [self._column(block[name], self._schema.field(name).type) for name in self._schema.names]
         self._waiting.append(self._arrow.Table.from_arrays(columns, schema=self._schema))
         if sum(map(len, self._waiting)) >= ROWS_OF_A_GROUP:

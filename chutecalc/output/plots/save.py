@@ -16,6 +16,9 @@ PICTURE_FORMATS = {"svg": {"Date": None}, "png": {}, "pdf": {"CreationDate": Non
 def picture_format(file: str) -> str:
     """Return the format that the ending of a file names, and check that Matplotlib is installed.
 
+    Args:
+        file: path of the picture.
+
     Raises:
         UsageError: the ending names no format.
         ExtraMissingError: Matplotlib is not installed.

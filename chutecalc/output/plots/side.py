@@ -58,6 +58,9 @@ def traces(solution: Solution) -> list[Trace]:
     """Return the stream of the first design, a trace for each segment and flight that it reached.
 
     A stream that reaches none has the inlet as its only trace.
+
+    Args:
+        solution: solution of one design.
     """
     stations = solution.stations(points=STATIONS)
     found = []
@@ -80,7 +83,12 @@ def _at_inlet(solution: Solution) -> Trace:
 
 
 def extent(solution: Solution, stream: Sequence[Trace]) -> Array:
-    """Return width and height of a chute with its stream, seen from the side, m."""
+    """Return width and height of a chute with its stream, seen from the side, m.
+
+    Args:
+        solution: solution of one design.
+        stream: traces of its stream.
+    """
     paths = [(part.columns["x_m"], part.columns["z_m"]) for part in stream]
     points = np.concatenate([np.stack(line) for line in (*paths, *_surfaces(solution))], axis=1)
     size: Array = np.ptp(points, axis=1)
@@ -122,7 +130,12 @@ def draw_stream(axes: Axes, solution: Solution, stream: Sequence[Trace], marks: 
 
 
 def deepest(solution: Solution, stream: Sequence[Trace]) -> float:
-    """Return the greatest depth to which the stream is drawn, m."""
+    """Return the greatest depth to which the stream is drawn, m.
+
+    Args:
+        solution: solution of one design.
+        stream: traces of its stream.
+    """
     return DEEPEST * float(extent(solution, stream).max())
 
 

@@ -54,6 +54,9 @@ def styled() -> AbstractContextManager[None]:
 def colours(count: int) -> list[str]:
     """Return colours that differ in lightness too.
 
+    Args:
+        count: number of colours.
+
     >>> colours(2)
     ['#440154', '#7ad151']
     """
@@ -64,6 +67,9 @@ def colours(count: int) -> list[str]:
 def mathematical(text: str) -> str:
     r"""Return a label with its subscripts marked for Matplotlib.
 
+    Args:
+        text: a label, with subscripts after an underscore.
+
     >>> mathematical("equivalent friction μ_e")
     'equivalent friction μ$_{\\mathrm{e}}$'
     """
@@ -71,7 +77,14 @@ def mathematical(text: str) -> str:
 
 
 def label_axes(axes: Axes, x: Column, y: Column, units: str) -> None:
-    """Label both axes with name, symbol and unit."""
+    """Label both axes with name, symbol and unit.
+
+    Args:
+        axes: axes to label.
+        x: column of the horizontal axis.
+        y: column of the vertical axis.
+        units: ``metric`` or ``us``.
+    """
     axes.set_xlabel(mathematical(x.label(units)))
     axes.set_ylabel(mathematical(y.label(units)))
 
@@ -80,6 +93,9 @@ def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
     """Return the parts in which titles differ, as labels, and the parts that all of them share, as text.
 
     Parts are separated by commas, colons and semicolons.
+
+    Args:
+        titles: titles of several chutes.
 
     >>> labels_of(["Spoon: R = 1 m, square", "Spoon: R = 2 m, square"])
     ([('R = 1 m',), ('R = 2 m',)], 'Spoon, square')
@@ -97,6 +113,9 @@ def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
 
     The first part of a label sets colour and marker, the rest sets the stroke. If no label has a rest, the first part
     sets the stroke too.
+
+    Args:
+        labels: label of each line, in parts.
 
     >>> pairs = looks([("R = 1 m", "square"), ("R = 1 m", "chamfered"), ("R = 2 m", "square")])
     >>> [look["linestyle"] for look in pairs], pairs[0]["color"] == pairs[1]["color"]

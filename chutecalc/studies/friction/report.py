@@ -23,7 +23,12 @@ CONSTRAINT_TEXT = {
 
 
 def print_study(printer: Printer, study: FrictionStudy) -> None:
-    """Print the study: a row for each angle, a column for each material, and the best angle of each material."""
+    """Print the study: a row for each angle, a column for each material, and the best angle of each material.
+
+    Args:
+        printer: where to print, and in which units.
+        study: the study.
+    """
     printer.text(f"Equivalent friction over the chamfer angle, {CONSTRAINT_TEXT[study.keep]}")
     printer.text(given_text(study, printer.units))
     printer.text()
@@ -34,7 +39,11 @@ def print_study(printer: Printer, study: FrictionStudy) -> None:
 
 
 def study_dataset(study: FrictionStudy) -> Dataset:
-    """Return all rows, those of impossible sections too; the document has the inputs and the best angles as well."""
+    """Return all rows, those of impossible sections too; the document has the inputs and the best angles as well.
+
+    Args:
+        study: the study.
+    """
 
     def document() -> dict[str, Any]:
         rows = zip(*map(numbers, study.columns.values()), strict=True)
@@ -53,7 +62,12 @@ def study_dataset(study: FrictionStudy) -> Dataset:
 
 
 def given_text(study: FrictionStudy, units: str) -> str:
-    """Return the inputs of the study beside its angles, as a line of text."""
+    """Return the inputs of the study beside its angles, as a line of text.
+
+    Args:
+        study: the study.
+        units: ``metric`` or ``us``.
+    """
     base = FRICTION_COLUMNS["base_m"]
     width = f"{base.shown(study.base_m, units)} {base.unit_text(units)}"
     friction, area = f"wall friction {study.wall_friction_deg:g}°", f"flow area {study.area_m2:g} m²"

@@ -98,7 +98,12 @@ def _designs(count: int) -> str:
 
 
 def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
-    """Return all verdicts as a document, with each number that drifted."""
+    """Return all verdicts as a document, with each number that drifted.
+
+    Args:
+        verdicts: one for each design.
+        rtol: relative tolerance that the designs were solved to.
+    """
     return {
         **document_head(),
         "rtol": rtol,

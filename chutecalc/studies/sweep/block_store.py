@@ -67,6 +67,10 @@ class BlockStore:
     def save(self, number: int, block: Block) -> None:
         """Store a block.
 
+        Args:
+            number: number of the block.
+            block: its rows.
+
         Raises:
             WriteError: it could not be written.
         """

@@ -36,7 +36,11 @@ class CollectedRows:
         self._blocks: list[Block] = []
 
     def write(self, block: Block) -> None:
-        """Take the next block."""
+        """Take the next block.
+
+        Args:
+            block: the block.
+        """
         self._blocks.append(block)
 
     def close(self) -> None:

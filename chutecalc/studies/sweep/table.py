@@ -49,6 +49,9 @@ def column_of(sweep: Sweep, name: str) -> Column:
 def parameter_label(column: Column) -> str:
     """Return the label of an axis for a parameter.
 
+    Args:
+        column: column of the parameter, from :func:`column_of`.
+
     >>> parameter_label(Column("friction_deg", "φ", "φ", VARIED, "wall friction", "deg"))
     'wall friction φ, °'
     """
@@ -57,7 +60,12 @@ def parameter_label(column: Column) -> str:
 
 
 class FirstRows:
-    """The first rows of a sweep for a table, and the number of designs that end in each way."""
+    """The first rows of a sweep for a table, and the number of designs that end in each way.
+
+    Args:
+        sweep: the sweep.
+        most: largest number of rows to keep.
+    """
 
     def __init__(self, sweep: Sweep, most: int) -> None:
         self.sweep, self.most = sweep, most
@@ -66,7 +74,11 @@ class FirstRows:
         self.ends: Counter[str] = Counter()
 
     def write(self, block: Block) -> None:
-        """Count a block, and keep its first rows while there is room."""
+        """Count a block, and keep its first rows while there is room.
+
+        Args:
+            block: the block.
+        """
         status = block["status"]
         self.rows += len(status)
         self.ends.update(status.tolist())
