@@ -1,4 +1,4 @@
-"""Prints pip constraints that pin every dependency of a pyproject.toml to its lower bound."""
+"""Print pip constraints that pin every dependency of a pyproject.toml to its lower bound."""
 
 import re
 import sys
@@ -6,10 +6,10 @@ import tomllib
 from pathlib import Path
 
 project = tomllib.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))["project"]
-# What the benchmarks measure against is never a part of the package.
+# The package never needs what the benchmarks compare it with.
 extras = {name: items for name, items in project["optional-dependencies"].items() if name != "bench"}
 for requirement in [*project["dependencies"], *(item for extra in extras.values() for item in extra)]:
     match = re.fullmatch(r"([A-Za-z0-9._-]+)(?:\[[a-z,]+\])?>=([0-9.]+)", requirement)
     if match is None:
-        sys.exit(f"{requirement}: expected a name and a lower bound alone")
+        sys.exit(f"{requirement}: needs a name and a lower bound, such as numpy>=1.26")
     print(f"{match[1]}=={match[2]}")

@@ -1,14 +1,15 @@
-"""Batches: time a design against error, beside other ways to solve many spoons; stalls, chains, memory, reuse.
+"""Time and error of batches: thousands of spoons, compared with other solvers; stalls, memory, batch sizes.
 
     python benchmarks/batches.py [--quick] [--out FOLDER]
 
 The spoons are random: radius, rate, density, base, friction, chamfers and entry vary; each turns from vertical to
-level. Errors are the largest relative ones of the exit velocity, to chutecalc's own complete solution at 1e-13, which
-tests/verification holds against the reference, and which is checked here against DOP853 at 1e-13 on some. The rivals
-integrate v², as chutecalc does, in which they take half the time; heyoka has `fast_math`. What turns the numbers of
-spoons into a solver's counts for all; what is parsed or compiled once does not. One thread, unless a row says
-otherwise; rivals that take too long solve fewer and say how many. Ratios are of the time of `chute.function` to theirs
-in the same round: at the same tolerance, and at ten times that where its largest error is still below it.
+level. Errors are the largest relative errors of the exit velocity, compared with chutecalc's own complete solution at
+1e-13. tests/verification compares that with reference values, and this benchmark compares some of it with DOP853 at
+1e-13. The other solvers integrate v², as chutecalc does, which halves their time; heyoka has `fast_math`. The time to
+turn the numbers of spoons into those of a solver counts for all; what is parsed or compiled once does not count. All
+use one thread, unless a row says otherwise. Solvers that take too long solve fewer spoons, and the table says how many.
+Ratios are the time of `chute.function` over theirs in the same round: at the same tolerance, and at ten times that if
+its largest error is still below the tolerance.
 """
 
 import os
@@ -64,35 +65,35 @@ Row = tuple[str, str, float, float, float, float]
 
 
 def batch(count: int, stalls: bool = False) -> Batch:
-    """Random spoons; of those that stall, steeper friction and wider arcs stop some 40 %."""
+    """Random spoons. For those that stall, higher friction and wider arcs stop some 40 %."""
     random = np.random.default_rng(1)
     ranges = RANGES | ({"wall_friction_deg": (22.0, 40.0), "drop_m": (0.5, 2.0)} if stalls else {})
     return BASE | {name: random.uniform(*ends, count) for name, ends in ranges.items()}
 
 
 def base() -> chutecalc.Chute:
-    """The chute whose variants they are."""
+    """The chute that is varied."""
     return chutecalc.parse(spec(BASE))
 
 
 def changes(spoons: Batch) -> dict[str, np.ndarray]:
-    """What varies, by its path."""
+    """The values that vary, by path."""
     velocity = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"])
     return {path: spoons[name] for name, path in PATHS.items()} | {"inlet.velocity_m_s": velocity}
 
 
 def chute(spoons: Batch) -> chutecalc.Chute:
-    """The same as variants of one chute."""
+    """The spoons as variants of one chute."""
     return base().vary(changes(spoons))
 
 
 def one(spoons: Batch, k: int) -> dict[str, float]:
-    """One of them."""
+    """One of the spoons."""
     return {name: float(values[k]) if np.ndim(values) else values for name, values in spoons.items()}
 
 
 def stacked(spoons: Batch, rtol: float) -> np.ndarray:
-    """All in one system for DOP853, the right-hand side in NumPy; ``rtol`` holds for the worst of them."""
+    """Solve all in one system with DOP853 and NumPy; ``rtol`` holds for the worst of them."""
     g, radius, flow, base, beta, _, (pressure, _), mu = numbers(spoons)
     four, lift, cosine = 4.0 * flow / np.sin(beta), pressure * (1 - np.cos(beta)), np.cos(beta)
 
@@ -108,7 +109,7 @@ def stacked(spoons: Batch, rtol: float) -> np.ndarray:
 
 
 def looped(spoons: Batch, rtol: float, count: int) -> np.ndarray:
-    """One by one with solve_ivp."""
+    """Solve one after the other with solve_ivp."""
     cases = (one(spoons, k) for k in range(count))
     return np.sqrt([_alone(case, rtol).y[0, -1] for case in cases])
 
@@ -127,7 +128,7 @@ def _alone(case: dict[str, float], rtol: float, events: Any = None) -> Any:
 
 
 def with_heyoka(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
-    """The batch integrator of heyoka, 16 at a time; compiled beforehand."""
+    """Solve with the batch integrator of heyoka, 16 at a time, compiled beforehand."""
     import heyoka as hy
 
     size = 16
@@ -150,7 +151,7 @@ def with_heyoka(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
 
 
 def with_numba(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
-    """SciPy's own coefficients of DOP853 in a compiled loop with its step control, a design at a time."""
+    """Solve one at a time in a compiled loop with SciPy's coefficients and step control of DOP853."""
     from compiled import dop853
 
     def run() -> np.ndarray:
@@ -167,18 +168,18 @@ def exits(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> np.ndarray:
 
 
 def as_function(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
-    """The same by way of a function; made beforehand."""
+    """Exit velocities from a function that was made beforehand."""
     velocity = parsed.function(list(changes(spoons)), rtol=rtol)
     return lambda: velocity(*changes(spoons).values())
 
 
 def solved(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> np.ndarray:
-    """The same from what can be asked for every place too."""
+    """Exit velocities from complete solutions."""
     return chutecalc.solve(parsed.vary(changes(spoons)), rtol).exit_velocity
 
 
 def races(report: Report) -> list[Row]:
-    """Each tolerance with all that can run."""
+    """For each tolerance, all solvers that can run."""
     count = 1024 if report.quick else 8192
     rounds, few = (1, 4) if report.quick else (7, 24)
     spoons = batch(count)
@@ -221,7 +222,7 @@ def races(report: Report) -> list[Row]:
 
 
 def sizes(report: Report) -> list[tuple[str, str, float, float, float]]:
-    """Time and memory over the size of a batch, one thread and as many as there are cores."""
+    """Time and memory over the size of a batch, with one thread and with one per core."""
     rows = []
     for count in (1000, 10_000) if report.quick else (1000, 10_000, 100_000, 1_000_000):
         variants = chute(batch(count))
@@ -235,7 +236,7 @@ def sizes(report: Report) -> list[tuple[str, str, float, float, float]]:
 
 
 def peak(count: int) -> float:
-    """MiB at most in a process that solves so many."""
+    """Peak memory, MiB, of a process that solves so many designs."""
     code = (
         "import sys, resource; sys.path.insert(0, 'benchmarks'); import chutecalc; from batches import batch, chute;"
         f"chutecalc.exits(chute(batch({count})), jobs=1); print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
@@ -244,7 +245,7 @@ def peak(count: int) -> float:
 
 
 def stopped(_: float, y: np.ndarray) -> float:
-    """An event of solve_ivp; not at rest, where the right-hand side is infinite."""
+    """Event of solve_ivp: the stream stops. Not quite at rest, where the right-hand side is infinite."""
     return float(y[0] - 1e-10)
 
 
@@ -252,7 +253,7 @@ stopped.terminal = True
 
 
 def stalls(report: Report) -> list[Row]:
-    """A batch of which some 40 % stall; the error is that of the stall's place, in rad."""
+    """A batch of which some 40 % stall; the error is that of the position of the stall, rad."""
     count, few = (512, 8) if report.quick else (8192, 100)
     spoons = batch(count, stalls=True)
     parsed = base()
@@ -282,7 +283,7 @@ def stalls(report: Report) -> list[Row]:
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("batches", __doc__)
     digits = ("", "", ".2f", ".4f", ".4f", ".1e")
     rows = races(report) + stalls(report)

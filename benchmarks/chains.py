@@ -1,10 +1,10 @@
-"""Chains of segments: what joints cost, and what is not solved again where it does not change.
+"""Chains of segments: the cost of joints, and what is not solved again when it does not change.
 
     python benchmarks/chains.py [--quick] [--out FOLDER]
 
 The chute has five segments: a hood that the stream falls off, a flight onto a straight with an impact, a curve whose
-chamfers it fills and leaves again (kinks), and a spoon. "single arcs" are the four contact segments as chutes of their
-own, entered with what the chain brings to them. Shares are taken within the rounds.
+chamfers the stream fills and leaves again (kinks), and a spoon. "single arcs" are the four contact segments as chutes
+of their own, entered with the streams that the chain brings to them. Ratios are taken within the rounds.
 """
 
 from collections.abc import Callable
@@ -60,7 +60,7 @@ def ends(chute: chutecalc.Chute) -> Any:
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("chains", __doc__)
     count, rounds = (2000, 1) if report.quick else (100_000, 5)
     base = chutecalc.parse(SPEC)

@@ -1,12 +1,12 @@
-"""`chutecalc check` on a folder of 500 designs, beside the sum of their solving plus one start-up.
+"""`chutecalc check` on 500 designs, compared with solving them plus one start-up.
 
     python benchmarks/check.py [--quick] [--out FOLDER]
 
-The designs are the standard ones at other rates. Solving is what `chutecalc run` does to each but print it: read and
-check the spec, solve it, work out ends, extremes and findings; the sum is taken in one process that has started. A
-start-up is that of a command that solves nothing. All are measured in turn, round by round, and ratios are to the sum
-of both in the same round; that of the processors' time means something on a busy machine too. Memory is that of all
-processes at once at its highest, as far as looking every 20 ms can tell.
+The designs are the standard ones at other rates. Solving means what `chutecalc run` does except printing: read and
+check the spec, solve it, work out ends, extremes and findings; the sum is taken in one running process. A start-up is
+that of a command that solves nothing. All are measured in turn, round by round, and ratios are to the sum of both in
+the same round. The ratio of processor times is meaningful on a busy machine too. Memory is the peak of all processes
+together, sampled every 20 ms.
 """
 
 import os
@@ -44,7 +44,7 @@ assert all(item.outcome == OK for item in check(find_designs(sys.argv[1:]).chute
 
 
 def write_designs(folder: Path, count: int) -> list[str]:
-    """The standard designs again and again, each time with another rate; their files."""
+    """Write the standard designs several times, each at another rate; return the files."""
     standard = [path for path in sorted((ROOT / "specs").rglob("*.toml")) if not path.name.endswith(".baseline.toml")]
     files = []
     for number in range(count):
@@ -57,7 +57,7 @@ def write_designs(folder: Path, count: int) -> list[str]:
 
 
 def resident(process: int) -> int:
-    """Bytes that a process and those below it hold; 0 where the system does not tell."""
+    """Bytes that a process and its children hold; 0 if the system does not tell."""
     try:
         own = int(Path(f"/proc/{process}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
         children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
@@ -67,7 +67,7 @@ def resident(process: int) -> int:
 
 
 class Cost(NamedTuple):
-    """What something took."""
+    """What a task took."""
 
     seconds: float
     processor_seconds: float
@@ -75,7 +75,7 @@ class Cost(NamedTuple):
 
 
 def run(arguments: list[str]) -> Cost:
-    """A process with those that it starts."""
+    """Run a process with its children."""
     start, before, most = time.perf_counter(), os.times(), 0
     with subprocess.Popen(arguments, stdout=subprocess.DEVNULL) as process:
         while process.poll() is None:
@@ -88,14 +88,14 @@ def run(arguments: list[str]) -> Cost:
 
 
 def solving(files: list[str]) -> Cost:
-    """Solving in a process that has started."""
+    """Solve in a running process."""
     done = subprocess.run([sys.executable, "-c", SOLVE, *files], check=True, capture_output=True, text=True)
     seconds, used = done.stdout.split()
     return Cost(float(seconds), float(used))
 
 
 def summary(name: str, turns: list[dict[str, Cost]]) -> tuple[str, float, float, float, float, float]:
-    """Median times, median ratios, and the most memory."""
+    """Median times, median ratios and peak memory."""
     own = [turn[name] for turn in turns]
     both = [(turn[SOLVING], turn[START]) for turn in turns]
     return (
@@ -112,7 +112,7 @@ def summary(name: str, turns: list[dict[str, Cost]]) -> tuple[str, float, float,
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("check", __doc__)
     count, rounds = (100, 1) if report.quick else (500, 5)
     with tempfile.TemporaryDirectory() as folder:

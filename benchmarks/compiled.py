@@ -1,6 +1,6 @@
-"""Compiled by numba, a design at a time: DOP853 with SciPy's coefficients, its error estimate and its step control.
+"""Compiled by Numba, one design at a time: DOP853 with SciPy's coefficients, error estimate and step control.
 
-And, where it is installed, which takes a Fortran compiler, the solvers of numbalsoda with the same right-hand side.
+If numbalsoda is installed, which takes a Fortran compiler, its solvers run on the same right-hand side.
 """
 
 from functools import cache
@@ -17,7 +17,7 @@ E3, E5 = np.ascontiguousarray(table.E3), np.ascontiguousarray(table.E5)
 
 @njit(cache=False)
 def rate(theta: float, y: float, p: np.ndarray) -> float:
-    """dy/dθ of y = v²; parameters as those of heyoka."""
+    """dy/dθ of y = v²; parameters as for heyoka."""
     thin = p[2] / np.sqrt(y)
     wide = p[1] + np.sqrt(p[1] * p[1] + p[4] * thin)
     friction = p[5] * (1.0 + p[3] * thin / (wide * wide))
@@ -64,7 +64,7 @@ def dop853(parameters: np.ndarray, start: np.ndarray, end: float, rtol: float) -
 
 @cache
 def _numbalsoda_equation() -> Any:
-    """The address of the compiled right-hand side: the time of compiling is not counted."""
+    """Address of the compiled right-hand side; the time of compiling does not count."""
     from numbalsoda import lsoda_sig
 
     @cfunc(lsoda_sig)
@@ -75,7 +75,7 @@ def _numbalsoda_equation() -> Any:
 
 
 def with_numbalsoda(method: str, rtol: float, grid: np.ndarray, start: float, parameters: np.ndarray) -> np.ndarray:
-    """``lsoda`` or ``dop853``; parameters as those of heyoka."""
+    """Solve with ``lsoda`` or ``dop853``; parameters as for heyoka."""
     import numbalsoda
 
     found, _ = getattr(numbalsoda, method)(

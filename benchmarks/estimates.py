@@ -1,13 +1,13 @@
-"""How far the error estimate of a panel is above the error, and which pairs of rules suit which tolerance.
+"""The error estimate of a panel compared with its error, and which pair of rules suits which tolerance.
 
     python benchmarks/estimates.py [--quick] [--out FOLDER]
 
-Whole segments in one panel by each pair of rules: random ones up to the edges of what a spec may say, as
-tests/robustness/test_edges.py draws them, and the spoons of batches.py. The error is that of v² at the exit, to
-chutecalc's own complete solution at 1e-13, which that test holds against 80-bit numbers; where it is less than a few
-1e-13 itself nothing can be told of it. Panels that are no solution, or in which an event lies, are left out. What
-counts is the least ratio of estimate and error: below 1 a panel would be taken that is worse than it says. Beside it,
-the share of designs whose panel would be taken at a tolerance.
+Each pair of rules solves whole segments in one panel: random ones up to the bounds of every key, as
+tests/robustness/test_edges.py draws them, and the spoons of batches.py. The error is that of v² at the exit, compared
+with chutecalc's own complete solution at 1e-13, which that test compares with 80-bit numbers; errors below a few 1e-13
+say nothing. Panels that do not converge, or contain an event, are left out. The least ratio of estimate to error
+matters: below 1 a panel would be accepted that is worse than it claims. The table also has the share of designs whose
+panel would be accepted at a tolerance.
 """
 
 import sys
@@ -57,7 +57,7 @@ def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("estimates", __doc__)
     count = 50 if report.quick else 2000
     kinds = {"edges": [edges(*case, count, 7)[0].design for case in CASES], "spoons": [chute(batch(count)).design]}

@@ -14,7 +14,7 @@ from rich.table import Table
 
 
 class Report:
-    """A benchmark's options, and where its figures go."""
+    """The options of a benchmark, and where its results go."""
 
     def __init__(self, name: str, doc: str | None) -> None:
         parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -28,7 +28,7 @@ class Report:
         options.out.mkdir(parents=True, exist_ok=True)
 
     def write(self, header: Sequence[str], rows: Sequence[Sequence[Any]], digits: Sequence[str], by: int = 0) -> None:
-        """Prints a table for each value of the first ``by`` columns, and writes all of it as CSV."""
+        """Print a table for each value of the first ``by`` columns, and write everything as CSV."""
         groups: dict[tuple[Any, ...], list[Sequence[Any]]] = {}
         for row in rows:
             groups.setdefault(tuple(row[:by]), []).append(row[by:])
@@ -41,7 +41,7 @@ class Report:
             csv.writer(file).writerows([header, *rows])
 
     def plot(self, panels: dict[str, dict[str, list[tuple[float, float]]]], x: str, y: str) -> None:
-        """A picture with a panel for each name, and in it a line for each label; both axes logarithmic."""
+        """Draw a panel for each name, with a line for each label; both axes logarithmic."""
         if plt := _pyplot():
             labels = list(dict.fromkeys(label for lines in panels.values() for label in lines))
             figure, axes = plt.subplots(1, len(panels), figsize=(4.2 * len(panels), 4.2), sharey=True, squeeze=False)
@@ -57,7 +57,7 @@ class Report:
             figure.savefig(self.file.with_suffix(".svg"), bbox_inches="tight")
 
     def bars(self, panels: dict[str, dict[str, float]], x: str) -> None:
-        """A picture with a panel for each name, and in it a bar for each label."""
+        """Draw a panel for each name, with a bar for each label."""
         if plt := _pyplot():
             figure, axes = plt.subplots(1, len(panels), figsize=(5.5 * len(panels), 3.4), squeeze=False)
             for axis, (name, lengths) in zip(axes[0], panels.items(), strict=True):
@@ -74,7 +74,7 @@ class Report:
 
 
 def _pyplot() -> Any:
-    """Matplotlib, where it is installed."""
+    """Matplotlib, if it is installed."""
     try:
         from matplotlib import pyplot
     except ImportError:

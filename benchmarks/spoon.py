@@ -1,4 +1,4 @@
-"""One spoon, or many, for chutecalc and for its rivals: the spec, the equation as one would write it, and solvers."""
+"""One spoon, or many, for chutecalc and for other solvers: the spec, the equation, the solvers."""
 
 import math
 from collections.abc import Callable
@@ -20,7 +20,7 @@ Case = dict[str, float]
 
 
 def spec(case: Case) -> dict[str, Any]:
-    """The spoon as chutecalc takes it."""
+    """The spoon as a spec."""
     section = {"shape": "chamfered", "base_m": case["base_m"], "chamfer_deg": case["chamfer_deg"]}
     return {
         "flow": {"rate_t_h": case["rate_t_h"], "gravity_m_s2": case["gravity_m_s2"]},
@@ -87,7 +87,7 @@ def equation(case: Case) -> Callable[[float, float], float]:
 
 
 def with_solve_ivp(method: str, rtol: float, grid: np.ndarray, case: Case) -> np.ndarray:
-    """One of SciPy's solvers."""
+    """Solve with one of SciPy's solvers."""
     rate = equation(case)
     start = [entry(case) ** 2]
     run = solve_ivp(
@@ -97,14 +97,14 @@ def with_solve_ivp(method: str, rtol: float, grid: np.ndarray, case: Case) -> np
 
 
 def with_odeint(rtol: float, grid: np.ndarray, case: Case) -> np.ndarray:
-    """SciPy's older interface to LSODA, in compiled code but for the right-hand side."""
+    """Solve with SciPy's older interface to LSODA: compiled, except for the right-hand side."""
     rate = equation(case)
     start = entry(case) ** 2
     return np.sqrt(odeint(lambda y, t: rate(t, y[0]), start, grid, rtol=rtol, atol=1e-3 * rtol)[:, 0])
 
 
 def with_steps(order: int, steps: int, grid: np.ndarray, case: Case) -> np.ndarray:
-    """Euler as in a spreadsheet, or the classical Runge-Kutta method, by hand; ``grid`` divides ``steps``."""
+    """Solve with Euler's method, as in a spreadsheet, or classical Runge-Kutta; ``grid`` divides ``steps``."""
     rate = equation(case)
     h, y = grid[-1] / steps, entry(case) ** 2
     shown, every = [y], steps // (len(grid) - 1)
@@ -133,7 +133,7 @@ def heyoka_equation(hy: Any) -> Any:
 
 
 def heyoka_numbers(case: Any) -> np.ndarray:
-    """The parameters of that, shape (6,) or (6, spoons)."""
+    """The parameters of that equation, shape (6,) or (6, spoons)."""
     g, radius, flow, base, beta, _, (ratio, _), mu = numbers(case)
     four = 4.0 * flow / np.sin(beta)
     return np.array(
@@ -143,14 +143,14 @@ def heyoka_numbers(case: Any) -> np.ndarray:
 
 @cache
 def heyoka_integrator(tolerance: float) -> Any:
-    """Compiled once, as its users would: the time of compiling is not counted."""
+    """Compile once, as users would; the time of compiling does not count."""
     import heyoka as hy
 
     return hy.taylor_adaptive(heyoka_equation(hy), [1.0], tol=tolerance, pars=[1.0] * 6, fast_math=True)
 
 
 def with_heyoka(tolerance: float, grid: np.ndarray, case: Case) -> np.ndarray:
-    """Adaptive Taylor series, compiled."""
+    """Solve with an adaptive Taylor series, compiled."""
     integrator = heyoka_integrator(tolerance)
     integrator.pars[:] = heyoka_numbers(case)
     integrator.time, integrator.state[0] = 0.0, entry(case) ** 2
@@ -163,7 +163,7 @@ def with_function(velocity: Callable[..., float], case: Case) -> np.ndarray:
 
 
 def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc.Chute | None = None) -> np.ndarray:
-    """Solution and stations; the spec too, unless it is checked already, and then its numbers alone are built."""
+    """Solution and stations. Includes the check of the spec, unless it is checked already."""
     if checked is None:
         solution = chutecalc.solve(chutecalc.parse(spec(case)), rtol)
     else:

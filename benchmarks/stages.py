@@ -2,8 +2,8 @@
 
     python benchmarks/stages.py [--quick] [--out FOLDER]
 
-Microseconds within one process, medians, on the worked example of the paper and on a hood and spoon. What comes after
-`solve` is not done unless it is asked for.
+Medians in microseconds within one process, for the worked example of the paper and for a hood and spoon. What comes
+after `solve` is only done if it is asked for.
 """
 
 import io
@@ -27,7 +27,7 @@ Tasks = dict[str, Callable[[], Any]]
 
 
 def stages(file: Path) -> Tasks:
-    """What happens between a spec and what is shown."""
+    """The steps between a spec and its report."""
     text = file.read_text(encoding="utf-8")
     data = parse_text(text, "spec")
     chute = chutecalc.parse(text)
@@ -61,7 +61,7 @@ def again(solution: chutecalc.Solution) -> chutecalc.Solution:
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("stages", __doc__)
     rows = []
     for file in (SPECS / "paper" / "r3_d55_chamfered.toml", SPECS / "coal_hood_spoon.toml"):

@@ -1,10 +1,10 @@
-"""Commands as processes, beside the least that such programs can take.
+"""Commands as processes, compared with the least that such programs can take.
 
     python benchmarks/startup.py [--quick] [--out FOLDER]
 
 "bare" is an interpreter that does nothing; "hello" a Typer program with one argument that imports NumPy and prints one
-rich table of the size of ours; "solve_ivp" a script that imports what it needs and solves the worked example once. All
-run in turn; ratios are taken within the rounds.
+Rich table of the same size as ours; "solve_ivp" a script that imports what it needs and solves the worked example once.
+All run in turn; ratios are taken within the rounds.
 """
 
 import os
@@ -60,7 +60,7 @@ print(solve_ivp(rate, (0, math.pi / 2), [math.sqrt(4 * g)], rtol=1e-8).y[0, -1])
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("startup", __doc__)
     with tempfile.TemporaryDirectory() as folder:
         hello, script = Path(folder, "hello.py"), Path(folder, "script.py")

@@ -1,10 +1,11 @@
-"""A sweep of a million designs to Parquet against solving them: time, and the memory it takes.
+"""A sweep of a million designs to Parquet, compared with solving them: time and memory.
 
     python benchmarks/sweep.py [--quick] [--out FOLDER]
 
-The worked example over 1000 radii and 1000 wall friction angles, all of which flow. 'solving' is `exits` (for exit
-columns) or `solve` (for what needs the whole way) on the same blocks with as many threads; 'sweep' is the command, with
-its Parquet file. Times are of the processor, all threads together, and of the clock; memory is the sweep's largest.
+The worked example over 1000 radii and 1000 wall friction angles, none of which stalls. 'solving' is `exits` (for exit
+columns) or `solve` (for columns that need the whole trajectory) on the same blocks with as many threads; 'sweep' is the
+command with its Parquet file. Times are of the processor, summed over threads, and of the clock; memory is the peak of
+the sweep.
 """
 
 import resource
@@ -36,7 +37,7 @@ KINDS: dict[str, tuple[str, Callable[[chutecalc.Chute], Any]]] = {
 
 
 def solving(arguments: list[str], solve: Callable[[chutecalc.Chute], Any]) -> tuple[float, float]:
-    """Seconds of the processor and of the clock."""
+    """Processor and clock time, s."""
     chute = chutecalc.load(SPEC)
     grid = Grid(read_parameters(arguments, chute))
 
@@ -52,7 +53,7 @@ def solving(arguments: list[str], solve: Callable[[chutecalc.Chute], Any]) -> tu
 
 
 def sweeping(arguments: list[str], columns: str) -> tuple[float, float]:
-    """Seconds of the processor and of the clock of the command, its start included."""
+    """Processor and clock time of the command, s, with its start."""
     with tempfile.TemporaryDirectory() as folder:
         command = [
             sys.executable,
@@ -71,7 +72,7 @@ def sweeping(arguments: list[str], columns: str) -> tuple[float, float]:
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("sweep", __doc__)
     rows = []
     for side in (100,) if report.quick else (300, 1000):

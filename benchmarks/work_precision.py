@@ -1,15 +1,15 @@
-"""Run time against error: one spoon solved and told at 101 stations, or at its exit, by chutecalc and by its rivals.
+"""Run time against error: one spoon solved, at 101 stations or at its exit, by chutecalc and by other solvers.
 
     python benchmarks/work_precision.py [--quick] [--out FOLDER]
 
-The error is the largest relative one of the velocity at the stations that tests/reference/spoon.csv knows to 20
-digits; of the spoon that is filled above its chamfers, to two DOP853 runs at rtol 3e-14 that meet at the chamfer's
-top. All run in turn, again and again; times are medians, and ratios are to DOP853 at 1e-10 in the same round. The
-rivals' right-hand side is what one would write in Python for one design, in v², plain floats and `math`; those of
-heyoka and of numbalsoda (where that is installed: `pip install numbalsoda`, with a Fortran compiler) are compiled
-beforehand. What chutecalc does in that time: build the numbers from the checked spec, solve, velocity and depth at the
-stations; 'with check' also reads and checks the spec. `chute.function` takes radius and wall friction and gives the
-exit.
+The error is the largest relative error of the velocity at the stations that tests/reference/spoon.csv knows to 20
+digits. For the spoon that fills its chamfers it is compared with two DOP853 runs at rtol 3e-14 that meet at the top of
+the chamfers. All solvers run in turn, many times; times are medians, and ratios are to DOP853 at 1e-10 in the same
+round. The right-hand side of the others is what one would write in Python for one design, in v², with plain floats and
+`math`; that of heyoka and of numbalsoda (if installed: `pip install numbalsoda`, with a Fortran compiler) is compiled
+beforehand. The time of chutecalc includes building the numbers from the checked spec, solving, and velocity and depth
+at the stations; 'with check' also reads and checks the spec. `chute.function` takes radius and wall friction and gives
+the exit.
 """
 
 import csv
@@ -62,7 +62,7 @@ def cases() -> dict[str, tuple[Case, np.ndarray]]:
 
 
 def over_the_top(case: Case) -> np.ndarray:
-    """Velocities at every tenth station of a spoon whose chamfers the stream fills on its way."""
+    """Velocities at every tenth station of a spoon whose chamfers the stream fills on the way."""
     rate = equation(case)
     beta, flow = np.radians(case["chamfer_deg"]), case["rate_t_h"] / 3.6 / case["density_kg_m3"]
     area = (case["base_m"] + case["chamfer_m"] * np.cos(beta)) * case["chamfer_m"] * np.sin(beta)
@@ -83,7 +83,7 @@ def over_the_top(case: Case) -> np.ndarray:
 
 
 def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.ndarray]]:
-    """All that is compared, by name and tolerance."""
+    """All solvers, by name and tolerance."""
     ours = ["1e-10"] if quick else ["1e-04", "1e-06", "1e-08", "1e-10", "1e-12", "1e-13"]
     theirs = ["1e-10"] if quick else ["1e-04", "1e-07", "1e-10", "1e-13"]
     checked = chutecalc.parse(spec(case))
@@ -115,7 +115,7 @@ def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.nd
 
 
 def measured(name: str, stations: int, case: Case, exact: np.ndarray, rounds: int, quick: bool) -> list[Row]:
-    """Case, solver, median time in ms, median ratio to the yardstick, and error."""
+    """Case, solver, median time in ms, median ratio to DOP853, and error."""
     grid = np.linspace(0.0, turn(case), stations)
     tried = rivals(quick, case, grid)
     known = exact if stations > 2 else exact[[0, -1]]
@@ -132,7 +132,7 @@ def measured(name: str, stations: int, case: Case, exact: np.ndarray, rounds: in
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Measure and print."""
     report = Report("work_precision", __doc__)
     rows = [
         row

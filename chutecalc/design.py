@@ -1,4 +1,4 @@
-"""The numeric description of a chute: what the solver reads and what it hands from segment to segment.
+"""The numeric description of a chute, which the solver reads.
 
 Everything is SI and radians. Numbers are arrays of length 1 or n, never 0-dimensional, so one description stands for
 one design or for many; a length of 1 is shared by all of them and stays short until a varied number meets it.
@@ -12,65 +12,99 @@ from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Section
 from chutecalc.physics.wall import Wall
 
+VERTICAL = np.array([np.pi / 2])
+"""Slope of what falls straight down, rad."""
+
 
 class Status:
-    """How a design, or one of its segments, ends, by number.
+    """Numbers that say how a design, or one of its segments, ends.
 
     Plain numbers: NumPy takes ten microseconds to compare an array with a member of an enumeration.
     """
 
     OK, STALL, CHOKE, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
-    """From ``MISSED`` on the stream has not touched the segment. ``PASSED`` is of a segment alone: flown past."""
+    """From ``MISSED`` on the stream has not touched the segment. A segment that it flies past is ``PASSED``."""
 
     LABELS = ("ok", "stall", "choke", "contact_lost", "missed", "not_reached", "passed")
-    """As tables, JSON and CSV spell them, by number."""
+    """Their names in tables, JSON and CSV, by number."""
 
 
 class Contact(NamedTuple):
-    """A segment that guides the stream: straight, curve, hood or plate."""
+    """A segment that guides the stream, straight or along an arc."""
 
     name: str
     kind: str
     side: float
     """σ: 1 for a floor, -1 for a roof."""
+    deflects: bool
+    """Whether the stream only strikes it, and leaves as the impact sends it."""
     entry_slope: Array | None
-    """Drawn slope where it starts; None where it is tangent to the stream that falls into it."""
+    """Drawn slope at its start, rad below horizontal; None if it is tangent to the stream that falls into it."""
     exit_slope: Array
+    """Drawn slope at its end, rad below horizontal."""
     radius: Array | None
-    """Of a curve or hood; None for a straight."""
+    """Of an arc, m; None for a straight."""
     length: Array | None
-    """Of a straight; a curve's follows from its slopes."""
+    """Of a straight, m; None for an arc, whose length follows from its slopes."""
     start: tuple[Array, Array] | None
-    """Where it is drawn from, x and z; None where that is the end of the segment before it."""
+    """x and z of its drawn start, m; None if that is the end of the segment before it."""
     section: Section
+    """At its start, and at its end if it does not taper."""
     end_section: Section | None
-    """Of a taper."""
+    """At the end of a taper; else None."""
     wall: Wall
     measured: tuple[Array, Array] | None
-    """Least and greatest normal stress of the yield locus's rows, Pa; None for other liners."""
+    """Least and greatest normal stress of the yield locus, Pa; None for a constant friction angle."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
 
-    def wall_height(self, place: Array) -> Array:
-        """Above which it chokes, m, at shares of its length."""
+    def wall_height(self, share: Array) -> Array:
+        """Return the wall height above which the segment chokes, m; infinite where none is given.
+
+        Args:
+            share: of the segment's length, from 0 to 1, of any shape.
+        """
         first = self.section.wall_height
         if self.end_section is None or np.isinf(first).any():
             return first
-        return first + place * (self.end_section.wall_height - first)
+        return first + share * (self.end_section.wall_height - first)
+
+    def drawn_end(self, before: Array | None) -> Array:
+        """Return the slope at which the segment is drawn to end, rad, whatever comes before it.
+
+        Args:
+            before: slope at which the segment before it is drawn to end, rad, or None.
+        """
+        return self.exit_slope
 
 
 class Fall(NamedTuple):
-    """Free flight; down to a level, or to a distance, from its drawn start, or else onto the segment after it."""
+    """Free flight, down to a level or to a distance from its drawn start, or onto the segment after it."""
 
     name: str
     kind: str
     drop: Array | None
+    """Height of its drawn start above its end, m, or None."""
     run: Array | None
+    """Horizontal distance from its drawn start to its end, m, or None."""
 
     @property
     def onto_next(self) -> bool:
-        """Whether it ends where it lands."""
+        """Whether it ends where it lands on the next segment."""
         return self.drop is None and self.run is None
+
+    @property
+    def deflects(self) -> bool:
+        """Whether the stream only strikes it: never, as it has no surface."""
+        return False
+
+    def drawn_end(self, before: Array | None) -> Array | None:
+        """Return the slope at which a stream that follows the drawing ends, rad; None if its velocity decides.
+
+        Args:
+            before: slope at which the segment before it is drawn to end, rad, or None.
+        """
+        return VERTICAL if before is not None and (before == VERTICAL).all() else None
 
 
 class Belt(NamedTuple):
@@ -107,7 +141,7 @@ class Design(NamedTuple):
     """K_v."""
     equilibrium: bool
     """Wall pressures scaled until they carry the weight, instead of the paper's friction law."""
-    inlet_place: tuple[Array, Array]
+    inlet_position: tuple[Array, Array]
     inlet_velocity: Array
     inlet_slope: Array
     belt: Belt | None
@@ -125,14 +159,21 @@ Record = TypeVar("Record", bound=tuple[Any, ...])
 
 
 def stretched(array: Any, shape: tuple[int, ...]) -> Any:
-    """The array broadcast to a shape; NumPy's own broadcasting takes ten times a multiplication, also for nothing."""
+    """Return an array broadcast to a shape; the array itself if it has that shape, as NumPy is slow even then.
+
+    Args:
+        array: any NumPy array.
+        shape: of the result.
+    """
     return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
 def select(record: Record, rows: Index | slice) -> Record:
-    """A record of some of the designs, contiguous along them; what serves them all is left as it is.
+    """Return the record of some of the designs; values that all designs share stay as they are.
 
-    Neighbours are better asked for as a slice.
+    Args:
+        record: named tuple whose arrays have designs along their last axis, of length 1 or n.
+        rows: numbers of the designs from 0; a slice is faster for neighbours.
     """
     chosen: list[Any] = []
     for field in record:
@@ -146,7 +187,11 @@ def select(record: Record, rows: Index | slice) -> Record:
 
 
 def length(record: tuple[Any, ...]) -> int:
-    """How many designs the arrays of a record, of length 1 or n, describe."""
+    """Return how many designs a record describes.
+
+    Args:
+        record: named tuple whose arrays have designs along their last axis, of length 1 or n.
+    """
     longest = 1
     for field in record:
         if isinstance(field, np.ndarray):

@@ -17,7 +17,7 @@ from chutecalc.results.solution import Solution
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
-from chutecalc.spec.faults import faults_of, placed, value_text
+from chutecalc.spec.faults import faults_of, geometry_faults, value_text
 from chutecalc.spec.parse import parse_text, read_text
 from chutecalc.spec.paths import with_values
 
@@ -57,7 +57,7 @@ class Chute:
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
         except GeometryError as error:
-            raise SpecError(placed(error.faults, data, text), source, error.designs) from None
+            raise SpecError(geometry_faults(error.faults, data, text), source, error.designs) from None
 
     def __repr__(self) -> str:
         """Source, title and segments.

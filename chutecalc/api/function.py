@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.api.parameter import Limits, check_once, names_of, parameter_at
-from chutecalc.api.tape import Tape, Traced, again
+from chutecalc.api.parameter import Limits, check_distinct, check_names, parameter_at
+from chutecalc.api.tape import Tape, Traced, run_recipe
 from chutecalc.core.answer import OUTPUTS, Answer, ask
 from chutecalc.core.replay import Recipe
 from chutecalc.design import Design, Status
@@ -50,12 +50,12 @@ class Function:
             drawn_slopes: as of :func:`chutecalc.spec.build.build`.
             parameters, outputs, rtol: as there.
         """
-        self.outputs, self.rtol, self._vary = names_of(outputs, "outputs"), rtol, vary
+        self.outputs, self.rtol, self._vary = check_names(outputs, "outputs"), rtol, vary
         limits = parameters if isinstance(parameters, Mapping) else {}
         self.parameters = tuple(
-            parameter_at(spec, path, limits.get(path)) for path in names_of(parameters, "parameters")
+            parameter_at(spec, path, limits.get(path)) for path in check_names(parameters, "parameters")
         )
-        check_once(self.parameters)
+        check_distinct(self.parameters)
         self._lock = Lock()  # records and numbers of a recipe are of one thread at a time
         self._limited = any(parameter.limits for parameter in self.parameters)
         self.exit_names = [name.removeprefix("exit_") for name in self.outputs if name.startswith("exit_")]
@@ -109,13 +109,13 @@ class Function:
     def _within(self, values: Sequence[Any]) -> bool:
         """Whether all are floats within the limits that were asked for."""
         return all(
-            isinstance(value, float) and parameter.within(value)
+            isinstance(value, float) and parameter.is_within(value)
             for parameter, value in zip(self.parameters, values, strict=True)
         )
 
     def _check_limits(self, rows: Array) -> None:
         for parameter, column in zip(self.parameters, rows.T, strict=True):
-            wrong = column[~parameter.within(column)]
+            wrong = column[~parameter.is_within(column)]
             if wrong.size:
                 low, high = parameter.bounds
                 raise UsageError(f"{parameter.path} has to be from {low!r} to {high!r} here, not {float(wrong[0])!r}")
@@ -123,7 +123,7 @@ class Function:
     def _shortly(self, rows: Array) -> list[Array] | None:
         """The outputs by what is written down; None where that does not hold for all designs."""
         with self._lock:
-            known = None if self._recipe is None else again(self._recipe, rows)
+            known = None if self._recipe is None else run_recipe(self._recipe, rows)
         if known is None:
             return None
         try:
@@ -186,7 +186,7 @@ class Function:
         self._recipe: Recipe | None = None
         self._answer: Answer | None = None
         self._design, self._leaves = base, dict[int, int]()
-        if base.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
+        if base.segments[-1].deflects:  # where the stream is as the impact on it leaves it
             return
         before = [parameter.value for parameter in self.parameters]
         try:
@@ -195,22 +195,22 @@ class Function:
             pass  # something that a tape does not hold
         finally:
             for parameter, value in zip(self.parameters, before, strict=True):
-                parameter.put(value)
+                parameter.set_value(value)
 
     def _write(self, tape: Tape, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
         """Has a tape hold it, up to what a row of numbers for the solver is, and what the outputs take beside that."""
-        given = [tape.number(parameter.given) for parameter in self.parameters]
+        given = [tape.new_variable(parameter.value_in_unit) for parameter in self.parameters]
         for parameter, value in zip(self.parameters, given, strict=True):
-            converted = np.multiply(parameter.converted(value), 1.0)
-            if not parameter.asks(converted):
+            converted = np.multiply(parameter.to_first_unit(value), 1.0)
+            if not parameter.accepts(converted):
                 raise ValueError("no value for the spec")
-            parameter.put(converted)
+            parameter.set_value(converted)
         design = build(spec, drawn_slopes)
         columns, _, begins = columns_of(design)
         varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
         self._again = again_at(design, begins, varied[0]) if varied else 0
-        leaves = {} if self._plain else {leaf.place: leaf for leaf in _leaves(design)}
-        self._leaves = {place: len(columns) + number for number, place in enumerate(leaves)}
+        leaves = {} if self._plain else {leaf.slot: leaf for leaf in _leaves(design)}
+        self._leaves = {slot: len(columns) + number for number, slot in enumerate(leaves)}
         self._recipe = tape.recipe([*columns, *leaves.values()])
         self._design = self._design if self._plain else design
         if self._plain:
@@ -244,7 +244,7 @@ def _filled(item: Any, known: Array, leaves: Mapping[int, int]) -> Any:
     if not leaves:
         return item
     if isinstance(item, Traced):
-        return known[:, leaves[item.place]]
+        return known[:, leaves[item.slot]]
     if isinstance(item, tuple):
         parts = [_filled(each, known, leaves) for each in item]
         return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)

@@ -1,4 +1,4 @@
-"""A number of a checked spec that is to be varied: where it stands, its unit, its bounds."""
+"""A number of a checked spec that a function varies: where it stands, its unit and its limits."""
 
 import math
 import operator
@@ -14,77 +14,106 @@ from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.paths import is_number
 
 Limits = tuple[float, float]
-ASKED = {"gt": operator.gt, "ge": operator.ge, "lt": operator.lt, "le": operator.le}
-"""How a quantity's bounds are asked for."""
+"""Least and greatest value."""
+COMPARISONS = {"gt": operator.gt, "ge": operator.ge, "lt": operator.lt, "le": operator.le}
+"""The comparison that each bound of a quantity stands for."""
 
 
 class Parameter(NamedTuple):
-    """A number of the spec that is varied."""
+    """A number of a spec that is varied."""
 
     path: str
+    """Key path, as given."""
     table: Table
-    """That it stands in, with its documented key and, of a list, the places in it."""
+    """Table of the checked spec that it stands in."""
     key: str
-    places: tuple[int, ...]
+    """Documented key in that table."""
+    indices: tuple[int, ...]
+    """Indices from 0 in the lists that the key holds; empty for a single number."""
     unit: str
+    """Suffix of the unit of the path."""
     limits: Limits | None
+    """In the unit of the path; None for the bounds of the spec alone."""
 
     @property
     def quantity(self) -> Quantity:
-        """Its bounds and its dimension."""
+        """Declaration of the quantity: its dimension and bounds."""
         return self.table.quantities()[self.key]
 
     @property
     def value(self) -> Any:
-        """In the dimension's first unit, as the spec has it."""
+        """Value in the dimension's first unit, as the spec has it."""
         value = getattr(self.table, self.key)
-        for place in self.places:
-            value = value[place]
+        for index in self.indices:
+            value = value[index]
         return value
 
     @property
-    def given(self) -> float:
-        """In the unit of its path."""
+    def value_in_unit(self) -> float:
+        """Value in the unit of the path."""
         return float(convert(self.value, self.quantity.dimension, first_unit(self.quantity.dimension), self.unit))
 
-    def put(self, value: Any) -> None:
-        """Has the spec say so."""
-        if not self.places:
+    def set_value(self, value: Any) -> None:
+        """Put a value into the spec.
+
+        Args:
+            value: in the dimension's first unit.
+        """
+        if not self.indices:
             self.table.__dict__[self.key] = value  # a model is frozen against everybody else
             return
         rows = getattr(self.table, self.key)
-        for place in self.places[:-1]:
-            rows = rows[place]
-        rows[self.places[-1]] = value
+        for index in self.indices[:-1]:
+            rows = rows[index]
+        rows[self.indices[-1]] = value
 
-    def converted(self, value: Any) -> Any:
-        """To the dimension's first unit."""
+    def to_first_unit(self, value: Any) -> Any:
+        """Convert a value from the unit of the path to the dimension's first unit.
+
+        Args:
+            value: a number, an array, or a :class:`~chutecalc.api.tape.Traced`.
+        """
         return convert(value, self.quantity.dimension, self.unit, first_unit(self.quantity.dimension))
 
     @property
     def bounds(self) -> Limits:
-        """The limits, infinite where none were asked for."""
+        """Limits in the unit of the path; infinite if there are none."""
         return self.limits or (-math.inf, math.inf)
 
-    def within(self, value: Any) -> Any:
-        """Whether a number is within them, or which of several are."""
+    def is_within(self, value: Any) -> Any:
+        """Return whether a number is within the limits, or the mask of an array's numbers that are.
+
+        Args:
+            value: in the unit of the path.
+        """
         low, high = self.bounds
         return (value >= low) & (value <= high)
 
-    def asks(self, value: Traced) -> bool:
-        """Whether the spec's bounds, and the rules of its table, let a converted value be; asked on its tape."""
+    def accepts(self, value: Traced) -> bool:
+        """Return whether a value keeps the bounds of its quantity and the rules of its table; its tape records that.
+
+        Args:
+            value: in the dimension's first unit.
+        """
         table = {key: item for key, item in self.table.__dict__.items() if item is not None}
-        table |= {} if self.places else {self.key: value}
+        table |= {} if self.indices else {self.key: value}
         finite = bool(value - value == 0.0)
-        within = [bool(ASKED[name](value, limit)) for name, limit in self.quantity.bounds.items()]
-        return finite and all(within) and not any(True for rule in self.table.rules for _ in rule(table))
+        bounded = [bool(COMPARISONS[name](value, limit)) for name, limit in self.quantity.bounds.items()]
+        return finite and all(bounded) and not any(True for rule in self.table.rules for _ in rule(table))
 
 
-def names_of(given: Any, what: str) -> tuple[str, ...]:
-    """Names that somebody asks for.
+def check_names(given: Any, what: str) -> tuple[str, ...]:
+    """Return names as a tuple.
+
+    Args:
+        given: a list of names, or a mapping that has them as keys.
+        what: the names are, for the message.
 
     Raises:
-        UsageError: they are none.
+        UsageError: It is empty, a single text, or not all of it is text.
+
+    >>> check_names(["flow.rate_t_h"], "parameters")
+    ('flow.rate_t_h',)
     """
     names = () if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
     if not names or not all(isinstance(name, str) for name in names):
@@ -92,29 +121,39 @@ def names_of(given: Any, what: str) -> tuple[str, ...]:
     return names
 
 
-def check_once(parameters: Sequence[Parameter]) -> None:
-    """That no number is given twice.
+def check_distinct(parameters: Sequence[Parameter]) -> None:
+    """Check that no number of a spec is varied twice.
+
+    Args:
+        parameters: of one spec.
 
     Raises:
-        SpecError: some are.
+        SpecError: Several parameters are the same number.
     """
     seen: dict[tuple[int, str, tuple[int, ...]], str] = {}
     faults = []
     for each in parameters:
-        place = id(each.table), each.key, each.places
-        if place in seen:
-            faults.append(Fault(each.path, f"is given twice, as {seen[place]} and as {each.path}", "keep one of them"))
-        seen.setdefault(place, each.path)
+        quantity = id(each.table), each.key, each.indices
+        if quantity in seen:
+            faults.append(
+                Fault(each.path, f"is given twice, as {seen[quantity]} and as {each.path}", "keep one of them")
+            )
+        seen.setdefault(quantity, each.path)
     if faults:
         raise SpecError(faults)
 
 
 def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter:
-    """Where a path leads in a checked spec.
+    """Return the number at a key path of a checked spec.
+
+    Args:
+        spec: to be varied.
+        path: key path, in any unit, with names or numbers of list items.
+        limits: in the unit of the path, or None.
 
     Raises:
-        SpecError: to no number.
-        UsageError: limits that are none.
+        SpecError: There is no number at the path.
+        UsageError: The limits are not two numbers, the lower one first.
     """
     try:
         wrong = limits is not None and not float(limits[0]) <= float(limits[1])
@@ -129,9 +168,9 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
             if isinstance(here, Table):
                 name, unit = here.keys()[part]
                 if name in type(here).quantities():
-                    places = tuple(map(_index, parts[number + 1 :]))
-                    found = Parameter(path, here, name, places, unit, limits)
-                    listed = not places or unit == first_unit(found.quantity.dimension)  # as changes take it
+                    indices = tuple(map(_index, parts[number + 1 :]))
+                    found = Parameter(path, here, name, indices, unit, limits)
+                    listed = not indices or unit == first_unit(found.quantity.dimension)  # as changes take it
                     if isinstance(found.value, float | int) and listed:
                         return found
                     break
@@ -140,12 +179,18 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
     except (KeyError, IndexError, AttributeError, ValueError, TypeError, StopIteration):
         pass
     raise SpecError(
-        [Fault(path, "is no number that the spec gives", "choose one that it has, or give it one there first")]
+        [
+            Fault(
+                path,
+                "is not a number in the spec",
+                "use the path of a number that it has, or add this one to the spec first",
+            )
+        ]
     )
 
 
 def _index(part: str) -> int:
-    """Where in a list a number of a path leads."""
+    """Return the index from 0 of a list item, from its number in a path."""
     if not is_number(part) or int(part) == 0:
         raise IndexError("they are counted from 1")
     return int(part) - 1

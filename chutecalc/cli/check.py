@@ -74,4 +74,6 @@ def _verdicts(designs: Designs, rtol: float, update: bool) -> list[Verdict]:
     found = list(with_progress(checked, len(designs.chutes), "designs"))
     if errors := [item for item in found if isinstance(item, SpecError)]:
         raise AllSpecsError(errors)
-    return [item for item in found if not isinstance(item, SpecError)] + [without_spec(path) for path in designs.alone]
+    return [item for item in found if not isinstance(item, SpecError)] + [
+        without_spec(path) for path in designs.orphaned
+    ]

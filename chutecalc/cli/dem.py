@@ -14,8 +14,8 @@ from chutecalc.errors import ExitStatus, UsageError
 
 if TYPE_CHECKING:
     from chutecalc.dem.campaign import Campaign
+    from chutecalc.dem.request import Beds
     from chutecalc.dem.study import Study
-    from chutecalc.dem.wanted import Beds
 
 EXAMPLES = (
     "chutecalc dem --beta 45 --particle-friction 0.75",
@@ -50,9 +50,9 @@ def dem(
     """
     from chutecalc.dem.campaign import Campaign
     from chutecalc.dem.export import study_dataset
+    from chutecalc.dem.request import groups
     from chutecalc.dem.store import Store
     from chutecalc.dem.study import Study
-    from chutecalc.dem.wanted import groups
 
     folders.check(outputs)
     outputs.check([spec] if spec else [])
@@ -79,7 +79,7 @@ def _beds(spec: str | None, segment: str | None, trough: TroughOptions, wall_fri
     Raises:
         UsageError: the options do not fit together.
     """
-    from chutecalc.dem.wanted import paper_beds
+    from chutecalc.dem.request import paper_beds
 
     if spec is None:
         if segment is not None:

@@ -13,7 +13,7 @@ from chutecalc.errors import UsageError
 
 if TYPE_CHECKING:
     from chutecalc.cli.outputs import Outputs
-    from chutecalc.dem.wanted import Wanted
+    from chutecalc.dem.request import PourPlan
 
 
 @dataclass(frozen=True)
@@ -46,13 +46,21 @@ class PourOptions(OptionGroup):
     diameter: float = typer.Option(0.01, min=1e-4, max=1, metavar="M", help="Diameter of the particles.")
     slice_: float = typer.Option(0.05, "--slice", min=1e-3, max=10, metavar="M", help="Length of the periodic trough.")
 
-    def read(self) -> Wanted:
+    def read(self) -> PourPlan:
         """Return the numbers that the options list."""
-        from chutecalc.dem.wanted import Wanted, numbers, pours
+        from chutecalc.dem.request import PourPlan, numbers, pours
 
         frictions = numbers(self.particle_friction, "--particle-friction", 0.0, 10.0)
         forces = numbers(self.body_force, "--body-force", 0.01, 100.0)
-        return Wanted(frictions, pours(self.pour), self.seeds, forces, self.raise_to, self.diameter, self.slice_)
+        return PourPlan(
+            frictions=frictions,
+            pours=pours(self.pour),
+            seeds=self.seeds,
+            body_forces=forces,
+            raised_to=self.raise_to,
+            diameter=self.diameter,
+            slice=self.slice_,
+        )
 
 
 @dataclass(frozen=True)

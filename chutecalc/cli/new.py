@@ -1,4 +1,4 @@
-"""``chutecalc new``: a spec to start from."""
+"""``chutecalc new``: writes a spec to start from."""
 
 import typer
 
@@ -8,9 +8,12 @@ EXAMPLES = ("chutecalc new", "chutecalc new spoon.toml")
 
 
 def new(
-    file: str = typer.Argument("chute.toml", metavar="[FILE]", help="File to write; - for standard output."),
+    file: str = typer.Argument("chute.toml", metavar="[FILE]", help="To write; - for standard output."),
 ) -> int:
-    """Write a commented spec to start from. An existing file is never overwritten."""
+    """Write a commented spec to start from. It lists all shapes of section and kinds of segment.
+
+    An existing file is never overwritten.
+    """
     from chutecalc.spec.starter import STARTER
 
     if file == "-":
@@ -20,8 +23,8 @@ def new(
         with open(file, "x", encoding="utf-8") as stream:
             stream.write(STARTER)
     except FileExistsError:
-        raise OutputError(f"{file} exists and was not changed: choose another name") from None
+        raise OutputError(f"{file} already exists and was not changed. Choose another name.") from None
     except OSError as error:
         raise OutputError(f"{file} cannot be written: {error.strerror}") from None
-    typer.echo(f"wrote {file}. Next: chutecalc run {file}")
+    typer.echo(f"wrote {file}. To run it: chutecalc run {file}")
     return 0

@@ -1,4 +1,4 @@
-"""``chutecalc schema``: the spec as JSON Schema."""
+"""``chutecalc schema``: prints the JSON Schema of a spec."""
 
 import typer
 
@@ -6,7 +6,7 @@ EXAMPLES = ("chutecalc schema > chute.schema.json",)
 
 
 def schema() -> int:
-    """Print the JSON Schema of a spec, for editors."""
+    """Print the JSON Schema of a spec, with which editors complete keys and check values."""
     import json
 
     from chutecalc.spec.schema import json_schema

@@ -11,7 +11,7 @@ from chutecalc.output.dataset import Block
 from chutecalc.output.files import STANDARD_STREAM
 from chutecalc.output.progress import progress
 from chutecalc.output.table import Printer
-from chutecalc.studies.sweep.block import best_of
+from chutecalc.studies.sweep.block import best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
 from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
 from chutecalc.studies.sweep.sweep import Sweep
@@ -87,7 +87,7 @@ class SweepRun:
         outputs = self.outputs
         shown = FirstRows(self.sweep, SHOWN_WITH_FILE if outputs.files else MOST_SHOWN)
         collected = CollectedRows()
-        rows = best_of(blocks, self.sweep.top) if self.sweep.top else blocks
+        rows = best_rows(blocks, self.sweep.top) if self.sweep.top else blocks
         more = [collected] if outputs.chart or outputs.plot else []
         outputs.write(sweep_dataset(self.sweep, rows), shown, *more)
         if not complete:

@@ -1,1 +1,1 @@
-"""The discrete-element check of the friction law, with LAMMPS as a program of its own (Paper, section 7)."""
+"""The discrete-element check of the friction law (Paper, section 7); LAMMPS runs as a separate program."""

@@ -1,4 +1,4 @@
-"""Which cases are to be run: beds made level first, then all seeds; whatever is kept on disk is not run again."""
+"""Campaigns: beds are made level with the first seed, then all seeds are run; no case on disk is run twice."""
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
@@ -12,41 +12,49 @@ from chutecalc.dem.pour import steps
 from chutecalc.dem.store import Store
 from chutecalc.errors import UsageError
 
-AIM = 0.5 * LEVEL
-"""Unevenness of the first seed's bed with which its pour is taken for the others."""
+LEVEL_ENOUGH = 0.5 * LEVEL
+"""Unevenness of the first seed's bed, over its depth, at which its pour is used for the other seeds."""
 ROUNDS = 4
-WIDEST = 0.9
-"""Of the spread e, which lies between -1 and 1."""
-PACE = 2.5e6
-"""Particles times steps that a core does in a second, about."""
+"""Pours tried with the first seed."""
+LARGEST_SPREAD = 0.9
+"""Largest magnitude of the spread e, which lies between -1 and 1."""
+PARTICLE_STEPS_PER_SECOND = 2.5e6
+"""Particles times time steps that a core computes in a second, roughly."""
 
 
 @dataclass(frozen=True)
 class Group:
-    """The same bed with several seeds."""
+    """One bed with several seeds."""
 
     case: Case
-    """With the first seed; the others count on from it."""
+    """The case with the first seed; the other seeds count up from it."""
     seeds: int
+    """Number of seeds."""
 
 
 class Outcome(NamedTuple):
-    """What is known of a group."""
+    """The state of a group."""
 
     beds: tuple[Bed, ...]
-    """Of all seeds run with the pour that was taken."""
+    """Beds of the seeds that have been run with the chosen pour."""
     needed: tuple[Case, ...]
-    """To be run next."""
+    """Cases to run next."""
     errors: tuple[str, ...]
-    """Of cases that did not run to their end."""
+    """Messages of cases that did not run to their end."""
 
 
 class Campaign:
-    """Groups of cases, and what a folder holds of them.
+    """Groups of cases and the folder that stores them.
 
     Args:
-        groups: what is wanted.
-        store: where cases are kept.
+        groups: The groups to run.
+        store: The folder of cases.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> group = Group(case, seeds=3)
+    >>> campaign = Campaign([group], Store("no-such-folder"))
+    >>> campaign.outcome(group).needed == (case,)  # its bed has to be level before other seeds are poured
+    True
     """
 
     def __init__(self, groups: Sequence[Group], store: Store) -> None:
@@ -55,14 +63,18 @@ class Campaign:
         self._beds: dict[str, Bed] = {}
 
     def outcome(self, group: Group) -> Outcome:
-        """What is known of a group, from disk and from failures in this call."""
+        """Return the state of a group, from disk and from failures of this campaign.
+
+        Args:
+            group: One of the campaign's groups.
+        """
         tried: list[Bed] = []
         for case in self._trials(group.case, tried):
             if (error := self._errors.get(case.name)) is not None:
-                return Outcome((), (), (error,))
+                return Outcome(beds=(), needed=(), errors=(error,))
             bed = self._bed(case)
             if bed is None:
-                return Outcome((), (case,), ())
+                return Outcome(beds=(), needed=(case,), errors=())
             tried.append(bed)
         taken = min(tried, key=lambda bed: abs(bed.unevenness)).case
         cases = [replace(taken, seed=group.case.seed + number) for number in range(group.seeds)]
@@ -72,15 +84,15 @@ class Campaign:
         return Outcome(tuple(bed for bed in beds if bed is not None), tuple(needed), errors)
 
     def _trials(self, case: Case, tried: list[Bed]) -> Iterator[Case]:
-        """The first seed with one spread after the other until its bed is level; ``tried`` grows between the steps."""
+        """Yield the first seed with one spread after another until its bed is level; ``tried`` grows in between."""
         yield case
         for _ in range(ROUNDS - 1):
-            if abs(tried[-1].unevenness) <= AIM:
+            if abs(tried[-1].unevenness) <= LEVEL_ENOUGH:
                 return
             yield replace(case, spread=_next_spread([(bed.case.spread, bed.unevenness) for bed in tried]))
 
     def _bed(self, case: Case) -> Bed | None:
-        """A bed from disk, read once."""
+        """Read a bed from disk, once."""
         if case.name not in self._beds:
             bed = self.store.read(case)
             if bed is None:
@@ -89,29 +101,32 @@ class Campaign:
         return self._beds[case.name]
 
     def write(self) -> list[Case]:
-        """Writes the cases that are needed next, and runs nothing."""
+        """Write the cases to run next, without running them, and return them."""
         needed = [case for group in self.groups for case in self.outcome(group).needed]
         for case in needed:
             self.store.write(case)
         return needed
 
-    def run(self, engine: Engine, jobs: int, told: Callable[[int, int], None]) -> None:
-        """Runs all that is needed, so many cases at once.
+    def run(self, engine: Engine, jobs: int, report_progress: Callable[[int, int], None]) -> None:
+        """Run all cases that are needed.
 
         Args:
-            engine: what runs them.
-            jobs: how many at once.
-            told: called with how many cases are done and how many are known to be needed, at the start and after each.
+            engine: Runs a case in its folder.
+            jobs: Number of cases to run at once.
+            report_progress: Called with the number of cases that are done and the number known to be needed, at the
+                start and after each case.
+
+        A case that fails is reported in the :class:`Outcome` of its group; the others go on.
         """
         with ThreadPoolExecutor(jobs) as pool:
             try:
-                self._run_all(pool, engine, told)
+                self._run_all(pool, engine, report_progress)
             except BaseException:  # interrupted: the pool waits for what runs
                 pool.shutdown(wait=False, cancel_futures=True)
                 engine.stop()
                 raise
 
-    def _run_all(self, pool: ThreadPoolExecutor, engine: Engine, told: Callable[[int, int], None]) -> None:
+    def _run_all(self, pool: ThreadPoolExecutor, engine: Engine, report_progress: Callable[[int, int], None]) -> None:
         started: set[str] = set()
         running: dict[Future[None], Case] = {}
         while True:
@@ -120,7 +135,7 @@ class Campaign:
                 if case.name not in started:
                     started.add(case.name)
                     running[pool.submit(self._run_one, engine, case)] = case
-            told(len(started) - len(running), len(started) + self._waiting(outcomes))
+            report_progress(len(started) - len(running), len(started) + self._waiting(outcomes))
             if not running:
                 return
             for future in wait(running, return_when=FIRST_COMPLETED).done:
@@ -131,13 +146,13 @@ class Campaign:
                     self._errors[case.name] = f"{case.name}: {error}"
 
     def _run_one(self, engine: Engine, case: Case) -> None:
-        place = self.store.write(case)
-        engine.run(place)
+        folder = self.store.write(case)
+        engine.run(folder)
         if self.store.read(case) is None:
-            raise RunError(f"has not written all its results: is the disk full? See {place}")
+            raise RunError(f"LAMMPS ended without writing all results. Is the disk full? See {folder}")
 
     def _waiting(self, outcomes: Sequence[Outcome]) -> int:
-        """Cases of groups whose pour is not yet known to be level."""
+        """Count the cases that wait for a level pour of their group."""
         return sum(
             group.seeds - 1
             for group, outcome in zip(self.groups, outcomes, strict=True)
@@ -146,23 +161,34 @@ class Campaign:
 
 
 def expected_seconds(campaign: Campaign) -> tuple[int, float]:
-    """How many cases are to be run, and how long that takes on one core, about: one more than the seeds for each group.
+    """Estimate the number of cases to run, and their time on one core.
+
+    For a group without a level pour that is one case more than it has seeds.
 
     Args:
-        campaign: what is wanted, and what is on disk.
+        campaign: The campaign, of which only what is not on disk has to be run.
+
+    Returns:
+        Number of cases, and seconds, roughly.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> count, seconds = expected_seconds(Campaign([Group(case, seeds=3)], Store("no-such-folder")))
+    >>> count, f"{seconds:.0f} s"
+    (4, '7 s')
     """
     left = []
     for group in campaign.groups:
         outcome = campaign.outcome(group)
         if outcome.needed:
             left.append((group.case, len(outcome.needed) if outcome.beds else group.seeds + 1))
-    return sum(number for _, number in left), sum(number * steps(case) * case.count / PACE for case, number in left)
+    work = sum(number * steps(case) * case.count for case, number in left)
+    return sum(number for _, number in left), work / PARTICLE_STEPS_PER_SECOND
 
 
 def _next_spread(tried: Sequence[tuple[float, float]]) -> float:
-    """The spread that would make the bed level, by the last two, or by the unevenness itself after the first.
+    """Estimate the spread that makes the bed level by the secant through the last two pours.
 
-    With no sliding at all a bed poured with spread e ends uneven by e.
+    After the first pour the slope is taken as 1: without any sliding, a bed poured with spread e ends uneven by e.
 
     >>> _next_spread([(0.0, -0.06)]), round(_next_spread([(0.0, -0.06), (0.06, -0.02)]), 6)
     (0.06, 0.09)
@@ -173,4 +199,4 @@ def _next_spread(tried: Sequence[tuple[float, float]]) -> float:
         before, was = tried[-2]
         gain = (uneven - was) / (spread - before) if spread != before else 1.0
     step = -uneven / max(gain, 0.25)
-    return max(-WIDEST, min(WIDEST, round(spread + step, 4)))
+    return max(-LARGEST_SPREAD, min(LARGEST_SPREAD, round(spread + step, 4)))

@@ -114,7 +114,7 @@ def _point_document(study: Study, series: Series, point: Point) -> Row:
         "laws": {
             law: {
                 "load_ratio": (load := point.law(fit.vertical_ratio, law)).ratio,
-                "missing": load.missing,
+                "missing": load.missing_load,
                 "loads": load.walls,
             }
             for law, fit in series.fits.items()

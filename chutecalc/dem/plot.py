@@ -102,8 +102,8 @@ def _pictured(series: Sequence[Series]) -> list[Bed]:
 
 def _beds(figure: SubFigure, beds: Sequence[Bed]) -> None:
     """Draw beds beside each other, at one scale."""
-    half = max(float(np.abs(bed.places[:, 0]).max()) + bed.case.diameter for bed in beds)
-    top = max(float(bed.places[:, 2].max()) + bed.case.diameter for bed in beds)
+    half = max(float(np.abs(bed.positions[:, 0]).max()) + bed.case.diameter for bed in beds)
+    top = max(float(bed.positions[:, 2].max()) + bed.case.diameter for bed in beds)
     for axes, bed in zip(np.atleast_1d(figure.subplots(1, len(beds))), beds, strict=True):
         _bed(axes, bed)
         axes.set(xlim=(-half, half), ylim=(-0.05 * top, top), xticks=[], yticks=[], aspect="equal", frame_on=False)
@@ -111,8 +111,8 @@ def _beds(figure: SubFigure, beds: Sequence[Bed]) -> None:
 
 def _bed(axes: Axes, bed: Bed) -> None:
     """Draw particles in their trough, seen along the chute, the nearer ones lighter."""
-    order = np.argsort(-bed.places[:, 1])
-    positions, d = bed.places[order], bed.case.diameter
+    order = np.argsort(-bed.positions[:, 1])
+    positions, d = bed.positions[order], bed.case.diameter
     shade = 0.55 + 0.4 * (1.0 - positions[:, 1] / bed.case.slice)
     axes.add_collection(
         EllipseCollection(

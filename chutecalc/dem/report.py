@@ -131,6 +131,6 @@ def failures(study: Study) -> list[str]:
     for point in study.points:
         for bed in point.failed:
             why = ", ".join(f"{check.name} {check.value:.2g}, allowed {check.allowed:g}" for check in bed.failed)
-            lines.append(f"failed {study.store.place(bed.case)}: {why}")
+            lines.append(f"failed {study.store.case_folder(bed.case)}: {why}")
         lines += [f"error {error}" for error in point.errors]
     return lines

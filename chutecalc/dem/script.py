@@ -1,4 +1,4 @@
-"""What LAMMPS reads: the particles, and the script that pours them, waits for rest and writes the walls' forces."""
+"""Input of LAMMPS: the particles, and the script that pours them, waits for rest and writes the forces of the walls."""
 
 import math
 
@@ -6,40 +6,57 @@ from chutecalc.dem.case import DENSITY, GRAVITY, POURS, Case
 from chutecalc.physics.arrays import Array
 
 PARTICLES, SCRIPT, LOG, BED, WALLS = "particles.data", "in.lammps", "log.lammps", "bed.dump", "walls.txt"
-"""The files of a case. ``walls.txt`` is written last: a case that has it is done."""
+"""The files of a case. ``walls.txt`` is written last: a case that has it is complete."""
 RESTING = 1e-9
-"""Kinetic energy a particle, over m g d, at which a run ends: a hundredth of what is called rest."""
+"""Kinetic energy of a particle over m g d at which a run ends: a hundredth of the limit of the check ``rest``."""
 SETTLING = 4.0
-"""Longest time that a bed gets to come to rest, s under 1 g."""
+"""Longest time for a bed to come to rest, s under 1 g."""
 CALMING = 0.3
-"""Terminal speed of the drag that calms a poured bed, m/s."""
+"""Terminal speed of the drag that brings a poured bed to rest, m/s."""
 RAISING = 0.1
-"""Time over which the body force is raised, s."""
+"""Time in which the body force is raised, s."""
 
 
-def particles_text(case: Case, places: Array) -> str:
-    """The particles as LAMMPS reads them.
+def particles_text(case: Case, positions: Array) -> str:
+    """Write the particles as a data file of LAMMPS.
 
     Args:
-        case: for their size, and how much room they get.
-        places: centres from :func:`chutecalc.dem.pour.column`.
+        case: The case, which gives their size and the bounds.
+        positions: Centres, m, shape (particles, 3), from :func:`chutecalc.dem.pour.column`.
+
+    Returns:
+        The text of ``particles.data``.
+
+    >>> from chutecalc.dem.pour import column
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> particles_text(case, column(case)).splitlines()[2:4]
+    ['449 atoms', '1 atom types']
     """
     d = case.diameter
     far = 0.5 * float(case.trough.wetting(2.0 * case.area).width[0]) + 2.0 * d
-    rows = "\n".join(f"{n} 1 {d:g} {DENSITY:g} {x:.9g} {y:.9g} {z:.9g}" for n, (x, y, z) in enumerate(places, 1))
+    rows = "\n".join(f"{n} 1 {d:g} {DENSITY:g} {x:.9g} {y:.9g} {z:.9g}" for n, (x, y, z) in enumerate(positions, 1))
     return (
-        f"particles before the pour, SI\n\n{len(places)} atoms\n1 atom types\n"
-        f"{-far:.9g} {far:.9g} xlo xhi\n0 {case.slice:.9g} ylo yhi\n{-d:.9g} {places[-1, 2] + 5 * d:.9g} zlo zhi\n\n"
+        f"particles before the pour, SI\n\n{len(positions)} atoms\n1 atom types\n"
+        f"{-far:.9g} {far:.9g} xlo xhi\n0 {case.slice:.9g} ylo yhi\n{-d:.9g} {positions[-1, 2] + 5 * d:.9g} zlo zhi\n\n"
         f"Atoms # sphere\n\n{rows}\n"
     )
 
 
 def script_text(case: Case, top: float) -> str:
-    """The input script of a case.
+    """Write the input script of a case.
+
+    Contacts are ``gran/hooke/history``; walls have no friction; particles do not rotate.
 
     Args:
-        case: the case.
-        top: height of the highest particle, m, for how long the pour lasts.
+        case: The case.
+        top: Height of the highest particle, m, which sets how long the pour lasts.
+
+    Returns:
+        The text of ``in.lammps``.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> [line for line in script_text(case, top=0.5).splitlines() if line.startswith("region wall0")]
+    ['region wall0 plane 0 0 0 0 0 1']
     """
     d, mass, step = case.diameter, case.mass, case.time_step
     contact = f"{case.stiffness:.9g} NULL {{damping:.9g}} NULL {{friction:g}} 1 limit_damping"
@@ -52,7 +69,7 @@ def script_text(case: Case, top: float) -> str:
         f"compute up{n} all reduce sum f_wall{n}[4]"
         for n, wall in enumerate(case.trough.walls)
     ]
-    sums = [f"c_{way}{n}" for n in range(len(planes)) for way in ("across", "up")]
+    sums = [f"c_{axis}{n}" for n in range(len(planes)) for axis in ("across", "up")]
     speed = POURS[case.pour].speed
     poured = GRAVITY * case.body_force
     falling = math.isfinite(speed)
@@ -88,26 +105,27 @@ def script_text(case: Case, top: float) -> str:
     if case.raised_to:
         lines += [
             "# raise the body force",
-            f"variable pull equal ramp({poured:.9g},{case.pull:.9g})",
+            f"variable pull equal ramp({poured:.9g},{case.acceleration:.9g})",
             "fix weight all gravity v_pull vector 0 0 -1",
             f"run {math.ceil(RAISING / step)}",
-            f"fix weight all gravity {case.pull:.9g} vector 0 0 -1",
-            *_rest(case, case.pull),
+            f"fix weight all gravity {case.acceleration:.9g} vector 0 0 -1",
+            *_rest(case, case.acceleration),
         ]
-    said = " ".join(f"$({name}:%.15g)" for name in ("v_motion", *sums))
+    printed = " ".join(f"$({name}:%.15g)" for name in ("v_motion", *sums))
     lines += [
         "run 0",
         f"write_dump all custom {BED} id x y z modify sort id format float %.9g",
-        f'print "{said}" file {WALLS}',
+        f'print "{printed}" file {WALLS}',
     ]
     return "\n".join(line for line in lines if line) + "\n"
 
 
-def _rest(case: Case, pull: float) -> list[str]:
-    """Calm the bed by drag until it rests, or until its time is over."""
+def _rest(case: Case, acceleration: float) -> list[str]:
+    """Return the commands that bring the bed to rest by drag, for a limited time."""
+    resting = RESTING * case.mass * acceleration * case.diameter
     return [
-        f"fix drag all viscous {case.mass * pull / CALMING:.9g}",
-        f"fix rest all halt 100 v_motion < {RESTING * case.mass * pull * case.diameter:.9g} error continue message no",
-        f"run {math.ceil(SETTLING * math.sqrt(GRAVITY / pull) / case.time_step)}",
+        f"fix drag all viscous {case.mass * acceleration / CALMING:.9g}",
+        f"fix rest all halt 100 v_motion < {resting:.9g} error continue message no",
+        f"run {math.ceil(SETTLING * math.sqrt(GRAVITY / acceleration) / case.time_step)}",
         "unfix rest",
     ]

@@ -1,4 +1,4 @@
-"""Cases as folders on disk: written for LAMMPS, run by it here or elsewhere, and taken up again."""
+"""Cases as folders on disk: written for LAMMPS, run here or elsewhere, and read back."""
 
 import json
 import math
@@ -13,46 +13,70 @@ from chutecalc.dem.case import Case
 from chutecalc.dem.pour import column
 
 DUMP_HEADER = 9
-"""Lines before the particles in a dump of one step."""
+"""Lines before the particles in a dump of one time step."""
 
 
 class Store:
-    """A folder of cases, a folder each.
+    """A folder with a folder for each case.
 
     Args:
-        folder: where; made when the first case is written.
+        folder: Its path. It is created when the first case is written.
+
+    >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
+    >>> store = Store("no-such-folder")
+    >>> store.case_folder(case) == Path("no-such-folder", case.name), store.read(case)
+    (True, None)
     """
 
     def __init__(self, folder: str | Path) -> None:
         self.folder = Path(folder)
 
-    def place(self, case: Case) -> Path:
-        """The folder of a case."""
+    def case_folder(self, case: Case) -> Path:
+        """Return the folder of a case.
+
+        Args:
+            case: The case.
+        """
         return self.folder / case.name
 
     def write(self, case: Case) -> Path:
-        """Writes what LAMMPS needs, unless it stands there already: the script last, so that it is all there then."""
-        place = self.place(case)
-        if not (place / script.SCRIPT).is_file():
-            places = column(case)
-            place.mkdir(parents=True, exist_ok=True)
+        """Write the input of LAMMPS unless it is there; the script last, so that a folder with a script is complete.
+
+        Args:
+            case: The case.
+
+        Returns:
+            The folder of the case.
+        """
+        folder = self.case_folder(case)
+        if not (folder / script.SCRIPT).is_file():
+            positions = column(case)
+            folder.mkdir(parents=True, exist_ok=True)
             known = asdict(case) | {"lengths": [None if length == math.inf else length for length in case.lengths]}
-            (place / "case.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-            (place / script.PARTICLES).write_text(script.particles_text(case, places), encoding="utf-8")
-            part = place / f"{script.SCRIPT}.part"
-            part.write_text(script.script_text(case, float(places[-1, 2])), encoding="utf-8")
-            part.replace(place / script.SCRIPT)
-        return place
+            (folder / "case.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+            (folder / script.PARTICLES).write_text(script.particles_text(case, positions), encoding="utf-8")
+            part = folder / f"{script.SCRIPT}.part"
+            part.write_text(script.script_text(case, float(positions[-1, 2])), encoding="utf-8")
+            part.replace(folder / script.SCRIPT)
+        return folder
 
     def read(self, case: Case) -> Bed | None:
-        """The bed of a case; None where it has not been run to its end."""
-        place = self.place(case)
+        """Read the bed of a case.
+
+        Args:
+            case: The case.
+
+        Returns:
+            The bed; None where the case has not been run to its end.
+        """
+        folder = self.case_folder(case)
         try:
-            numbers = [float(word) for word in (place / script.WALLS).read_text(encoding="utf-8").split()]
-            rows = np.loadtxt(place / script.BED, skiprows=DUMP_HEADER, ndmin=2)
+            numbers = [float(word) for word in (folder / script.WALLS).read_text(encoding="utf-8").split()]
+            rows = np.loadtxt(folder / script.BED, skiprows=DUMP_HEADER, ndmin=2)
         except (OSError, ValueError):
             return None
         walls = len(case.trough.walls)
         if len(numbers) != 1 + 2 * walls or rows.shape != (case.count, 4):
             return None
-        return Bed(case, np.array(numbers[1:]).reshape(walls, 2), numbers[0], rows[:, 1:])
+        forces = np.array(numbers[1:]).reshape(walls, 2)
+        return Bed(case, forces, kinetic_energy=numbers[0], positions=rows[:, 1:])

@@ -1,4 +1,4 @@
-"""The trough that a bed of particles rests in: a chute's section as planes, and what the friction law says of it."""
+"""The trough that a bed rests in: the section of a chute as planes, with the loads that the friction law gives."""
 
 import math
 from functools import cached_property
@@ -12,29 +12,41 @@ from chutecalc.physics.section import Polygon
 from chutecalc.physics.wetting import Wetting, area_at_depth, wetting
 
 UPRIGHT = math.pi / 2
+"""Inclination of a vertical wall, rad."""
 
 
 class Wall(NamedTuple):
-    """One plane of a trough; x counts from the middle to the right, z from the floor up."""
+    """One plane of a trough; x points from the middle to the right, z up from the floor."""
 
     name: str
-    """What it is, the same for the left and the right one."""
+    """``floor``, ``chamfer``, ``facet N`` or ``side wall``; left and right share it."""
     side: int
-    """-1 left, 1 right, 0 for the floor."""
+    """-1 for left, 1 for right, 0 for the floor."""
     inclination: float
-    """ψ to the floor, rad."""
+    """Inclination ψ to the floor, rad."""
     foot: tuple[float, float]
-    """x and z of its lower end, m; of the floor its middle."""
+    """x and z of the lower end, m; of the floor its middle."""
     length: float
-    """Along the section, m; infinite where it has no top."""
+    """Length along the section, m; infinite where the wall has no top."""
 
     @property
     def normal(self) -> tuple[float, float]:
-        """The unit normal into the trough, x and z."""
+        """Unit normal into the trough, x and z, dimensionless."""
         return -self.side * math.sin(self.inclination), math.cos(self.inclination)
 
     def thrust(self, depth: float) -> float:
-        """∫ ζ dl over this wall at a depth of the bed, m²: its load at K = 1 over unit weight."""
+        """Compute ∫ ζ dl over the wall, its normal load at K = 1 per unit weight and length.
+
+        Args:
+            depth: Depth of the bed, m.
+
+        Returns:
+            The integral, m².
+
+        >>> floor, left, right = Trough(0.5, (), ()).walls
+        >>> floor.thrust(0.2), round(left.thrust(0.2), 12)
+        (0.1, 0.02)
+        """
         if self.side == 0:
             return self.length * depth
         sine = math.sin(self.inclination)
@@ -44,25 +56,26 @@ class Wall(NamedTuple):
 
 
 class Load(NamedTuple):
-    """What the friction law says of a bed, over its weight."""
+    """The loads of a bed by a friction law, over its weight."""
 
     walls: dict[str, float]
-    """Normal load on one wall of each name."""
+    """Normal load on one wall by its name, a ratio."""
     ratio: float
-    """N_t/N, all normal loads together: 1 + χ."""
-    missing: float
-    """m, the share that hydrostatic pressures leave uncarried."""
+    """N_t/N = 1 + χ, the sum of all normal loads, a ratio."""
+    missing_load: float
+    """Share m of the weight that hydrostatic pressures do not carry."""
 
 
 class Trough:
-    """A symmetric section of flat walls as a trough of planes without end.
+    """A symmetric section of flat walls as a trough of unbounded planes.
+
+    The planes of a section whose facets never flatten outwards bound a convex space, so each may be unbounded.
 
     Args:
-        base: width of the floor, m; 0 for a vee.
-        lengths, inclinations: of the drawn facets of one side, from the centre outwards, m and rad. The last length may
-            be infinite. Above a drawn top the walls go on upright, as in every section of chutecalc.
-
-    The planes of a section whose facets never flatten outwards bound a convex space, so each may go on without end.
+        base: Width of the floor, m; 0 for a vee.
+        lengths: Lengths of the drawn facets of one side, m, from the centre outwards. The last may be infinite. Above a
+            drawn top the walls are vertical, as in every section of chutecalc.
+        inclinations: Inclinations of these facets to the floor, rad, in [0, π/2], not falling.
 
     >>> vee = Trough(0.0, (math.inf,), (math.radians(60.0),))
     >>> [wall.side for wall in vee.walls], round(vee.load(0.1, 0.2, "equilibrium").ratio, 12)
@@ -84,7 +97,11 @@ class Trough:
 
     @classmethod
     def of(cls, section: Polygon) -> "Trough":
-        """The trough of a section of one design."""
+        """Return the trough of a section.
+
+        Args:
+            section: A section of one design.
+        """
         return cls(
             float(section.base[0]),
             tuple(float(length[0]) for length in section.lengths),
@@ -93,8 +110,9 @@ class Trough:
 
     @cached_property
     def walls(self) -> tuple[Wall, ...]:
-        """The floor, where there is one, and the left and right walls from the centre outwards."""
-        walls = [Wall("floor", 0, 0.0, (0.0, 0.0), self.base)] if self.base > 0.0 else []
+        """The floor, if there is one, then the left and right walls from the centre outwards."""
+        floor = Wall("floor", side=0, inclination=0.0, foot=(0.0, 0.0), length=self.base)
+        walls = [floor] if self.base > 0.0 else []
         facets = list(zip(self.lengths, self.inclinations, strict=True))
         if not facets or math.isfinite(facets[-1][0]):
             facets.append((math.inf, UPRIGHT))
@@ -104,45 +122,68 @@ class Trough:
             name = "chamfer" if sloped == 1 else f"facet {number}"
             if inclination == UPRIGHT:
                 name = "side wall"
-            walls += [Wall(name, side, inclination, (side * x, z), length) for side in (-1, 1)]
+            walls += [Wall(name, side, inclination, foot=(side * x, z), length=length) for side in (-1, 1)]
             if math.isfinite(length):
                 x, z = x + length * math.cos(inclination), z + length * math.sin(inclination)
         return tuple(walls)
 
     @cached_property
     def section(self) -> Polygon:
-        """As a cross-section."""
+        """The trough as a cross-section of one design."""
         lengths, inclinations = (
             tuple(np.array([value]) for value in values) for values in (self.lengths, self.inclinations)
         )
-        return Polygon(np.array([self.base]), lengths, inclinations, np.array([np.inf]))
+        return Polygon(
+            base=np.array([self.base]), lengths=lengths, inclinations=inclinations, wall_height=np.array([np.inf])
+        )
 
     def wetting(self, area: Values, vertical_ratio: float = 1.0, equilibrium: bool = False) -> Wetting:
-        """How beds of these areas, m², lie in the trough."""
+        """Compute depth, width and excess friction of beds in the trough.
+
+        Args:
+            area: Areas of the beds, m², positive.
+            vertical_ratio: Pressure ratio K_v of a vertical wall, in (0, 1].
+            equilibrium: Whether to use the equilibrium law, as in :func:`chutecalc.physics.wetting.wetting`.
+        """
         return wetting(self.section, np.array([vertical_ratio]), np.atleast_1d(real(area)), equilibrium)
 
     def area_below(self, height: Values) -> Array:
-        """Area of the trough below heights, m²."""
+        """Compute the area of the trough below heights.
+
+        Args:
+            height: Heights above the floor, m, 0 or more.
+
+        Returns:
+            Areas, m², in the shape of ``height``.
+
+        >>> float(Trough(0.5, (), ()).area_below(0.1)[0].round(12))
+        0.05
+        """
         return area_at_depth(self.section, np.atleast_1d(real(height)))
 
     def load(self, area: float, vertical_ratio: float, law: str) -> Load:
-        """What each wall carries of a bed by the general law.
+        """Compute the load of a bed on each wall by a friction law.
 
         Args:
-            area: of the bed, m².
-            vertical_ratio: K_v.
-            law: ``paper``, which lays the missing load on the floor, or ``equilibrium``, which scales all pressures.
+            area: Area of the bed, m², positive.
+            vertical_ratio: Pressure ratio K_v of a vertical wall, in (0, 1].
+            law: ``paper``, which lays the missing load on the floor (Paper Eq 6), or ``equilibrium``, which scales all
+                pressures.
 
         Returns:
-            The loads. In a vee there is no floor, and those of the paper's law do not add up to the weight.
+            The loads. A vee has no floor: the loads of the paper's law then do not add up to the weight.
+
+        >>> load = Trough(0.5, (math.inf,), (math.radians(45.0),)).load(0.05, 1.0 / 3.0, "paper")
+        >>> round(math.tan(math.radians(25.0)) * load.ratio, 5)  # μ_e at φ = 25°, as in the paper's Figure 5
+        0.48509
         """
         wet = self.wetting(area, vertical_ratio, law == "equilibrium")
-        depth, missing = float(wet.depth[0]), float(wet.missing[0])
-        scale = 1.0 / (1.0 - missing) if law == "equilibrium" else 1.0
+        depth, missing_load = float(wet.depth[0]), float(wet.missing_load[0])
+        scale = 1.0 / (1.0 - missing_load) if law == "equilibrium" else 1.0
         walls = {
             wall.name: scale * float(pressure_ratio(wall.inclination, vertical_ratio)) * wall.thrust(depth) / area
             for wall in self.walls
         }
         if law == "paper" and "floor" in walls:
-            walls["floor"] += missing
-        return Load(walls, 1.0 + float(wet.excess[0]), missing)
+            walls["floor"] += missing_load
+        return Load(walls, ratio=1.0 + float(wet.excess[0]), missing_load=missing_load)

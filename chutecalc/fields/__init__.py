@@ -1,1 +1,1 @@
-"""Numbers with a unit and bounds, the tables of a spec that hold them, and what can be wrong with them."""
+"""Numbers with a unit and bounds, the tables of a spec that hold them, and their faults."""

@@ -1,4 +1,4 @@
-"""How a spec's fields are declared: a quantity is a number with a dimension, bounds and unit twins."""
+"""How fields of a spec are declared: a quantity is a number with a dimension, bounds and a key for each unit."""
 
 from math import isfinite
 from typing import Any
@@ -11,13 +11,16 @@ from chutecalc.fields.units import TEXT, convert, first_unit, to_si
 from chutecalc.physics.arrays import Array
 
 Number = float | Any
-"""A number as the user wrote it, or a 1-dimensional array of them where designs are varied."""
+"""A number as the user wrote it, or a one-dimensional array of numbers where designs are varied."""
 
 
 class Quantity:
-    """Declares a field, ``Annotated[Number, Quantity("length", gt=0)]``; bounds in the dimension's first unit.
+    """Declares a field as a quantity: ``Annotated[Number, Quantity("length", gt=0)]``.
 
-    With a ``shape`` it is a list of such numbers, (2,), or a list of lists, (None, 2); None stands for any count.
+    Attributes:
+        dimension: one of :data:`chutecalc.fields.units.UNITS`.
+        shape: empty for one number, ``(2,)`` for a list of two, ``(None, 2)`` for any count of rows of two.
+        bounds: limits by pydantic's names ``gt``, ``ge``, ``lt``, ``le``, in the dimension's first unit.
     """
 
     def __init__(
@@ -42,7 +45,14 @@ class Quantity:
         return {"x-dimension": self.dimension} | self.json_type(first_unit(self.dimension))
 
     def json_type(self, unit: str) -> dict[str, Any]:
-        """What JSON Schema says of the value in one of the dimension's units."""
+        """Return the JSON Schema of the value in one of the dimension's units.
+
+        Args:
+            unit: suffix of the unit, such as ``mm``.
+
+        >>> Quantity("length", gt=0).json_type("mm")
+        {'type': 'number', 'exclusiveMinimum': 0.0}
+        """
         described: dict[str, Any] = {"type": "number"} | self.json_bounds(unit)
         for count in reversed(self.shape):
             counts = {} if count is None else {"minItems": count, "maxItems": count}
@@ -50,17 +60,32 @@ class Quantity:
         return described
 
     def json_bounds(self, unit: str) -> dict[str, float]:
-        """The bounds as JSON Schema names them, in one of the dimension's units."""
-        names = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
-        return {names[name]: limit for name, limit in self.limits(unit).items()}
+        """Return the bounds by JSON Schema's names, in one of the dimension's units.
 
-    def limits(self, unit: str) -> dict[str, float]:
-        """The bounds in one of the dimension's units."""
+        Args:
+            unit: suffix of the unit.
+        """
+        names = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
+        return {names[name]: limit for name, limit in self.bounds_in(unit).items()}
+
+    def bounds_in(self, unit: str) -> dict[str, float]:
+        """Return the bounds by pydantic's names, in one of the dimension's units.
+
+        Args:
+            unit: suffix of the unit.
+        """
         start = first_unit(self.dimension)
         return {name: convert(limit, self.dimension, start, unit) for name, limit in self.bounds.items()}
 
     def check(self, value: Any) -> Any:
-        """The number as a float, or the array, or lists of them; a fault where one is none, or out of bounds."""
+        """Return the value with its numbers as floats; arrays of numbers stay as they are.
+
+        Args:
+            value: in the dimension's first unit, of the declared shape.
+
+        Raises:
+            PydanticCustomError: It is not of that shape, or a number is not finite or out of bounds.
+        """
         return self._checked(value, self.shape)
 
     def _checked(self, value: Any, shape: tuple[int | None, ...]) -> Any:
@@ -69,13 +94,20 @@ class Quantity:
             if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
                 raise PydanticCustomError("quantity", f"has to be {_LISTS[self.shape]}, each")
             return [self._checked(item, shape[1:]) for item in value]
-        return self.number(value)
+        return self.check_number(value)
 
-    def number(self, value: Any) -> Any:
-        """One number, or an array of them, as :meth:`check`."""
+    def check_number(self, value: Any) -> Any:
+        """Return one number as a float, or an array of numbers as it is.
+
+        Args:
+            value: in the dimension's first unit.
+
+        Raises:
+            PydanticCustomError: It is not a number, not finite, or out of bounds.
+        """
         if isinstance(value, np.ndarray):
             if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
-                raise PydanticCustomError("quantity", "has to be a number, or one for each design in one dimension,")
+                raise PydanticCustomError("quantity", "has to be a number, or a one-dimensional array of numbers, each")
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
             raise PydanticCustomError("quantity", "has to be a number")
@@ -93,18 +125,33 @@ class Quantity:
             raise PydanticCustomError("quantity", "has to be")
         return value
 
-    def words(self, unit: str) -> str:
-        """The bounds as people read them in one of the units: ``greater than 0 mm and at most 90 mm``."""
+    def bounds_text(self, unit: str) -> str:
+        """Return the bounds in words, in one of the dimension's units.
+
+        Args:
+            unit: suffix of the unit.
+
+        >>> Quantity("length", gt=0, le=90).bounds_text("mm")
+        'greater than 0 mm and at most 90000 mm'
+        """
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
         shown = "°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip()
-        return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.limits(unit).items())
+        return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.bounds_in(unit).items())
 
 
 _LISTS = {(2,): "a list of two numbers", (None, 2): "a list of rows of two numbers"}
 
 
 def in_si(value: Any, dimension: str) -> Array:
-    """A number of the spec in SI, of length 1 or n."""
+    """Return a number of a spec in SI units (angles in rad), as an array of length 1 or n.
+
+    Args:
+        value: in the dimension's first unit: a number, an array, or what a tape records in their place.
+        dimension: one of :data:`chutecalc.fields.units.UNITS`.
+
+    >>> in_si(3600.0, "mass rate").tolist()  # t/h to kg/s
+    [1000.0]
+    """
     if type(value) is float:  # most of them, for which NumPy's functions take five times as long
         return np.array([to_si(value, dimension)])
     values: Array = np.atleast_1d(

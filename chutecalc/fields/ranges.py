@@ -10,19 +10,23 @@ from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 
 MOST = 100_000_000
-"""Numbers of a range, where nothing less is asked for."""
+"""Most numbers that a range may have, unless a caller allows fewer."""
 
 
 def read_values(name: str, text: str, most: int = MOST) -> Array:
-    """Numbers and ranges, in decimal arithmetic.
+    """Return the numbers of a list of numbers and ranges, worked out in decimal arithmetic.
 
     Args:
-        name: for messages.
-        text: items between commas: numbers, ``a:b:step`` with b where a step lands on it, ``a:b:#n`` for n numbers.
-        most: numbers of a range.
+        name: of the argument, for messages.
+        text: items between commas: a number; ``a:b:step``, which includes b if a step lands on it; or ``a:b:#n`` for n
+            numbers from a to b.
+        most: numbers that a range may have.
+
+    Returns:
+        The numbers in the units of the text, in its order, shape (numbers,).
 
     Raises:
-        UsageError: what is none of these.
+        UsageError: An item is neither a number nor a range, or a range has too many numbers.
 
     >>> read_values("beta", "0.1:0.3:0.1").tolist(), read_values("beta", "15:90:#4").tolist()
     ([0.1, 0.2, 0.3], [15.0, 40.0, 65.0, 90.0])
@@ -36,21 +40,24 @@ def _item(name: str, item: str, most: int) -> Array:
     if len(parts) == 1:
         return np.array([float(_number(name, item))])
     if len(parts) != 3:
-        raise UsageError(f"{name}: {item!r} is no range: write FROM:TO:STEP or FROM:TO:#COUNT")
+        raise UsageError(f"{name}: {item!r} is not a range. Give FROM:TO:STEP or FROM:TO:#COUNT.")
     first, last = _number(name, parts[0]), _number(name, parts[1])
     if parts[2].startswith("#"):
         text = parts[2][1:]
         count = int(text) if text.isascii() and text.isdecimal() and len(text) < 20 else 0
         if count < 1 or (count == 1 and first != last):
-            raise UsageError(f"{name}: {parts[2]!r} is no count: write # and a number from 2, such as #16")
+            raise UsageError(f"{name}: {parts[2]!r} is not a count. Give # and a whole number from 2, such as #16.")
         step = (last - first) / max(count - 1, 1)
     else:
         step = _number(name, parts[2])
         if step == 0 or (last - first) / step < 0:
-            raise UsageError(f"{name}: steps of {parts[2].strip()} never lead from {parts[0]} to {parts[1]}")
+            raise UsageError(
+                f"{name}: a step of {parts[2].strip()} does not lead from {parts[0]} to {parts[1]}."
+                " Give a step that is not 0 and has the right sign."
+            )
         count = math.floor((last - first) / step) + 1
     if count > most:
-        raise UsageError(f"{name}: {item} is {count:.3g} values, more than {most:,}: ask for fewer")
+        raise UsageError(f"{name}: {item} has {count:.3g} values, and the limit is {most:,}. Use fewer.")
     common = math.lcm(first.denominator, step.denominator)
     start, stride = int(first * common), int(step * common)
     return np.array([(start + k * stride) / common for k in range(count)])  # integers: each rounded once
@@ -64,4 +71,6 @@ def _number(name: str, text: str) -> Fraction:
             return Fraction(number)
     except InvalidOperation:
         pass
-    raise UsageError(f"{name}: {text.strip()!r} is no number: write some, as 30,45,60, or a range, as 15:90:15")
+    raise UsageError(
+        f"{name}: {text.strip()!r} is not a number. Give numbers such as 30,45,60 or a range such as 15:90:15."
+    )

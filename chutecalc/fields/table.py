@@ -1,4 +1,4 @@
-"""The tables of a spec: no unknown keys, units by suffix, rules of their own, and every fault in the user's words."""
+"""The base class of a spec's tables: units by suffix, no unknown keys, rules between keys, faults in plain words."""
 
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -9,39 +9,46 @@ from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from chutecalc.fields.quantity import Quantity
-from chutecalc.fields.units import convert, first_unit, twins
+from chutecalc.fields.units import convert, first_unit, unit_keys
 
 
 def _converted(value: Any, dimension: str, unit: str) -> Any:
-    """Numbers, also in lists, in the dimension's first unit; what is none stays for the check to find."""
+    """Return numbers, also in lists, in the dimension's first unit; anything else stays for the check to find."""
     if isinstance(value, list | tuple):
         return [_converted(item, dimension, unit) for item in value]
     number = isinstance(value, int | float | np.number | np.ndarray) and not isinstance(value, bool)
     return convert(value, dimension, unit, first_unit(dimension)) if number else value
 
 
-class Rule(NamedTuple):
-    """What is wrong at a place of a table, and what to do."""
+class Violation(NamedTuple):
+    """A rule that a table breaks: the location within the table, what is wrong, and what to do."""
 
-    place: tuple[str | int, ...]
+    location: tuple[str | int, ...]
     problem: str
     remedy: str
 
 
+Rules = tuple[Callable[[dict[str, Any]], Iterator[Violation]], ...]
+
+
 class Table(BaseModel):
-    """A table of a spec: no unknown keys, units by suffix, rules of its own, and every fault in the user's words."""
+    """A table of a spec.
+
+    Every quantity may be given in any unit of its dimension, by the ending of its key. Unknown keys and broken rules
+    are faults, each with a problem and a remedy in plain words.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, arbitrary_types_allowed=True, defer_build=True)
 
-    rules: ClassVar[tuple[Callable[[dict[str, Any]], Iterator[Rule]], ...]] = ()
-    """Each yields what is broken in a table, given with the documented keys."""
+    rules: ClassVar[Rules] = ()
+    """Functions that yield what is broken in a table, which they get with documented keys alone."""
     choices: ClassVar[dict[str, tuple[str, ...]]] = {}
-    """What the keys that tell one kind of table from another may say."""
+    """Key that tells variants of the tables below apart, ``kind`` or ``shape``, to its known values."""
 
     @classmethod
     @cache
     def quantities(cls) -> dict[str, Quantity]:
-        """The fields that carry a quantity."""
+        """Return the fields that are quantities, by their documented keys."""
         return {
             name: item
             for name, field in cls.model_fields.items()
@@ -52,12 +59,12 @@ class Table(BaseModel):
     @classmethod
     @cache
     def keys(cls) -> dict[str, tuple[str, str]]:
-        """Every key that the table takes: the documented key that it stands for, and its unit."""
+        """Return every key that the table takes, with its documented key and the suffix of its unit."""
         known: dict[str, tuple[str, str]] = {}
         for name in cls.model_fields:
             quantity = cls.quantities().get(name)
             known |= (
-                {key: (name, unit) for key, unit in twins(name, quantity.dimension).items()}
+                {key: (name, unit) for key, unit in unit_keys(name, quantity.dimension).items()}
                 if quantity
                 else {name: (name, "")}
             )
@@ -68,11 +75,14 @@ class Table(BaseModel):
     def _check(cls, data: Any, handler: Any) -> Any:
         if not isinstance(data, dict):
             return handler(data)
-        broken: list[Rule] = []
+        broken: list[Violation] = []
         table, written, meant = cls._in_first_units(data, broken)
         for rule in cls.rules:
-            broken += [item for item in rule(table) if not (item.place[0] in meant and "missing" in item.problem)]
-        details = [_detail((written.get(str(place[0]), place[0]), *place[1:]), *said) for place, *said in broken]
+            broken += [item for item in rule(table) if not (item.location[0] in meant and "missing" in item.problem)]
+        details = [
+            _detail((written.get(str(location[0]), location[0]), *location[1:]), problem, remedy)
+            for location, problem, remedy in broken
+        ]
         try:
             model = handler(table)
         except ValidationError as error:
@@ -84,9 +94,9 @@ class Table(BaseModel):
 
     @classmethod
     def _in_first_units(
-        cls, data: dict[str, Any], broken: list[Rule]
+        cls, data: dict[str, Any], broken: list[Violation]
     ) -> tuple[dict[str, Any], dict[str, str], set[str]]:
-        """The table with documented keys and units alone, as what the user wrote them, and keys whose fault is told."""
+        """Return the table with documented keys and first units, those keys as written, and keys that have a fault."""
         table: dict[str, Any] = {}
         written: dict[str, str] = {}
         meant: set[str] = set()
@@ -99,82 +109,85 @@ class Table(BaseModel):
                 continue
             name, unit = known[key]
             if name in written:
-                broken.append(Rule((key,), f"is given twice, as {written[name]} and as {key}", "keep one of them"))
+                broken.append(Violation((key,), f"is given twice, as {written[name]} and as {key}", "keep one of them"))
                 continue
             written[name] = key
             quantity = cls.quantities().get(name)
             if quantity is None and isinstance(value, np.ndarray):
-                broken.append(Rule((key,), *_NOT_VARIED))
+                broken.append(Violation((key,), *_NOT_VARIED))
                 meant.add(name)
                 continue
             table[name] = _converted(value, quantity.dimension, unit) if quantity else value
         return table, written, meant
 
     @classmethod
-    def _unknown(cls, key: str) -> tuple[Rule, str]:
-        """A key that the table does not have, and the documented key that was meant, as far as can be told."""
+    def _unknown(cls, key: str) -> tuple[Violation, str]:
+        """Return the fault of an unknown key, and the documented key that was probably meant."""
         from difflib import get_close_matches
 
         for name, quantity in cls.quantities().items():
-            names = list(twins(name, quantity.dimension))
+            names = list(unit_keys(name, quantity.dimension))
             stem = name.removesuffix("_" + first_unit(quantity.dimension))
             if len(names) > 1 and key == stem:
-                return Rule((key,), "needs its unit", f"write {' or '.join(names)}"), name
+                return Violation((key,), "needs its unit at the end", f"write {' or '.join(names)}"), name
             if len(names) > 1 and key.startswith(stem + "_"):
-                return Rule((key,), "ends in no unit that fits", f"write {' or '.join(names)}"), name
+                return Violation((key,), "does not end in a unit that fits", f"write {' or '.join(names)}"), name
         close = get_close_matches(key, cls.keys(), n=1)
         if close:
-            return Rule((key,), "is not known here", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
-        return Rule((key,), "is not known here", f"known here are {', '.join(cls.model_fields)}"), ""
+            return Violation((key,), "is not a key of this table", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
+        return Violation((key,), "is not a key of this table", f"use one of {', '.join(cls.model_fields)}"), ""
 
     @classmethod
     def _explained(cls, item: Any, meant: set[str]) -> bool:
-        """Whether a missing key has been told of already: given without its unit, or misspelt."""
+        """Return whether a missing key has a fault already: it is given without its unit, or misspelt."""
         return item["type"] == "missing" and len(item["loc"]) == 1 and item["loc"][0] in meant
 
     @classmethod
     def _worded(cls, item: Any, written: dict[str, str]) -> InitErrorDetails:
-        """One of pydantic's errors in the user's words; those of tables below are worded already."""
-        place, kind = tuple(item["loc"]), item["type"]
+        """Return one of pydantic's errors in plain words; those of tables below are in plain words already."""
+        location, kind = tuple(item["loc"]), item["type"]
         if kind == "fault":
-            return _detail(place, item["msg"], item["ctx"]["remedy"])
-        name = place[0] if len(place) == 1 else ""
+            return _detail(location, item["msg"], item["ctx"]["remedy"])
+        name = location[0] if len(location) == 1 else ""
         quantity = cls.quantities().get(str(name))
         if kind == "missing":
-            names = list(twins(str(name), quantity.dimension)) if quantity else [str(name)]
-            return _detail(place, "is missing", f"add {' or '.join(names)}")
+            names = list(unit_keys(str(name), quantity.dimension)) if quantity else [str(name)]
+            return _detail(location, "is missing", f"add {' or '.join(names)}")
         if quantity and kind == "quantity":
             key = written[str(name)]
-            limits = quantity.words(cls.keys()[key][1])
+            limits = quantity.bounds_text(cls.keys()[key][1])
             return _detail((key,), f"{item['msg']} {limits}".rstrip(), "change the value")
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")
             if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
-                return _detail((*place, tag), *_NOT_VARIED)
-            return _detail((*place, tag), "is missing or not known", f"give one of {', '.join(cls.choices[tag])}")
+                return _detail((*location, tag), *_NOT_VARIED)
+            problem = (
+                f"is not a known {tag}" if isinstance(item["input"], dict) and tag in item["input"] else "is missing"
+            )
+            return _detail((*location, tag), problem, f"use one of {', '.join(cls.choices[tag])}")
         if kind == "string_pattern_mismatch":
-            return _detail(place, "is no name", "use letters, digits, - and _, and begin with a letter or _")
+            return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
         if kind == "literal_error":
-            return _detail(place, f"has to be {item['ctx']['expected']}", "change the value")
+            return _detail(location, f"has to be {item['ctx']['expected']}", "change the value")
         expected = _EXPECTED.get(kind)
-        return _detail(place, f"has to be {expected}" if expected else item["msg"], "change it")
+        return _detail(location, expected or item["msg"], "change it")
 
 
-_NOT_VARIED = "cannot be varied: it is no quantity", "use the path of a quantity, such as flow.rate_t_h"
+_NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
 _EXPECTED = {
-    "string_type": "text in quotes",
-    "dict_type": "a table",
-    "model_type": "a table",
-    "model_attributes_type": "a table",
-    "list_type": "a list of tables, each under [[…]]",
-    "too_short": "one table at least",
-    "bool_type": "true or false",
-    "float_type": "a number",
-    "finite_number": "a finite number",
+    "string_type": "has to be text in quotes",
+    "dict_type": "has to be a table",
+    "model_type": "has to be a table",
+    "model_attributes_type": "has to be a table",
+    "list_type": "has to be a list of tables, each under [[…]]",
+    "too_short": "has to have at least one table",
+    "bool_type": "has to be true or false",
+    "float_type": "has to be a number",
+    "finite_number": "has to be a finite number",
 }
 
 
-def _detail(place: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:
-    """A fault as pydantic carries it; its text is final and holds nothing to fill in."""
+def _detail(location: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:
+    """Return a fault as pydantic carries it; its text is final and has no placeholders."""
     text = problem.replace("{", "(").replace("}", ")")
-    return InitErrorDetails(type=PydanticCustomError("fault", text, {"remedy": remedy}), loc=place, input=None)
+    return InitErrorDetails(type=PydanticCustomError("fault", text, {"remedy": remedy}), loc=location, input=None)

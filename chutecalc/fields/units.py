@@ -1,4 +1,4 @@
-"""The one table of units: what a key may end in, and how it converts.
+"""The one table of units: the endings of keys, and how their values convert.
 
 Each dimension lists its units; the first is the one that the spec format documents and that models hold. A factor is a
 pair of numbers, so that 3000 mm are exactly 3 m.
@@ -38,7 +38,7 @@ TEXT = {
     "w_m2": "W/m²",
     "kw": "kW",
 }
-"""How people write a suffix; the others are written as they stand."""
+"""Unit suffix as people write it; suffixes that are not listed are written as they stand."""
 
 LARGEST_INTEGER = 10**300  # Python's integers know no bounds, floats do
 
@@ -47,7 +47,15 @@ _SI = {"mass rate": (5, 18), "pressure": (1000, 1), "angle": (math.pi, 180)}
 
 
 def convert(value: Any, dimension: str, source: str, target: str) -> Any:
-    """A number or array from one unit of a dimension to another.
+    """Convert a number or array from one unit of a dimension to another.
+
+    Args:
+        value: in the unit ``source``.
+        dimension: one of :data:`UNITS`.
+        source, target: suffixes of its units.
+
+    Returns:
+        The value in the unit ``target``; the same object where that is ``source``.
 
     >>> convert(3000.0, "length", "mm", "m"), convert(1.0, "velocity", "fpm", "m_s")
     (3.0, 0.00508)
@@ -61,7 +69,11 @@ def convert(value: Any, dimension: str, source: str, target: str) -> Any:
 
 
 def to_si(value: Any, dimension: str) -> Any:
-    """A number or array from a dimension's first unit to SI (angles: rad).
+    """Convert a number or array from a dimension's first unit to SI (angles to rad).
+
+    Args:
+        value: in the dimension's first unit.
+        dimension: one of :data:`UNITS`.
 
     >>> to_si(3.6, "mass rate"), to_si(180.0, "angle") == math.pi
     (1.0, True)
@@ -71,14 +83,28 @@ def to_si(value: Any, dimension: str) -> Any:
 
 
 def first_unit(dimension: str) -> str:
-    """The unit that models hold a dimension in."""
+    """Return the suffix of the unit in which tables of a spec hold a dimension.
+
+    Args:
+        dimension: one of :data:`UNITS`.
+
+    >>> first_unit("pressure")
+    'kpa'
+    """
     return next(iter(UNITS[dimension]))
 
 
-def twins(key: str, dimension: str) -> dict[str, str]:
-    """The keys that name the same field in each unit of its dimension, the documented one first.
+def unit_keys(key: str, dimension: str) -> dict[str, str]:
+    """Return the keys that name a field in each unit of its dimension, the documented one first.
 
-    >>> twins("radius_m", "length")
+    Args:
+        key: the documented one, which ends in the dimension's first unit.
+        dimension: one of :data:`UNITS`.
+
+    Returns:
+        Key to suffix of its unit.
+
+    >>> unit_keys("radius_m", "length")
     {'radius_m': 'm', 'radius_mm': 'mm', 'radius_in': 'in', 'radius_ft': 'ft'}
     """
     stem = key.removesuffix(first_unit(dimension))
@@ -86,7 +112,10 @@ def twins(key: str, dimension: str) -> dict[str, str]:
 
 
 def same_quantity(key: str) -> list[str]:
-    """A key and all its unit twins, told from its ending alone.
+    """Return a key in all units of its dimension, which is read from its ending.
+
+    Args:
+        key: in any unit; one that ends in no unit stands alone.
 
     >>> same_quantity("slope_rad"), same_quantity("name")
     (['slope_deg', 'slope_rad'], ['name'])

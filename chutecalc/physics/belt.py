@@ -1,4 +1,4 @@
-"""The belts at both ends of a chute: how a stream leaves the one, and what it does to the other."""
+"""The belts at both ends of a chute: how a stream leaves one over its head pulley, and how it loads the other."""
 
 from typing import NamedTuple
 
@@ -8,36 +8,39 @@ from chutecalc.physics.arrays import Array
 
 
 class Discharge(NamedTuple):
-    """How a stream leaves a head pulley, arrays of length 1 or n."""
+    """The stream where it leaves a head pulley, arrays of shape (1,) or (designs,)."""
 
     velocity: Array
-    """m/s: the belt's, or where the stream is held round the pulley what its radius makes of that."""
+    """Velocity, m/s: the belt's where the stream leaves at once, V r/r_b where it turns with the pulley."""
     froude: Array
-    """v²/(g r) with that velocity."""
+    """Froude number v²/(g r) at that velocity, dimensionless."""
     slope: Array
-    """Below horizontal, rad: -incline where the stream leaves tangent to the belt, else the angle that it is carried
-    round to."""
+    """Slope, rad below horizontal: -ε where the stream leaves tangent to the belt, else the discharge angle α_d."""
     x: Array
-    """From the pulley's centre, m."""
+    """Horizontal distance from the pulley's centre, m, positive in the direction of flow."""
     z: Array
+    """Height above the pulley's centre, m."""
 
 
 def discharge(velocity: Array, incline: Array, belt_radius: Array, radius: Array, gravity: Array) -> Discharge:
-    """Where and how a stream leaves a belt over its head pulley.
+    """Compute where and how a stream leaves a belt over its head pulley.
 
-    With V²/(g r) ≥ cos ε it leaves tangent to the belt, where that meets the pulley. Else it is held, turns with the
-    pulley, v = V r/r_b, and is carried round to cos α_d = v²/(g r), where its weight is just what holds it on; not at
-    all where that is cos ε or more. It starts at r (sin α, cos α) from the centre.
+    With V²/(g r) ≥ cos ε the stream leaves tangent to the belt, where the belt meets the pulley. Otherwise it turns
+    with the pulley at v = V r/r_b and leaves at the angle cos α_d = v²/(g r), where its weight no longer holds it on
+    the pulley; at once where that ratio is cos ε or more. It starts at r (sin α, cos α) from the pulley's centre.
 
     Args:
-        velocity: V of the belt, m/s, positive.
-        incline: ε, rad, positive uphill.
-        belt_radius: r_b of the belt's surface on the pulley, m.
-        radius: r of what is looked at, m: for the centre line half the material's depth more.
-        gravity: m/s².
+        velocity: Belt velocity V, m/s, positive, shape (1,) or (designs,), as for all arguments.
+        incline: Incline ε of the belt, rad, positive uphill.
+        belt_radius: Radius r_b of the belt's surface on the pulley, m.
+        radius: Radius r of the line followed, m: r_b, or for the centre line r_b plus half the depth of material.
+        gravity: g, m/s².
+
+    Returns:
+        The stream at discharge. Adhesion, air drag and the spread of the stream are neglected.
 
     >>> one = np.ones(1)
-    >>> slow = discharge(one, 0 * one, 0.4 * one, 0.44 * one, 9.81 * one)
+    >>> slow = discharge(velocity=one, incline=0 * one, belt_radius=0.4 * one, radius=0.44 * one, gravity=9.81 * one)
     >>> bool(abs(slow.velocity[0] - 1.1) < 1e-15), bool(abs(np.cos(slow.slope[0]) - 1.1**2 / (9.81 * 0.44)) < 1e-15)
     (True, True)
     """
@@ -47,31 +50,31 @@ def discharge(velocity: Array, incline: Array, belt_radius: Array, radius: Array
     froude = own**2 / (gravity * radius)
     carried = froude < level
     slope = np.where(carried, np.arccos(np.where(carried, froude, 1.0)), -incline)
-    return Discharge(own, froude, slope, radius * np.sin(slope), radius * np.cos(slope))
+    return Discharge(velocity=own, froude=froude, slope=slope, x=radius * np.sin(slope), z=radius * np.cos(slope))
 
 
 class Loading(NamedTuple):
-    """What a stream does to the belt that it falls on, shape (n,)."""
+    """The load of a stream on the belt that receives it, arrays of shape (designs,)."""
 
-    along: Array
-    """V_ex, velocity along the belt, m/s."""
-    across: Array
-    """V_ey, velocity normal to it, m/s."""
+    velocity_along: Array
+    """V_ex, velocity component along the belt, m/s."""
+    velocity_across: Array
+    """V_ey, velocity component normal to the belt, m/s, 0 or more."""
     velocity_ratio: Array
-    """V_ex/V_b."""
+    """V_ex/V_b, a ratio."""
     impact_pressure: Array
-    """ρ V_ey², Pa."""
+    """Impact pressure ρ V_ey², Pa."""
     wear: Array
-    """μ_b ρ V_ey² |V_b - V_ex|, W/m²."""
+    """Belt wear μ_b ρ V_ey² |V_b - V_ex|, W/m²."""
     acceleration_length: Array
-    """m along the belt from where the stream falls on it to where it has the belt's velocity; negative where it runs
-    back first and gets no further, infinite where it never has."""
-    landed: Array
-    """Velocity along the belt that friction on the impact leaves, m/s."""
-    landed_length: Array
-    """The acceleration length from that on."""
+    """Distance along the belt from the impact to where the stream has the belt's velocity, m. Negative where the stream
+    runs back and gets there behind the impact; infinite where it never gets there."""
+    velocity_after_impact: Array
+    """Velocity along the belt after the friction of the impact, m/s."""
+    length_after_impact: Array
+    """Acceleration length from that velocity on, m."""
     acceleration_power: Array
-    """ṁ V_b (V_b - V_ex), W."""
+    """Power that the belt's drive puts into the stream, ṁ V_b (V_b - V_ex), W."""
 
 
 def loading(
@@ -84,49 +87,61 @@ def loading(
     mass_rate: Array,
     gravity: Array,
 ) -> Loading:
-    """The impact of a stream on a receiving belt, and what it takes to bring it to the belt's velocity.
+    """Compute the impact of a stream on a receiving belt and the length on which the belt accelerates it.
 
-    The acceleration length is (V_b² - V_ex²)/(2 g (±μ_b cos a_b + sin a_b)), + where the belt is the faster: friction
-    drives the material, and slope helps or hinders. A bracket of the wrong sign never brings it there. The impact's own
-    friction changes the velocity along by μ_b V_ey, towards the belt's and not past it: the length is told without that
-    and with it.
+    With V_ex = v cos(a - a_b) and V_ey = |v sin(a - a_b)| the acceleration length is
+    (V_b² - V_ex²)/(2 g (±μ_b cos a_b + sin a_b)), + where the belt is faster than the stream. Friction drives the
+    material; the slope of the belt helps or hinders. A bracket of the wrong sign never brings the stream to the belt's
+    velocity. The friction of the impact itself changes V_ex by μ_b V_ey towards V_b, and not past it; the length is
+    given without and with that change.
 
     Args:
-        velocity, slope: of the stream at the chute's end, m/s and rad below horizontal.
-        belt_velocity, belt_slope: V_b, m/s, and a_b, rad below horizontal.
-        friction: μ_b of the material on the belt.
-        density, mass_rate, gravity: ρ, kg/m³; ṁ, kg/s; m/s².
+        velocity: Stream velocity v at the end of the chute, m/s, shape (1,) or (designs,), as for all arguments.
+        slope: Slope a of the stream there, rad below horizontal.
+        belt_velocity: V_b, m/s, positive.
+        belt_slope: a_b, rad below horizontal.
+        friction: Coefficient of friction μ_b of the material on the belt.
+        density: Bulk density ρ, kg/m³.
+        mass_rate: ṁ, kg/s.
+        gravity: g, m/s².
+
+    Returns:
+        The load on the belt. The stream is a point mass: its spread over the belt and air are neglected.
 
     >>> one = np.ones(1)
-    >>> level = loading(3 * one, 0 * one, 4 * one, 0 * one, 0.5 * one, 800 * one, 100 * one, 10 * one)
+    >>> level = loading(
+    ...     velocity=3 * one, slope=0 * one, belt_velocity=4 * one, belt_slope=0 * one,
+    ...     friction=0.5 * one, density=800 * one, mass_rate=100 * one, gravity=10 * one,
+    ... )
     >>> float(level.acceleration_length[0]), float(level.acceleration_power[0])
     (0.7, 400.0)
     """
     along, across = velocity * np.cos(slope - belt_slope), np.abs(velocity * np.sin(slope - belt_slope))
     pressure = density * across**2
-    lack = belt_velocity - along
-    landed = belt_velocity - np.sign(lack) * np.maximum(np.abs(lack) - friction * across, 0.0)
-    lengths = [_acceleration_length(start, belt_velocity, belt_slope, friction, gravity) for start in (along, landed)]
+    difference = belt_velocity - along
+    after_impact = belt_velocity - np.sign(difference) * np.maximum(np.abs(difference) - friction * across, 0.0)
+    starts = (along, after_impact)
+    lengths = [_acceleration_length(start, belt_velocity, belt_slope, friction, gravity) for start in starts]
     return Loading(
-        along=along,
-        across=across,
+        velocity_along=along,
+        velocity_across=across,
         velocity_ratio=along / belt_velocity,
         impact_pressure=pressure,
-        wear=friction * pressure * np.abs(lack),
+        wear=friction * pressure * np.abs(difference),
         acceleration_length=lengths[0],
-        landed=landed,
-        landed_length=lengths[1],
-        acceleration_power=mass_rate * belt_velocity * lack,
+        velocity_after_impact=after_impact,
+        length_after_impact=lengths[1],
+        acceleration_power=mass_rate * belt_velocity * difference,
     )
 
 
 def _acceleration_length(
     along: Array, belt_velocity: Array, belt_slope: Array, friction: Array, gravity: Array
 ) -> Array:
-    """How far material goes on a belt from a velocity along it until it has the belt's; NaN where there is none."""
-    lack = belt_velocity - along
-    push = np.where(lack >= 0.0, friction, -friction) * np.cos(belt_slope) + np.sin(belt_slope)
-    reached = lack * push > 0.0
-    length = lack * (belt_velocity + along) / np.where(reached, 2.0 * gravity * push, 1.0)
-    length = np.where(lack == 0.0, 0.0, np.where(reached, length, np.inf))
+    """Compute the distance on a belt from a velocity along it to the belt's own; NaN where there is no stream."""
+    difference = belt_velocity - along
+    drive = np.where(difference >= 0.0, friction, -friction) * np.cos(belt_slope) + np.sin(belt_slope)
+    reached = difference * drive > 0.0
+    length = difference * (belt_velocity + along) / np.where(reached, 2.0 * gravity * drive, 1.0)
+    length = np.where(difference == 0.0, 0.0, np.where(reached, length, np.inf))
     return np.where(np.isnan(along), np.nan, length)

@@ -1,4 +1,4 @@
-"""Tables of intervals, a row each and a column a design: facets of a section, pieces of a wall's friction."""
+"""Tables with a row for each interval and a column for each design: facets of a section, pieces of a yield locus."""
 
 import numpy as np
 
@@ -6,15 +6,16 @@ from chutecalc.physics.arrays import Array, Index
 
 
 def interval_of(starts: Array, value: Array) -> Index:
-    """The interval in which a value lies, 0 for the first.
+    """Find the interval in which a value lies.
 
     Args:
-        starts: where each begins, rising, shape (intervals, designs) or (intervals, places, designs).
-        value: of the shape of one row, or (places, designs).
+        starts: Lower ends of the intervals, rising, any unit, shape (intervals, designs) or
+            (intervals, stations, designs).
+        value: Values in the same unit, of the shape of one row, or (stations, designs).
 
     Returns:
-        Numbers of intervals, in the broadcast shape. A value where one begins counts to that one, and so no empty
-        interval is ever told.
+        Row numbers from 0, in the broadcast shape. A value at the start of an interval lies in that one, so that an
+        empty interval is never returned.
 
     >>> interval_of(np.array([[0.0], [1.0], [1.0], [2.0]]), np.array([0.5, 1.0, 3.0]))
     array([0, 2, 3])
@@ -24,7 +25,19 @@ def interval_of(starts: Array, value: Array) -> Index:
 
 
 def take_row(field: Array, rows: Index) -> Array:
-    """Entries ``field[rows[i], ..., i]``; what one row or one column holds for all is broadcast."""
+    """Take the entry of each design's own row, ``field[rows[i], ..., i]``.
+
+    Args:
+        field: Table in any unit, shape (intervals, designs) or (intervals, stations, designs). One row or one column
+            that holds for all is broadcast.
+        rows: Row numbers, shape (designs,) or (stations, designs).
+
+    Returns:
+        The entries, in the broadcast shape of a row and ``rows``.
+
+    >>> take_row(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([1, 0]))
+    array([3., 2.])
+    """
     if len(field) == 1:
         only: Array = field[0]
         return only
@@ -37,6 +50,17 @@ def take_row(field: Array, rows: Index) -> Array:
 
 
 def with_axes(field: Array, dimensions: int) -> Array:
-    """A table with room for as many axes as each of its rows is to have."""
-    missing = dimensions - (field.ndim - 1)
-    return field if missing <= 0 else field.reshape(len(field), *[1] * missing, *field.shape[1:])
+    """Insert axes behind the first one until each row of a table has so many.
+
+    Args:
+        field: Table in any unit, a row for each interval.
+        dimensions: Axes that each row has to have.
+
+    Returns:
+        A view of the table.
+
+    >>> with_axes(np.zeros((4, 3)), 2).shape
+    (4, 1, 3)
+    """
+    lacking = dimensions - (field.ndim - 1)
+    return field if lacking <= 0 else field.reshape(len(field), *[1] * lacking, *field.shape[1:])

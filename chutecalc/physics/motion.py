@@ -1,109 +1,15 @@
-"""The equation of motion along a guiding surface, and its exact solutions for the cases that have one.
+"""The equation of motion along a guiding surface, and which side of it the stream is on.
 
 With s along the flow, a the slope below horizontal, κ = -da/ds the curvature (positive where the surface flattens) and
-y = v²:  dy/ds = 2 [g sin a - μ_e n],  n = σ (g cos a + κ y),  σ = 1 on a floor, -1 under a roof. On a spoon this is
-Roberts' equation, Paper Eq 1. The exact solutions are what tests hold the solver against.
+y = v²:
+
+    dy/ds = 2 (g sin a - μ_e n),    n = σ (g cos a + κ y),    n ≥ 0
+
+n is the normal acceleration that presses the stream on its surface, m/s². σ is 1 on a floor and -1 under a roof.
+Where n falls below 0 the stream has left the surface and the equation no longer holds. On a spoon this is the equation
+of motion of Roberts (2003), Paper Eq 1. :mod:`chutecalc.core` solves it. Its exact solutions for constant friction
+stand in ``tests/verification/exact.py``: the solver is tested against them.
 """
 
-import numpy as np
-
-from chutecalc.physics.arrays import Array, Values, real
-
 FLOOR, ROOF = 1.0, -1.0
-
-
-def normal_acceleration(
-    side: float, gravity: Values, slope: Values, curvature: Values, velocity_squared: Values
-) -> Array:
-    """What presses the stream on its guiding surface, n = σ (g cos a + κ y).
-
-    Args:
-        side: σ, ``FLOOR`` or ``ROOF``.
-        gravity: g, m/s².
-        slope: a, rad below horizontal.
-        curvature: κ, 1/m, positive where the surface flattens.
-        velocity_squared: y = v², m²/s².
-
-    Returns:
-        n, m/s², in the broadcast shape. Below 0 the stream has left the surface and the model does not hold.
-
-    >>> float(normal_acceleration(FLOOR, 9.81, 0.0, 1 / 3.0, 9.0))
-    12.81
-    """
-    return side * (real(gravity) * np.cos(real(slope)) + real(curvature) * real(velocity_squared))
-
-
-def arc_velocity_squared(
-    side: float, gravity: Values, radius: Values, friction: Values, entry: Values, velocity: Values, slope: Values
-) -> Array:
-    """Exact v² along a circular arc for constant friction: spoon, crest and hood alike.
-
-    With τ = 1 where the arc flattens (spoon) and -1 where it steepens (crest, hood), m = σ μ_e and D = 1 + 4 m²:
-    v² = τ (2 g R/D) [(1 - 2 m²) cos a + 3 m sin a] + k exp(2 m a), k from the entry. Solves dv²/da = 2 m v² -
-    2 τ g R (sin a - m cos a), the equation of motion over the slope.
-
-    Args:
-        side: σ, ``FLOOR`` or ``ROOF``; a roof that flattens carries no stream.
-        gravity, radius, friction: g in m/s², R in m, μ_e.
-        entry: slope at the entry, rad.
-        velocity: at the entry, m/s.
-        slope: where v² is wanted, rad; all on the same side of ``entry``.
-
-    Returns:
-        v², m²/s², in the broadcast shape; negative beyond a stall, meaningless beyond a loss of contact.
-
-    >>> float(arc_velocity_squared(FLOOR, 9.81, 3.0, 0.0, np.pi / 2, 2.0, 0.0).round(9))  # no friction: 2² + 2 g R
-    62.86
-    """
-    a, start = real(slope), real(entry)
-    turn = np.where(np.any(a < start), 1.0, -1.0)
-    m = side * real(friction)
-    scale = turn * 2.0 * real(gravity) * real(radius) / (1.0 + 4.0 * m**2)
-
-    def particular(at: Array) -> Array:
-        return scale * ((1.0 - 2.0 * m**2) * np.cos(at) + 3.0 * m * np.sin(at))
-
-    return particular(a) + (real(velocity) ** 2 - particular(start)) * np.exp(2.0 * m * (a - start))
-
-
-def straight_velocity_squared(
-    gravity: Values, slope: Values, friction: Values, velocity: Values, distance: Values
-) -> Array:
-    """Exact v² on a straight for constant friction, v² = v0² + 2 g (sin a - μ_e cos a) s.
-
-    Args:
-        gravity, slope, friction: g in m/s², a in rad, μ_e.
-        velocity: v0, m/s.
-        distance: s from there, m.
-
-    Returns:
-        v², m²/s², negative beyond a stall.
-
-    >>> float(straight_velocity_squared(9.81, np.pi / 2, 0.5, 1.0, 2.0).round(9))
-    40.24
-    """
-    drive = np.sin(real(slope)) - real(friction) * np.cos(real(slope))
-    return real(velocity) ** 2 + 2.0 * real(gravity) * drive * real(distance)
-
-
-def rectangular_straight_distance(drive: float, drag: float, entry: float, velocity: Values) -> Array:
-    """Exact distance at which a stream on a straight rectangular chute has a velocity, friction growing with depth.
-
-    The equation of motion is v dv/ds = A - B/v, with A = g (sin a - μ cos a) and B = g μ K_v cos a Q/b² for the volume
-    rate Q and the width b. Its solution is s = [v²/(2 A) + B v/A² + (B²/A³) ln|A v - B|] between the velocities.
-
-    Args:
-        drive: A, m/s²; |A| > 0.01, where the logarithm keeps its digits.
-        drag: B, m²/s³.
-        entry: velocity at s = 0, m/s.
-        velocity: wanted, m/s, on the same side of the balance B/A as ``entry``.
-
-    Returns:
-        s, m, in the shape of ``velocity``.
-
-    >>> float(rectangular_straight_distance(2.0, 0.0, 1.0, 3.0))  # no drag: (3² - 1²)/(2 A)
-    2.0
-    """
-    v = real(velocity)
-    logarithm = np.log(np.abs((drive * v - drag) / (drive * entry - drag)))
-    return (v**2 - entry**2) / (2 * drive) + drag * (v - entry) / drive**2 + drag**2 / drive**3 * logarithm
+"""σ: the surface lies under the stream, or above it."""

@@ -1,7 +1,7 @@
 """Cross-sections as they are drawn.
 
-Every symmetric section is a stack of facets from the centre outwards: a polygon's flat walls, or a circle's arc, and
-vertical walls above what is drawn. A rectangle has no drawn facet, a chamfered section one, a vee one and no base.
+Every symmetric section is a row of facets from the centre outwards: flat walls of a polygon or the arc of a circle,
+with vertical walls above the drawn top. A rectangle has no drawn facet, a chamfered section one, a vee one and no base.
 """
 
 from typing import NamedTuple
@@ -10,24 +10,26 @@ from chutecalc.physics.arrays import Array
 
 
 class Polygon(NamedTuple):
-    """A symmetric section of flat walls. All lengths in m, angles in rad, arrays of length 1 or n."""
+    """A symmetric section of flat walls, arrays of shape (1,) or (designs,)."""
 
     base: Array
-    """Width of the centre section, 0 for a vee. Level facets widen it."""
+    """Width B of the centre section, m; 0 for a vee. Level facets widen it."""
     lengths: tuple[Array, ...]
-    """Of the drawn facets on one side, from the centre outwards; the last may be infinite: it has no top then."""
+    """Lengths of the drawn facets on one side, m, from the centre outwards. The last may be infinite: it has no top."""
     inclinations: tuple[Array, ...]
-    """Of the same facets to the plane of the centre section, in [0, π/2], never falling."""
+    """Inclinations of these facets to the plane of the centre section, rad, in [0, π/2], not falling."""
     wall_height: Array
-    """Above the floor; deeper than that the chute chokes; infinite where none is given."""
+    """Height of the walls above the floor, m. A deeper stream chokes the chute. Infinite where none is given."""
 
 
 class Circle(NamedTuple):
-    """The lower half of a circle, with vertical walls above it."""
+    """The lower half of a circle with vertical walls above it, arrays of shape (1,) or (designs,)."""
 
     radius: Array
+    """Radius r, m."""
     wall_height: Array
-    """As of a polygon."""
+    """Height of the walls above the floor, m, as in :class:`Polygon`."""
 
 
 Section = Polygon | Circle
+"""Any cross-section."""

@@ -1,4 +1,4 @@
-"""The guiding surface of a segment as a line: straight or a circular arc."""
+"""The guiding surface of a segment as a line in the plane of the chute: straight or a circular arc."""
 
 from typing import NamedTuple
 
@@ -8,39 +8,50 @@ from chutecalc.physics.arrays import Array
 
 
 class Surface(NamedTuple):
-    """A straight or an arc, drawn from (x, z). Arrays of length 1 or n, m and rad."""
+    """A straight or an arc that starts at (x, z), arrays of shape (1,) or (designs,)."""
 
     side: float
-    """1 for a floor, which the stream meets from above; -1 for a roof, met from below."""
+    """σ: 1 for a floor, which the stream meets from above, -1 for a roof, which it meets from below."""
     x: Array
+    """Horizontal position of the start, m."""
     z: Array
+    """Height of the start, m."""
     slope: Array
-    """Below horizontal, where it starts."""
+    """Slope at the start, rad below horizontal."""
     turn: Array
-    """Slope at its end less slope at its start."""
+    """Slope at the end minus slope at the start, rad."""
     length: Array
+    """Length along the surface, m."""
 
     @property
     def curvature(self) -> Array:
-        """κ = -da/ds, positive where the surface flattens."""
+        """Curvature κ = -da/ds, 1/m, positive where the surface flattens."""
         return -self.turn / self.length
 
 
-def point(surface: Surface, place: Array) -> tuple[Array, Array, Array]:
-    """x, z and slope at a share of the surface's length.
+def point(surface: Surface, share: Array) -> tuple[Array, Array, Array]:
+    """Compute the position and slope at a share of a surface's length.
 
-    The chord of an arc that turns by b over a length s is s sin(b/2)/(b/2) long and lies halfway between the end
-    slopes; unlike (sin a0 - sin a)/κ this holds its digits down to a straight.
+    The chord of an arc that turns by b over a length s is s sin(b/2)/(b/2) long, and its slope is the mean of the
+    slopes at its ends. Unlike (sin a0 - sin a)/κ this keeps its digits down to a straight.
+
+    Args:
+        surface: The surface.
+        share: Share of its length from the start, 0 to 1, shape (designs,) or (stations, designs).
+
+    Returns:
+        x and z, m, and slope, rad below horizontal, in the broadcast shape.
 
     >>> one = np.ones(1)
-    >>> quarter = Surface(1.0, 0 * one, 0 * one, np.pi / 2 * one, -np.pi / 2 * one, 3 * np.pi / 2 * one)
+    >>> down, turn = np.pi / 2 * one, -np.pi / 2 * one
+    >>> quarter = Surface(side=1.0, x=0 * one, z=0 * one, slope=down, turn=turn, length=3 * np.pi / 2 * one)
     >>> x, z, slope = point(quarter, one)
     >>> float(x[0].round(12)), float(z[0].round(12)), float(slope[0])
     (3.0, -3.0, 0.0)
     """
-    turned = surface.turn * place
+    turned = surface.turn * share
     half = 0.5 * turned
     middle = surface.slope + half
     half[half == 0.0] = 1e-20  # its sine over itself is 1 there
-    chord = surface.length * place * (np.sin(half) / half)
+    chord = surface.length * share * (np.sin(half) / half)
     return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + turned

@@ -1,10 +1,10 @@
-"""Wall friction: the shear stress that a wall shows at a normal stress, as one law of linear pieces.
+"""Wall friction: the shear stress τ of a wall at a normal stress σ, piecewise linear.
 
-A constant angle is one piece through the origin. A measured wall yield locus has a piece between each two of its rows,
-its first and last slope going on beyond them. Below the first row it never comes to less than 0 at σ = 0: a line that
-would cut the stress axis goes from that row to the origin instead, for else there would be no friction at all at the
-low pressures that chutes have. From above the locus is bounded by the material's own strength, τ = σ sin δ: a wall
-cannot resist more than the material does.
+A constant wall friction angle is one piece through the origin. A measured wall yield locus has a piece between each two
+rows, and its first and last slopes continue beyond them. Below the first row τ(0) is never negative: a line that would
+cut the stress axis runs from that row to the origin instead, because it would otherwise leave no friction at the low
+pressures of chutes, 0.5 to 5 kPa. From above, the locus is bounded by the strength of the material, τ = σ sin δ: a wall
+cannot resist more than the material does (Paper, section 6).
 """
 
 from typing import NamedTuple
@@ -16,34 +16,44 @@ from chutecalc.physics.intervals import interval_of, take_row
 
 
 class Wall(NamedTuple):
-    """Pieces τ = intercept + slope σ, in rising σ; every field has the shape (pieces, designs), stresses in Pa."""
+    """Pieces τ = intercept + slope σ in rising σ; every field has the shape (pieces, designs)."""
 
     starts: Array
-    """σ from which on a piece holds, 0 for the first."""
+    """Normal stress at which each piece starts, Pa, 0 for the first."""
     intercepts: Array
+    """Shear stress of each piece at σ = 0, Pa."""
     slopes: Array
+    """dτ/dσ of each piece, a coefficient."""
 
     @property
     def changes(self) -> bool:
-        """Whether friction depends on pressure at all."""
+        """Whether the coefficient of friction depends on pressure."""
         return bool(self.intercepts.any()) or len(self.starts) > 1
 
 
 def constant_wall(friction: Array) -> Wall:
-    """A wall of one friction coefficient μ = tan φ, shape (1,) or (designs,)."""
-    return Wall(np.zeros((1, len(friction))), np.zeros((1, len(friction))), friction[None])
+    """Return a wall with one coefficient of friction at every pressure.
+
+    Args:
+        friction: Coefficient of wall friction μ = tan φ, shape (1,) or (designs,).
+
+    >>> wall_friction(constant_wall(np.array([0.5])), np.array([1e3]))
+    array([0.5])
+    """
+    shape = (1, len(friction))
+    return Wall(starts=np.zeros(shape), intercepts=np.zeros(shape), slopes=friction[None])
 
 
 def yield_locus(normal: Array, shear: Array, bound: Array) -> Wall:
-    """A measured locus, bounded by the material's own strength.
+    """Return a wall with a measured yield locus, bounded by the strength of the material.
 
     Args:
-        normal: σ of the rows, Pa, positive and rising, shape (rows, designs), two rows at least.
-        shear: τ of the rows, Pa, not negative and not falling, likewise.
-        bound: sin δ, shape (1,) or (designs,).
+        normal: Normal stresses σ of the rows, Pa, positive and rising, shape (rows, designs), at least two rows.
+        shear: Shear stresses τ of the rows, Pa, not negative and not falling, shape (rows, designs).
+        bound: Slope sin δ of the material's own strength, a coefficient, shape (1,) or (designs,).
 
     Returns:
-        The wall. Pieces that some designs do not have are empty there: they start where the next one does.
+        The wall. A piece that a design does not have is empty: it starts where the next one does.
 
     >>> kpa = np.array([[1e3], [2e3]])
     >>> wall = yield_locus(kpa, np.array([[0.6e3], [1.0e3]]), np.array([0.5]))
@@ -71,19 +81,42 @@ def yield_locus(normal: Array, shear: Array, bound: Array) -> Wall:
 
 
 def wall_piece(wall: Wall, stress: Array) -> Index:
-    """The piece that holds at a normal stress, Pa, shape (..., designs); empty pieces are never told."""
+    """Find the piece that holds at a normal stress.
+
+    Args:
+        wall: The wall.
+        stress: Normal stress σ, Pa, 0 or more, shape (..., designs).
+
+    Returns:
+        Row numbers of pieces, never of an empty one, in the broadcast shape.
+
+    >>> wall_piece(constant_wall(np.array([0.5])), np.array([1e3]))
+    array([0])
+    """
     return interval_of(wall.starts, stress)
 
 
 def wall_friction(wall: Wall, stress: Array) -> Array:
-    """μ_w = τ/σ at a normal stress, Pa, shape (..., designs); its limit where σ is 0."""
+    """Compute the coefficient of wall friction at a normal stress, μ_w = τ/σ.
+
+    Args:
+        wall: The wall.
+        stress: Normal stress σ, Pa, 0 or more, shape (..., designs).
+
+    Returns:
+        μ_w, a coefficient, in the broadcast shape; at σ = 0 the slope of the first piece.
+
+    >>> adhesive = Wall(starts=np.zeros((1, 1)), intercepts=np.array([[50.0]]), slopes=np.array([[0.4]]))
+    >>> float(wall_friction(adhesive, np.array([1e3]))[0].round(9))
+    0.45
+    """
     piece = wall_piece(wall, stress)
     slope, intercept = take_row(wall.slopes, piece), take_row(wall.intercepts, piece)
     return slope + intercept / np.where(stress > 0.0, stress, np.inf)
 
 
 def _holding(stress: Array, normal: Array, slopes: Array, intercepts: Array, bound: Array) -> Index:
-    """Which of the pieces of the locus and the bound holds at stresses, shape (pieces, designs)."""
+    """Return the number of the piece, of the locus or the bound, that holds at stresses of shape (pieces, designs)."""
     row = interval_of(np.concatenate([np.zeros_like(normal[:1]), normal[:-1]]), stress)
     measured = np.take_along_axis(intercepts, row, axis=0) + np.take_along_axis(slopes, row, axis=0) * stress
     chosen: Index = np.where(measured > bound * stress, len(slopes), row)

@@ -1,7 +1,7 @@
-"""How deep a flow area stands in a section, and how hard its walls are pressed.
+"""Depth of a flow area in a section, and the load on its walls.
 
 On each flat facet depth, area and wall load are quadratics in the wetted length C of that facet, with constants known
-at its foot; on an arc they are series in the area. :mod:`chutecalc.core.section` has them.
+at its foot; on an arc they are series in the area. :mod:`chutecalc.core.section` computes them.
 """
 
 from functools import cache
@@ -17,44 +17,50 @@ from chutecalc.physics.section import Circle, Section
 
 
 class Wetting(NamedTuple):
-    """How flow areas lie in their sections, arrays of shape (n,)."""
+    """Flow areas in their sections, arrays of shape (designs,)."""
 
     depth: Array
-    """Normal to the floor, m."""
+    """Flow depth H normal to the floor, m."""
     chamfer: Array
-    """Wetted length of the drawn facets on one side, m; the walls above a drawn top do not count."""
+    """Wetted length C of the drawn facets on one side, m, without the vertical walls above a drawn top."""
     width: Array
-    """Of the free surface, m."""
+    """Width of the free surface, m."""
     excess: Array
-    """χ = μ_e/μ - 1 of the friction law."""
-    growth: Array
-    """A dχ/dA."""
-    missing: Array
-    """m = 1 - (1/A) ∫ K cos ψ ζ dl, the share of the weight that hydrostatic wall pressures do not carry."""
-    factor: Array
-    """f by which the friction law raises the hydrostatic pressures of all walls."""
+    """Excess friction χ = μ_e/μ - 1 of the friction law, a ratio."""
+    excess_sensitivity: Array
+    """Sensitivity of χ to the relative change of the flow area, A dχ/dA, a ratio."""
+    missing_load: Array
+    """Share m = 1 - (1/A) ∫ K cos ψ ζ dl of the weight that hydrostatic wall pressures do not carry."""
+    pressure_factor: Array
+    """Factor f of the friction law on all hydrostatic wall pressures, a ratio: see
+    :func:`chutecalc.physics.pressure.pressure_factor`."""
 
 
 def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: bool = False) -> Wetting:
-    """How flow areas lie in sections.
+    """Compute depth, width and excess friction of flow areas in sections.
 
-    C = 2 q/(w + √(w² + 4 q cos β)), q = (A - A_foot)/sin β: the root of Paper Eq 7 in the form that is exact at β = 90°
-    and at B = 0. χ A = X_foot + C sin β (E + K (1 - cos β) C), with E = 2 Σ K (1 - cos ψ) L of the facets below. For a
-    chamfer on a base this is Paper Eq 11 without its cancellation, χ = K C (1 - cos β)/(B + C cos β); for a rectangle
-    Paper Eq 2.
+    For a wall element dl at inclination ψ and depth ζ below the free surface, χ = (1/A) ∫ K(ψ) (1 - cos ψ) ζ dl. On a
+    facet at β whose foot is w wide, C = 2 q/(w + √(w² + 4 q cos β)) with q = (A - A_foot)/sin β: the root of Paper Eq 7
+    in a form that is exact at β = 90° and at B = 0. Then χ A = X_foot + C sin β (E + K (1 - cos β) C), with
+    E = 2 Σ K (1 - cos ψ) L over the facets below. For a chamfer on a base this is Paper Eq 11 without its cancellation,
+    χ = K C (1 - cos β)/(B + C cos β); for a rectangle it is Paper Eq 2, χ = K_v H/B.
 
     Args:
-        drawn: the sections, arrays of length 1 or n.
-        vertical_ratio: K_v, likewise.
-        area: flow area, m², positive, likewise.
-        equilibrium: scale all wall pressures until they carry the weight, χ/(1 - m), instead of laying the missing load
+        drawn: The sections, arrays of shape (1,) or (designs,).
+        vertical_ratio: Pressure ratio K_v of a vertical wall, in (0, 1], shape (1,) or (designs,).
+        area: Flow area A, m², positive, shape (1,) or (designs,).
+        equilibrium: Scale all wall pressures until they carry the weight, χ/(1 - m), instead of laying the missing load
             on the centre section as the paper does.
 
+    Returns:
+        The flow areas in their sections. Above a drawn top the walls are vertical; wall heights limit nothing here.
+
     >>> from chutecalc.physics.section import Polygon
-    >>> vee = Polygon(np.array([0.0]), (np.array([np.inf]),), (np.radians([60.0]),), np.array([np.inf]))
+    >>> endless = np.array([np.inf])
+    >>> vee = Polygon(np.array([0.0]), lengths=(endless,), inclinations=(np.radians([60.0]),), wall_height=endless)
     >>> for equilibrium in (False, True):  # K (1 - cos β)/cos β, and 1/cos β - 1, at any depth
     ...     found = wetting(vee, np.array([0.2]), np.array([0.1]), equilibrium)
-    ...     print(found.excess.round(14).item(), abs(found.growth.round(14).item()))
+    ...     print(found.excess.round(14).item(), abs(found.excess_sensitivity.round(14).item()))
     0.4 0.0
     1.0 0.0
     """
@@ -66,7 +72,21 @@ def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: boo
 
 
 def area_at_depth(drawn: Section, depth: Array) -> Array:
-    """Flow area below a depth, m, 0 or more: the inverse of the depth in :func:`wetting`; infinite of what is."""
+    """Compute the flow area below a depth, the inverse of :func:`wetting`.
+
+    Args:
+        drawn: The sections, arrays of shape (1,) or (designs,).
+        depth: Depth H normal to the floor, m, 0 or more, shape (1,) or (designs,).
+
+    Returns:
+        A, m², shape (designs,); infinite for an infinite depth.
+
+    >>> from chutecalc.physics.section import Polygon
+    >>> endless = np.array([np.inf])
+    >>> vee = Polygon(np.array([0.0]), lengths=(endless,), inclinations=(np.radians([45.0]),), wall_height=endless)
+    >>> float(area_at_depth(vee, np.array([0.3]))[0].round(12))
+    0.09
+    """
     numbers, depth = _rows(drawn, np.ones(1), depth)
     out = np.empty(len(depth))
     own, facets = records_of(kind_of(drawn))
@@ -75,17 +95,27 @@ def area_at_depth(drawn: Section, depth: Array) -> Array:
 
 
 class Kind(NamedTuple):
-    """What records a section takes, whatever its numbers are."""
+    """The layout of a section's records, whatever its numbers are."""
 
     circle: bool
+    """Whether it is circular."""
     walls: int
-    """Drawn facets of a polygon, on one side."""
+    """Number of drawn facets of a polygon on one side."""
     facets: int
-    """With the vertical walls above a drawn top."""
+    """Number of facets with the vertical walls above a drawn top."""
 
 
 def kind_of(drawn: Section) -> Kind:
-    """Of a section."""
+    """Return the layout of a section.
+
+    Args:
+        drawn: The section.
+
+    >>> from chutecalc.physics.section import Polygon
+    >>> length, angle, endless = np.array([0.2]), np.radians([45.0]), np.array([np.inf])
+    >>> kind_of(Polygon(np.array([0.5]), lengths=(length,), inclinations=(angle,), wall_height=endless))
+    Kind(circle=False, walls=1, facets=2)
+    """
     if isinstance(drawn, Circle):
         return Kind(True, 0, 2)
     walls = len(drawn.lengths)
@@ -95,13 +125,33 @@ def kind_of(drawn: Section) -> Kind:
 
 
 def records_of(kind: Kind) -> tuple[section.Section, section.Facets]:
-    """The compiled solver's own records."""
+    """Create the records of the compiled solver for a section.
+
+    Args:
+        kind: Its layout, from :func:`kind_of`.
+
+    >>> own, facets = records_of(Kind(circle=False, walls=0, facets=1))
+    >>> type(own).__name__, type(facets).__name__
+    ('Section', 'Facets')
+    """
     series = _series() if kind.circle else floats.zeros(1)
     return section.Section(kind.walls, kind.circle), section.Facets(kind.facets, kind.circle, series)
 
 
 def numbers_of(drawn: Section) -> list[Array]:
-    """A section's numbers, in the order in which the compiled solver reads them."""
+    """List the numbers of a section in the order in which the compiled solver reads them.
+
+    Args:
+        drawn: The section.
+
+    Returns:
+        Wall height and radius of a circle; wall height, base, and length and inclination of each drawn facet of a
+        polygon; m and rad.
+
+    >>> from chutecalc.physics.section import Circle
+    >>> numbers_of(Circle(radius=np.array([0.4]), wall_height=np.array([np.inf])))
+    [array([inf]), array([0.4])]
+    """
     if isinstance(drawn, Circle):
         return [drawn.wall_height, drawn.radius]
     walls = zip(drawn.lengths, drawn.inclinations, strict=True)
@@ -109,7 +159,7 @@ def numbers_of(drawn: Section) -> list[Array]:
 
 
 def _rows(drawn: Section, vertical_ratio: Array, values: Array) -> tuple[Array, Array]:
-    """Rows of numbers, and values as many."""
+    """Broadcast a section's numbers, as rows, and values against each other."""
     *columns, values = np.broadcast_arrays(vertical_ratio, *numbers_of(drawn), values)
     return np.ascontiguousarray(np.stack(columns, axis=1)), np.array(values)
 

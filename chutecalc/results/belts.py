@@ -12,7 +12,7 @@ SQUARE = 1e-9
 
 def entering(design: Design) -> Numbers:
     """The stream where it enters, each of length 1 or n; from a belt also v²/(g r) and its lower edge."""
-    x, z = design.inlet_place
+    x, z = design.inlet_position
     numbers = {
         "x_m": x,
         "z_m": z,
@@ -43,15 +43,15 @@ def received(design: Design, end: Numbers) -> Numbers:
     with np.errstate(all="ignore"):
         turn = np.arccos(np.where(velocity >= belt.velocity, belt.velocity / velocity, np.nan))
         return {
-            "velocity_along_m_s": onto.along,
-            "velocity_across_m_s": onto.across,
+            "velocity_along_m_s": onto.velocity_along,
+            "velocity_across_m_s": onto.velocity_across,
             "velocity_ratio": onto.velocity_ratio,
             "impact_pressure_kpa": onto.impact_pressure / 1000.0,
             "wear_w_m2": onto.wear,
             "acceleration_length_m": onto.acceleration_length,
             "acceleration_power_kw": onto.acceleration_power / 1000.0,
-            "landed_velocity_m_s": onto.landed,
-            "landed_acceleration_length_m": onto.landed_length,
+            "landed_velocity_m_s": onto.velocity_after_impact,
+            "landed_acceleration_length_m": onto.length_after_impact,
             "matching_slope_deg": np.degrees(belt.slope + np.where(slope >= belt.slope, turn, -turn)),
             "matching_velocity_m_s": np.where(aside <= SQUARE, np.inf, belt.velocity / aside),
         }

@@ -44,7 +44,7 @@ def at_ends(design: Design, rtol: float, names: Sequence[str], count: int) -> Ex
         count: how many.
     """
     taken = asked_of(design, names)
-    if design.segments[-1].kind == "plate":  # where the stream is as the impact on it leaves it
+    if design.segments[-1].deflects:  # where the stream is as the impact on it leaves it
         legs, ends = run_chain(design, rtol, complete=False)
         found = Solution(design, tuple(legs), ends, rtol, count).exit_columns(taken)
     else:

@@ -95,7 +95,7 @@ def told(kinds: Kinds, faults: int, ends: Array, lying: Array, pressing: Array) 
         refused = ends[0] == state.NOT_TANGENT
         row = int(refused.argmax())
         at, slope = int(ends[4, row]), np.degrees(ends[6, row])
-        what = "a hood has to steepen" if kinds[at].side == ROOF else "a curve has to turn"
+        what = "a roof has to steepen" if kinds[at].side == ROOF else "an arc has to turn"
         problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
         fault = Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")
         raise SpecError([fault], designs=refused)

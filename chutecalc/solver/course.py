@@ -41,7 +41,7 @@ def kinds_of(design: Design) -> Kinds:
 def _kind(contact: Contact, design: Design) -> Kind:
     first, last = kind_of(contact.section), contact.end_section and kind_of(contact.end_section)
     pieces = len(contact.wall.starts)
-    return Kind(False, contact.kind == "plate", contact.side, design.equilibrium, pieces, first, last)
+    return Kind(False, contact.deflects, contact.side, design.equilibrium, pieces, first, last)
 
 
 def take(kinds: Kinds) -> records.Course:
@@ -125,7 +125,7 @@ def numbers_of(design: Design) -> Numbers:
 def columns_of(design: Design) -> tuple[list[Array | float], list[int], list[int]]:
     """The numbers of a row; where each segment's wall begins among them, and where each segment does."""
     columns: list[Array | float] = [design.density, design.gravity, design.volume_rate, design.vertical_ratio]
-    columns += [*design.inlet_place, design.inlet_velocity, design.inlet_slope]
+    columns += [*design.inlet_position, design.inlet_velocity, design.inlet_slope]
     starts, begins = [], []
     for segment in design.segments:
         begins.append(len(columns))

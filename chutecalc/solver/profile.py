@@ -150,7 +150,7 @@ class SlideProfile:
         out = np.empty((walls.PRESS, *self.place.shape))
         profile.pressing(*self.contact.way.read, self.place, self.velocity_squared, out)
         arrival = self.contact.arrival
-        thrown: Mask = (arrival.incidence > 0.0) & (self.leg.segment.kind == "plate")
+        thrown: Mask = (arrival.incidence > 0.0) & self.leg.segment.deflects
         if thrown.any():
             impact = arrival.impact
             struck = (impact.wall_friction, impact.friction, None, impact.pressure, np.nan, np.nan)
@@ -192,7 +192,7 @@ class SlideProfile:
     def wear(self, wall: int) -> Array:
         """Friction power per area there, μ p v, W/m², where slip is the mean velocity; on a plate the impact's."""
         wear: Array = self.pressures[wall] * self.wall_friction * self.velocity
-        thrown = (self.contact.arrival.incidence > 0.0) & (self.leg.segment.kind == "plate")
+        thrown = (self.contact.arrival.incidence > 0.0) & self.leg.segment.deflects
         return np.where(thrown, self.contact.arrival.impact.wear, wear) if wall == 0 else wear
 
     @cached_property

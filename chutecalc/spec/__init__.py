@@ -1,1 +1,1 @@
-"""What the user writes: read, checked, and turned once into numbers."""
+"""The spec of a chute: read, checked, and turned once into numbers."""

@@ -1,4 +1,4 @@
-"""Pydantic's errors as faults, with the value that stands there and its line."""
+"""Faults as users see them: with the key path and the value as written, and the line."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -6,53 +6,67 @@ from typing import Any
 from pydantic import ValidationError
 
 from chutecalc.errors import Fault
-from chutecalc.fields.faults import Place, PlacedFault
+from chutecalc.fields.faults import LocatedFault, Location
 from chutecalc.fields.units import same_quantity
 from chutecalc.spec.parse import key_lines
 
 
 def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
-    """All faults of a spec, in the order of its lines.
+    """Return all faults that checking a spec found, in the order of its lines.
 
     Args:
-        error: what checking the spec raised; :class:`~chutecalc.fields.table.Table` has put it into words.
-        data: the spec as the user wrote it.
-        text: that it comes from, empty where there is none.
+        error: raised by the check, in the words of :class:`~chutecalc.fields.table.Table`.
+        data: nested tables as the user wrote them.
+        text: TOML text of the data, for line numbers; empty if there is none.
     """
     found = []
     for item in error.errors(include_url=False):
-        place, value = _as_written(tuple(item["loc"]), data)
-        found.append(PlacedFault(place, item["msg"], (item.get("ctx") or {}).get("remedy", ""), value))
-    return located(found, text)
+        location, value = _as_written(tuple(item["loc"]), data)
+        found.append(LocatedFault(location, item["msg"], (item.get("ctx") or {}).get("remedy", ""), value))
+    return _located(found, text)
 
 
-def placed(faults: Iterable[PlacedFault], data: Any, text: str) -> list[Fault]:
-    """Faults that name documented keys, at the keys and with the values that the user wrote."""
+def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> list[Fault]:
+    """Return faults of geometry, in the order of the spec's lines.
+
+    Args:
+        faults: whose locations have documented keys; the keys and values that the user wrote take their place.
+        data: nested tables as the user wrote them.
+        text: TOML text of the data, for line numbers; empty if there is none.
+    """
     found = []
     for fault in faults:
-        *above, key = fault.place
+        *above, key = fault.location
         here = data
         for item in above:
             here = here[item]
-        given = next((twin for twin in same_quantity(str(key)) if isinstance(here, dict) and twin in here), key)
+        given = next((other for other in same_quantity(str(key)) if isinstance(here, dict) and other in here), key)
         value = here[given] if isinstance(here, dict) and given in here else fault.value
-        found.append(fault._replace(place=(*above, given), value=value))
-    return located(found, text)
+        found.append(fault._replace(location=(*above, given), value=value))
+    return _located(found, text)
 
 
-def located(faults: Iterable[PlacedFault], text: str) -> list[Fault]:
-    """Faults with paths as users write them, lists from 1, and lines: the key's, or that of the table around."""
+def _located(faults: Iterable[LocatedFault], text: str) -> list[Fault]:
+    """Return faults with key paths, list items counted from 1, and the line of the key or of the table around it."""
     lines = key_lines(text)
     found = []
-    for place, problem, remedy, value in faults:
-        path = ".".join(str(item + 1) if isinstance(item, int) else item for item in place)
-        line = next((lines[place[:k]] for k in range(len(place), 0, -1) if place[:k] in lines), None)
+    for location, problem, remedy, value in faults:
+        path = ".".join(str(item + 1) if isinstance(item, int) else item for item in location)
+        line = next((lines[location[:k]] for k in range(len(location), 0, -1) if location[:k] in lines), None)
         found.append(Fault(path, problem, remedy, value_text(value), line))
     return sorted(dict.fromkeys(found), key=lambda fault: fault.line or 0)
 
 
 def value_text(value: Any) -> str:
-    """A value as it stands in a TOML file; a varied one by its extremes, a table or nothing as nothing."""
+    """Return a value as a TOML file has it; an array as its extremes, a table or None as empty text.
+
+    Args:
+        value: any value of a spec's data.
+
+    >>> import numpy as np
+    >>> value_text(True), value_text("spoon"), value_text(np.array([2.0, 3.0])), value_text({})
+    ('true', '"spoon"', '2 to 3', '')
+    """
     if value is None or isinstance(value, dict | list):
         return ""
     if isinstance(value, bool):
@@ -65,9 +79,9 @@ def value_text(value: Any) -> str:
     return str(value)
 
 
-def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
-    """The place without the tags that pydantic puts in for kinds and shapes, and what stands there."""
-    place: Place = ()
+def _as_written(loc: Location, data: Any) -> tuple[Location, Any]:
+    """Return the location without the tags that pydantic inserts for kinds and shapes, and the value there."""
+    location: Location = ()
     here, tagged = data, False
     for item in loc:
         if item == "[key]":  # pydantic's name for a key itself
@@ -80,5 +94,5 @@ def _as_written(loc: Place, data: Any) -> tuple[Place, Any]:
             here = here.get(item)
         else:
             here = here[item] if isinstance(here, list) and isinstance(item, int) and item < len(here) else None
-        place, tagged = (*place, item), False
-    return place, here
+        location, tagged = (*location, item), False
+    return location, here

@@ -1,4 +1,4 @@
-"""Reading a spec's text: from a file, with the line of every key."""
+"""Reads the text of a spec from a file, parses it, and finds the line of each key."""
 
 import re
 import tomllib
@@ -6,26 +6,29 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
-from chutecalc.fields.faults import Place
+from chutecalc.fields.faults import Location
 
 BASELINE_SUFFIX = ".baseline.toml"
-"""Of the file beside a spec that holds what once came out of it, instead of the spec's own ``.toml``."""
+"""Ending of a baseline's file, in place of the ``.toml`` of the spec beside it."""
 
 _HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
 _KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
 
 
 def read_text(path: Path) -> str:
-    """The text of a spec file.
+    """Return the text of a spec file.
+
+    Args:
+        path: of the file.
 
     Raises:
-        SpecError: there is no such file, it cannot be read, or it is not UTF-8.
+        SpecError: The file does not exist, cannot be read, or is not UTF-8.
     """
     try:
         return decode(path.read_bytes(), str(path))
     except FileNotFoundError:
         raise SpecError(
-            [Fault("", "there is no such file", "check the name, or write one with chutecalc new")], str(path)
+            [Fault("", "there is no such file", "check the name, or create one with chutecalc new")], str(path)
         ) from None
     except IsADirectoryError:
         raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
@@ -34,10 +37,14 @@ def read_text(path: Path) -> str:
 
 
 def decode(data: bytes, source: str) -> str:
-    """The text of a spec's bytes, whatever the locale says.
+    """Return the text of a spec's bytes, which are UTF-8 whatever the locale; line ends become line feeds.
+
+    Args:
+        data: content of the file, with or without a byte order mark.
+        source: what messages call the spec.
 
     Raises:
-        SpecError: it is not UTF-8.
+        SpecError: The bytes are not UTF-8.
     """
     try:
         return data.decode("utf-8-sig").replace("\r\n", "\n")
@@ -47,33 +54,47 @@ def decode(data: bytes, source: str) -> str:
 
 
 def parse_text(text: str, source: str) -> dict[str, Any]:
-    """A spec's text as nested tables.
+    r"""Return a spec's text as nested tables.
+
+    Args:
+        text: TOML.
+        source: what messages call the spec.
 
     Raises:
-        SpecError: it is no TOML; with the line.
+        SpecError: The text is not TOML; the fault has the line where that is known.
+
+    >>> parse_text("[flow]\nrate_t_h = 1000", "spoon.toml")
+    {'flow': {'rate_t_h': 1000}}
     """
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         message = str(error)
         found = re.search(r"\(at line (\d+), column (\d+)\)", message)
-        problem = "is not TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
+        problem = "is not valid TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
         if found:
             fault = Fault("", f"{problem}, column {found[2]}", "see https://toml.io", line=int(found[1]))
         else:
             fault = Fault("", problem, "see https://toml.io")
         raise SpecError([fault], source) from None
     except RecursionError:
-        raise SpecError([Fault("", "is nested too deeply", "a spec has three levels")], source) from None
+        raise SpecError([Fault("", "is nested too deeply", "use at most four levels of tables")], source) from None
     except ValueError as error:  # what tomllib lets through: an integer of thousands of digits
-        raise SpecError([Fault("", f"is not TOML: {error}", "see https://toml.io")], source) from None
+        raise SpecError([Fault("", f"is not valid TOML: {error}", "see https://toml.io")], source) from None
 
 
-def key_lines(text: str) -> dict[Place, int]:
-    """The line of each table and key, as well as a pass over the text can tell; inside a value it is its key's."""
-    lines: dict[Place, int] = {}
-    counts: dict[Place, int] = {}
-    table: Place = ()
+def key_lines(text: str) -> dict[Location, int]:
+    r"""Return the line, from 1, of each table and key, as well as a pass over the lines can tell.
+
+    Args:
+        text: TOML. Lines inside a value of several lines count as the line of its key.
+
+    >>> key_lines("[flow]\nrate_t_h = 1000")
+    {('flow',): 1, ('flow', 'rate_t_h'): 2}
+    """
+    lines: dict[Location, int] = {}
+    counts: dict[Location, int] = {}
+    table: Location = ()
     quote = ""
     for number, line in enumerate(text.split("\n"), 1):
         if quote:
@@ -88,19 +109,19 @@ def key_lines(text: str) -> dict[Place, int]:
     return lines
 
 
-def _keys(dotted: str) -> Place:
-    """The parts of a dotted key."""
+def _keys(dotted: str) -> Location:
+    """Return the parts of a dotted key."""
     parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
     return tuple(part.strip("\"'") for part in parts)
 
 
-def _numbered(keys: Place, counts: dict[Place, int], is_list: bool) -> Place:
-    """A table's place with the number of each list item on its way, counted from 0."""
-    place: Place = ()
+def _numbered(keys: Location, counts: dict[Location, int], is_list: bool) -> Location:
+    """Return a table's location, with the index of each list item that it lies in."""
+    location: Location = ()
     for depth, key in enumerate(keys, 1):
-        place = (*place, key)
+        location = (*location, key)
         if is_list and depth == len(keys):
-            counts[place] = counts.get(place, -1) + 1
-        if place in counts:
-            place = (*place, counts[place])
-    return place
+            counts[location] = counts.get(location, -1) + 1
+        if location in counts:
+            location = (*location, counts[location])
+    return location

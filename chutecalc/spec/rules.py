@@ -1,4 +1,4 @@
-"""What has to go together in a table of a spec, beyond what each of its keys says."""
+"""Rules between the keys of a table, and between the tables of a spec."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -6,117 +6,130 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.fields.table import Rule
-from chutecalc.fields.units import twins
-
-GUIDED = ("straight", "curve", "hood", "plate")
-
-
-def one_of(*keys: str) -> Any:
-    """The rule that exactly one of some keys is given."""
-
-    def rule(table: dict[str, Any]) -> Iterator[Rule]:
-        given = [key for key in keys if key in table]
-        if len(given) != 1:
-            names = ", ".join(keys)
-            problem = f"is one too many: give only one of {names}" if given else f"is missing: give one of {names}"
-            yield Rule((given[-1] if given else keys[0],), problem, "remove the others" if given else f"add {keys[0]}")
-
-    return rule
+from chutecalc.fields.table import Violation
+from chutecalc.fields.units import unit_keys
+from chutecalc.segments.base import Segment
+from chutecalc.segments.registry import KINDS
 
 
-def known_format(table: dict[str, Any]) -> Iterator[Rule]:
-    """The number of the format is an integer; pydantic takes true and 1.0 for 1."""
+def known_format(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield a fault if the format is not the integer 1; pydantic takes true and 1.0 for it too.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     if "format" in table and type(table["format"]) is not int:
-        yield Rule(("format",), "has to be 1", "change the value")
+        yield Violation(("format",), "has to be 1", "change the value")
 
 
-def some_friction(table: dict[str, Any]) -> Iterator[Rule]:
-    """What the pressure on the walls follows from."""
+def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield a fault if a material has neither an angle of internal friction nor a pressure ratio.
+
+    Args:
+        table: of a material, with documented keys.
+    """
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:
-        problem = "internal_friction_deg or pressure_ratio is needed"
-        yield Rule(
-            ("internal_friction_deg",), problem, "add internal_friction_deg, the effective angle of internal friction"
-        )
+        problem, remedy = "is missing: give it or pressure_ratio", "add the effective angle of internal friction"
+        yield Violation(("internal_friction_deg",), problem, remedy)
 
 
-def locus_rows(table: dict[str, Any]) -> Iterator[Rule]:
-    """A yield locus has two rows at least; normal stress rises from row to row, shear stress does not fall."""
+def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield faults of a yield locus: too few rows, falling stresses, a first row without normal stress.
+
+    Args:
+        table: of a liner, with documented keys.
+    """
     rows = table.get("yield_locus_kpa")
     if not isinstance(rows, list) or not all(isinstance(row, list) and len(row) == 2 for row in rows):
-        return  # said already
+        return  # has a fault already
     if not all(isinstance(item, int | float | np.ndarray) for row in rows for item in row):
         return
     if len(rows) < 2:
-        yield Rule(("yield_locus_kpa",), "has to have two rows at least", "add a row [normal stress, shear stress]")
+        yield Violation(
+            ("yield_locus_kpa",), "has to have at least two rows", "add a row [normal stress, shear stress]"
+        )
     for number, (one, other) in enumerate(pairwise(rows), 2):
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
-            problem = f"falls at row {number}: normal stress has to rise from row to row, and shear stress not to fall"
-            yield Rule(("yield_locus_kpa",), problem, "sort the rows")
+            problem = f"is out of order at row {number}: normal stress has to rise, and shear stress must not fall"
+            yield Violation(("yield_locus_kpa",), problem, "sort the rows")
     if rows and np.any(np.less_equal(rows[0][0], 0.0)):
-        yield Rule(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "leave that row out")
+        yield Violation(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "remove that row")
 
 
-def one_inlet(table: dict[str, Any]) -> Iterator[Rule]:
-    """A velocity along a slope, or a belt."""
-    for key, names in (("velocity_m_s", " or ".join(twins("velocity_m_s", "velocity"))), ("slope_deg", "slope_deg")):
+def one_inlet(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield faults of an inlet that has not either a velocity and a slope, or a belt.
+
+    Args:
+        table: of the inlet, with documented keys.
+    """
+    for key, names in (
+        ("velocity_m_s", " or ".join(unit_keys("velocity_m_s", "velocity"))),
+        ("slope_deg", "slope_deg"),
+    ):
         if "belt" in table and key in table:
-            yield Rule((key,), "is what the belt gives", "remove it, or the table [inlet.belt]")
+            yield Violation((key,), "follows from the belt", "remove it, or remove [inlet.belt]")
         elif "belt" not in table and key not in table:
-            yield Rule((key,), "is missing", f"add {names}, or a table [inlet.belt]")
+            yield Violation((key,), "is missing", f"add {names}, or describe the belt in [inlet.belt]")
 
 
-def names(table: dict[str, Any]) -> Iterator[Rule]:
-    """Sections and liners are named where there are several, and defined where they are named; segments are unique."""
+def names(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield faults of names: of segments with the same one, of sections and liners that are needed or not defined.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     segments = table.get("segments")
     seen: dict[str, int] = {}
     for number, segment in enumerate(segments if isinstance(segments, list) else []):
         if not isinstance(segment, dict):
             continue
-        place = ("segments", number)
+        location = ("segments", number)
         name = segment.get("name")
         if isinstance(name, str):
             if name in seen:
-                yield Rule((*place, "name"), f"is the name of segment {seen[name]} too", "choose another name")
+                yield Violation(
+                    (*location, "name"), f"is already the name of segment {seen[name]}", "choose another name"
+                )
             seen.setdefault(name, number + 1)
         if _guides(segment):
-            yield from _reference(table, segment, place, "section", "sections")
-            yield from _reference(table, segment, place, "liner", "liners")
+            yield from _reference(table, segment, location, "section", "sections")
+            yield from _reference(table, segment, location, "liner", "liners")
+
+
+def _table_of(segment: dict[str, Any]) -> type[Segment] | None:
+    """Return the table of a segment's kind; None if the kind is missing or not known."""
+    kind = segment.get("kind")
+    return KINDS.get(kind) if isinstance(kind, str) else None
 
 
 def _guides(segment: dict[str, Any]) -> bool:
-    """Whether a segment says that it guides the stream."""
-    kind = segment.get("kind")
-    return isinstance(kind, str) and kind in GUIDED
+    """Return whether a segment is of a kind that guides the stream."""
+    table = _table_of(segment)
+    return table is not None and table.guides
 
 
 def _reference(
-    table: dict[str, Any], segment: dict[str, Any], place: tuple[str | int, ...], key: str, kinds: str
-) -> Iterator[Rule]:
-    """One reference of a segment to the sections or liners."""
+    table: dict[str, Any], segment: dict[str, Any], location: tuple[str | int, ...], key: str, kinds: str
+) -> Iterator[Violation]:
+    """Check the names of sections, or of a liner, that a segment gives."""
     defined, named = table.get(kinds), segment.get(key)
     if not isinstance(defined, dict) or not defined:
         return
     known = ", ".join(defined)
     if named is None and len(defined) > 1:
-        yield Rule((*place, key), "is missing, and there are several", f"name one of {known}")
+        yield Violation((*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}")
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
             problem = f"names {name}, which is not defined in [{kinds}]"
-            yield Rule((*place, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
+            yield Violation((*location, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
 
 
-def downhill(table: dict[str, Any]) -> Iterator[Rule]:
-    """A straight floor does not rise."""
-    slope: Any = table.get("slope_deg")
-    # of NumPy's mixin is a number of which a function writes down what is done with it (chutecalc.api.tape)
-    number = isinstance(slope, int | float | np.lib.mixins.NDArrayOperatorsMixin | np.ndarray)
-    if table.get("kind") == "straight" and number and np.any(np.less(slope, 0.0)):
-        yield Rule(("slope_deg",), "has to be at least 0 on a floor", "change the value, or make it a curve")
+def placement(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield faults of a fall with ``onto_next`` without such a segment, and of drawn starts that miss or lack a fall.
 
-
-def placement(table: dict[str, Any]) -> Iterator[Rule]:
-    """A fall that goes onto the next segment, and where that segment is drawn from."""
+    Args:
+        table: the spec, with documented keys.
+    """
     segments = table.get("segments")
     listed = [
         segment if isinstance(segment, dict) else {} for segment in (segments if isinstance(segments, list) else [])
@@ -124,28 +137,31 @@ def placement(table: dict[str, Any]) -> Iterator[Rule]:
     for number, segment in enumerate(listed):
         before = listed[number - 1] if number else {}
         after = listed[number + 1] if number + 1 < len(listed) else {}
-        starts = [key for key in segment if str(key).startswith("start_")]
-        place = ("segments", number)
+        location, table_of = ("segments", number), _table_of(segment)
         if segment.get("onto_next") is True and not _guides(after):
-            yield Rule(
-                (*place, "onto_next"), "needs a segment after it that guides the stream", "add one, or give drop_m"
-            )
-        if before.get("onto_next") is True and _guides(segment):
-            if not starts:
-                yield Rule((*place, "start_m"), "is missing: the fall before it goes onto_next", "add start_m = [x, z]")
-            if segment.get("kind") in ("curve", "hood") and not any(
-                str(key).startswith("from_slope_") for key in segment
-            ):
-                yield Rule(
-                    (*place, "from_slope_deg"), "is missing: the fall before it goes onto_next", "add from_slope_deg"
-                )
-        elif starts:
-            remedy = "put a fall with onto_next = true before it, or remove it"
-            yield Rule((*place, starts[0]), "goes with a fall that goes onto_next", remedy)
+            problem = "needs a segment after it that guides the stream"
+            yield Violation((*location, "onto_next"), problem, "add one, or give drop_m instead")
+        if before.get("onto_next") is True and table_of is not None and table_of.guides:
+            for key, example in table_of.placed.items():
+                if not _given(segment, key):
+                    yield Violation((*location, key), "is missing, and needed after onto_next = true", f"add {example}")
+        elif starts := _given(segment, "start_m"):
+            remedy = "put a fall with onto_next = true before the segment, or remove this key"
+            yield Violation((*location, starts[0]), "is only for a segment after onto_next = true", remedy)
 
 
-def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
-    """What depends on the material's own strength needs that strength."""
+def _given(table: dict[str, Any], key: str) -> list[str]:
+    """Return the keys of a table that stand for a documented one, whatever unit they end in."""
+    stem, _, _ = key.rpartition("_")
+    return [str(given) for given in table if str(given).startswith(f"{stem}_")]
+
+
+def known_strength(table: dict[str, Any]) -> Iterator[Violation]:
+    """Yield faults of liners whose friction the material's own strength limits, if that is not known.
+
+    Args:
+        table: the spec, with documented keys.
+    """
     material, liners = table.get("material"), table.get("liners")
     if not isinstance(material, dict) or not isinstance(liners, dict):
         return
@@ -154,5 +170,5 @@ def known_strength(table: dict[str, Any]) -> Iterator[Rule]:
     for name, liner in liners.items():
         for key in liner if isinstance(liner, dict) else ():
             if key == "own_material" or str(key).startswith("yield_locus_"):
-                problem = "needs the material's effective angle of internal friction: no wall resists more than it does"
-                yield Rule(("liners", name, key), problem, "add material.internal_friction_deg")
+                problem = "needs the material's effective angle of internal friction, the upper limit of wall friction"
+                yield Violation(("liners", name, key), problem, "add material.internal_friction_deg")

@@ -1,15 +1,15 @@
-"""The spec as JSON Schema: pydantic's, with every key in each of its units."""
+"""The JSON Schema of a spec: pydantic's own, with every key in each of its units."""
 
 from typing import Any
 
 from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.table import Table
-from chutecalc.fields.units import twins
+from chutecalc.fields.units import unit_keys
 from chutecalc.spec.chute_spec import ChuteSpec
 
 
 def json_schema() -> dict[str, Any]:
-    """The JSON Schema of a chute spec; where a key has unit twins, exactly one of them is asked for."""
+    """Return the JSON Schema of a chute spec. Of the keys of a quantity in its units one at most may be given."""
     schema = ChuteSpec.model_json_schema()
     tables = {table.__name__: table for table in _all(Table)}
     for name, definition in schema["$defs"].items():
@@ -19,21 +19,21 @@ def json_schema() -> dict[str, Any]:
 
 
 def _all(table: type[Table]) -> list[type[Table]]:
-    """A table and all below it."""
+    """Return a table and all that derive from it."""
     return [table] + [item for child in table.__subclasses__() for item in _all(child)]
 
 
 def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> None:
-    """Puts the unit twins of every key beside it, with bounds in their units."""
+    """Put the keys in other units beside each key of a definition, with bounds in those units."""
     required = set(definition.get("required", []))
     choices: list[dict[str, Any]] = []
     for key, quantity in quantities.items():
         own = definition["properties"].pop(key)
         own.pop("default", None)
-        names = twins(key, quantity.dimension)
+        names = unit_keys(key, quantity.dimension)
         for name, unit in names.items():
-            kept = {item: own[item] for item in ("description", "title", "x-dimension") if item in own}
-            definition["properties"][name] = kept | quantity.json_type(unit)
+            shared = {item: own[item] for item in ("description", "title", "x-dimension") if item in own}
+            definition["properties"][name] = shared | quantity.json_type(unit)
         one = [{"required": [name]} for name in names]
         if key in required:
             required.discard(key)

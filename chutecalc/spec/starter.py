@@ -1,8 +1,14 @@
-"""The spec to start from."""
+"""The spec that ``chutecalc new`` writes: a chute that runs, and examples of what else a spec may say."""
 
-STARTER = """\
+from collections.abc import Mapping
+from string import Formatter
+
+from chutecalc.sections.registry import SHAPES
+from chutecalc.segments.registry import KINDS
+
+_CHUTE = """\
 # A chute for chutecalc. Run it:  chutecalc run chute.toml
-# A number's unit is the end of its key; radius_mm = 3000 or radius_ft = 9.84 would do as well.
+# The unit of a number is the end of its key: radius_mm = 3000 or radius_ft = 9.84 mean the same as radius_m = 3.0.
 format = 1
 title = "Fall and spoon, coal"
 
@@ -18,25 +24,61 @@ internal_friction_deg = 55      # effective angle of internal friction
 [liners.ceramic]
 friction_deg = 25               # wall friction angle
 
-[sections.body]
-shape = "chamfered"             # rectangular | chamfered | vee
-base_m = 0.5                    # flat floor between the chamfers
-chamfer_deg = 45
-# chamfer_m = 0.15              # length of a chamfer, vertical walls above it; without it the chamfer has no top
-# wall_height_m = 0.4           # above the floor; a deeper stream chokes the chute
+[sections.body]                 # {shapes}
+{chamfered}# wall_height_m = 0.4           # above the floor; a deeper stream chokes the chute
 
 [inlet]
 velocity_m_s = 0.0              # where the stream enters, along slope_deg below horizontal
-slope_deg = 90
+slope_deg = 90                  # 90 falls straight down
 
-[[segments]]                    # in the order in which the stream meets them
-kind = "fall"                   # fall | straight | curve | hood
-drop_m = 2.0
-
+[[segments]]                    # {kinds}, in the order in which the stream meets them
+{fall}
 [[segments]]
 name = "spoon"
-kind = "curve"                  # on a floor; one that steepens is a crest
-radius_m = 3.0
-to_slope_deg = 0                # turns from the slope before it to this one
+{curve}"""
+_FURTHER = """
+# What else a chute may have. Remove the # in front of what you need.
+
+# Other shapes of section. Where there are several, each segment names its own: section = "body"
+
+{sections}
+# Other kinds of segment, each to be put where the stream meets it:
+
+{segments}
+# The belt that the stream comes from, in place of velocity_m_s and slope_deg in [inlet]:
+
+# [inlet.belt]
+# velocity_m_s = 2.5
+# incline_deg = 8               # uphill
+# pulley_radius_m = 0.45
+# belt_thickness_m = 0.015
+# material_depth_m = 0.2        # of the stream on the belt; its middle is followed
+
+# The belt that the stream goes to:
+
+# [receiver]
+# velocity_m_s = 3.0
+# slope_deg = 0                 # downhill
+# friction_deg = 30             # of the material on the belt
 """
+_USED = {field for _, field, _, _ in Formatter().parse(_CHUTE)}
+
+
+def _commented(headers: str, examples: Mapping[str, str]) -> str:
+    """Return the examples that the chute does not use as TOML comments, each below its header."""
+    blocks = (headers.format(name) + text for name, text in examples.items() if name not in _USED)
+    return "\n".join("".join(f"# {line}\n" for line in block.splitlines()) for block in blocks)
+
+
+def _starter() -> str:
+    """Return the chute and the further examples as TOML text."""
+    sections = {shape: table.example for shape, table in SHAPES.items()}
+    segments = {kind: table.example for kind, table in KINDS.items()}
+    chute = _CHUTE.format(shapes=" | ".join(SHAPES), kinds=" | ".join(KINDS), **sections, **segments)
+    return chute + _FURTHER.format(
+        sections=_commented("[sections.{}]\n", sections), segments=_commented("[[segments]]\n", segments)
+    )
+
+
+STARTER = _starter()
 """TOML text of a fall into a chamfered spoon, with comments."""

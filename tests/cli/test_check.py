@@ -159,7 +159,7 @@ def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone
         for extremes in ("minimum", "maximum"):
             segment.get(extremes, {}).pop("depth_m", None)
     rewrite(document)
-    note = "not in the baseline, and not compared until --update adds it: depth_m"
+    note = "not compared, because the baseline does not have it until --update adds it: depth_m"
     assert outcome(capsys) == (0, "ok", [note])
     assert main(["check"]) == 0
     assert f"{note}: 1 design unchanged" in capsys.readouterr().out
@@ -184,8 +184,8 @@ def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_b
     _, drifts = regression.compare(was, now)
     found = {drift.column: drift for drift in drifts}
     assert found.keys() == {"incidence_deg", "velocity_m_s", "velocity_after_m_s"}
-    assert found["velocity_m_s"].place == regression.Place("inlet", 1, "")
-    assert found["incidence_deg"].place == found["velocity_after_m_s"].place == ("plate", 1, "impact")
+    assert found["velocity_m_s"].key == regression.RowKey("inlet", 1, "")
+    assert found["incidence_deg"].key == found["velocity_after_m_s"].key == ("plate", 1, "impact")
     struck = solution.segments[1].entry["s_m"][0]
     assert found["incidence_deg"].s_m == found["velocity_after_m_s"].s_m == struck
     assert found["velocity_after_m_s"].off == 1.0  # it came to be
@@ -201,7 +201,7 @@ def test_numbers_of_a_segment_that_only_one_has_are_not_listed_and_the_receivers
     was.receiver["velocity_ratio"] += 0.1
     changes, (drift,) = regression.compare(was, now)
     assert [change.message for change in changes] == [f"segment {gone.name} is not in the baseline"]
-    assert (drift.place, drift.column) == (("receiver", 1, ""), "velocity_ratio")
+    assert (drift.key, drift.column) == (("receiver", 1, ""), "velocity_ratio")
 
 
 def test_what_is_empty_or_minus_nothing_is_not_written(folder):
@@ -223,24 +223,27 @@ def test_a_removed_segment(folder, capsys):
     assert outcome(capsys) == (1, "changed", ["segment spoon is not in the baseline"])
     document["segments"] = [*kept, kept[1] | {"name": "apron"}]
     rewrite(document)
-    assert outcome(capsys) == (1, "changed", ["segment apron is gone"])
+    assert outcome(capsys) == (1, "changed", ["segment apron is in the baseline only"])
     assert main(["check", "spoon.toml", "--json", "-"]) == 1
     (change,) = json.loads(capsys.readouterr().out)["designs"][0]["changes"]
     assert change["segment"] == "apron"
     document["segments"] = [kept[0], kept[1] | {"kind": "straight"}]
     rewrite(document)
-    assert outcome(capsys) == (1, "changed", ["segment spoon is a curve, and was a straight"])
+    assert outcome(capsys) == (1, "changed", ["segment spoon is a curve; in the baseline it is a straight"])
     edit("spoon.toml", chutecalc.STARTER[chutecalc.STARTER.index('[[segments]]\nname = "spoon"') :], "")
     status, word, messages = outcome(capsys)
     assert (status, word) == (1, "edited")
-    assert "segment spoon is gone" in messages
+    assert "segment spoon is in the baseline only" in messages
 
 
 def test_another_end(folder, capsys):
     document = baseline()
     document["status"] = document["segments"][1]["status"] = "stall"
     rewrite(document)
-    messages = ["the design ends with ok, and did with stall", "segment spoon ends with ok, and did with stall"]
+    messages = [
+        "the status is ok; in the baseline it is stall",
+        "the status of segment spoon is ok; in the baseline it is stall",
+    ]
     assert outcome(capsys) == (1, "changed", messages)
 
 
@@ -250,13 +253,13 @@ def test_new_and_gone_findings(folder, capsys):
     rewrite(document)
     status, word, (new, gone) = outcome(capsys)
     assert (status, word) == (1, "changed")
-    assert new.startswith("finding new: warning below_cut_off in spoon: the spoon ends at 0°, flatter than")
-    assert gone == "finding gone: warning thick_stream in spoon"
+    assert new.startswith("new finding: warning below_cut_off in spoon: the spoon ends at 0°, flatter than")
+    assert gone == "finding in the baseline only: warning thick_stream in spoon"
 
 
 def test_a_baseline_of_another_version_is_noted_and_holds_where_the_numbers_do(folder, capsys):
     edit("spoon.baseline.toml", f'chutecalc = "{chutecalc.__version__}"', 'chutecalc = "0.0.1"')
-    note = f"the baseline is of chutecalc 0.0.1, this is {chutecalc.__version__}"
+    note = f"the baseline was written by chutecalc 0.0.1; this is {chutecalc.__version__}"
     assert outcome(capsys) == (0, "ok", [note])
     assert main(["check"]) == 0
     assert capsys.readouterr().out == f"{note}: 1 design unchanged\n1 design: 1 ok\n"
@@ -267,7 +270,7 @@ def test_a_baseline_of_another_version_is_noted_and_holds_where_the_numbers_do(f
 
 
 def test_a_changed_solver_tolerance_is_noted_and_counts_where_it_shows(folder, capsys):
-    note = "solved to an rtol of 0.001, the baseline to 1e-10"
+    note = "solved with rtol 0.001; the baseline with 1e-10"
     assert outcome(capsys, "--rtol", "1e-3") == (0, "ok", [note])
     spout = (ROOT / "specs" / "grain_spout.toml").read_text(encoding="utf-8")
     Path("spoon.toml").write_text(spout, encoding="utf-8")
@@ -280,7 +283,7 @@ def test_a_changed_solver_tolerance_is_noted_and_counts_where_it_shows(folder, c
 
 def test_no_baseline(folder, capsys):
     Path("spoon.baseline.toml").unlink()
-    message = "there is none to hold it to; chutecalc check --update spoon.toml writes it"
+    message = "there is none to compare with. Write it: chutecalc check --update spoon.toml"
     assert outcome(capsys) == (1, "no_baseline", [message])
     assert main(["check"]) == 1
     assert capsys.readouterr().out == f"spoon.toml: no baseline: {message}\n1 design: 1 no baseline\n"
@@ -290,14 +293,14 @@ def test_no_spec(folder, capsys):
     Path("spoon.toml").unlink()
     for arguments in ([], ["--update"], ["spoon.baseline.toml"]):
         assert main(["check", *arguments]) == 1
-        assert "spoon.baseline.toml: no spec: spoon.toml is gone" in capsys.readouterr().out
+        assert "spoon.baseline.toml: no spec: spoon.toml does not exist" in capsys.readouterr().out
     assert Path("spoon.baseline.toml").exists()
 
 
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("format = 1", "<<<<<<< HEAD", "spoon.baseline.toml:2: is not TOML"),
+        ("format = 1", "<<<<<<< HEAD", "spoon.baseline.toml:2: is not valid TOML"),
         ("format = 1", "format = 2", "spoon.baseline.toml:2: format = 2 has to be 1"),
         ("tolerance = 1e-09", "tolerance = 7", "tolerance = 7 has to be at least 1e-13 and at most 0.1"),
         ("velocity_m_s = 6.", 'velocity_m_s = "6"\n#', "has to be a number"),
@@ -310,7 +313,7 @@ def test_a_broken_baseline(folder, capsys, old, new, message):
     status, word, messages = outcome(capsys)
     assert (status, word) == (1, "broken_baseline")
     assert message in messages[0]
-    assert messages[-1] == "mend it, or write it anew with --update"
+    assert messages[-1] == "correct it, or write a new one with --update"
     assert main(["check", "--update"]) == 0
     assert outcome(capsys) == (0, "ok", [])
 

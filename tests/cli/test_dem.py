@@ -99,7 +99,7 @@ def test_beds_are_made_level(dem):
         ("crash", "Lost atoms"),
         ("kill", "killed by signal 9"),
         ("silent", "ended with status 0"),
-        ("short", "is the disk full?"),
+        ("short", "Is the disk full?"),
     ],
 )
 def test_a_case_that_is_lost(dem, wrong, words):
@@ -156,16 +156,16 @@ def test_the_section_of_a_chute(tmp_path, capsys, spec, segment, wall):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--beta", "0"], "--beta has to be from 1 to 90"),
-        (["--beta", "x"], "--beta: 'x' is no number: write some, as 30,45,60"),
-        (["--beta", "30:60:0.001"], "more than 1,000"),
+        (["--beta", "0"], "--beta must be from 1 to 90"),
+        (["--beta", "x"], "--beta: 'x' is not a number. Give numbers such as 30,45,60"),
+        (["--beta", "30:60:0.001"], "the limit is 1,000"),
         (["--pour", "drizzle"], "gentle, rain, freefall or all"),
         (["--area", "0.0001"], "too small"),
         (["--base", "0"], "no width"),
         (["--segment", "spoon"], "give the spec too"),
         (["specs/vee.toml", "--beta", "45"], "remove them"),
-        (["specs/ore_pass.toml"], "--segment has to name one of upper, kink, lower"),
-        (["specs/ore_pass.toml", "--segment", "kink"], "circular"),
+        (["specs/ore_pass.toml"], "has several segments. Use --segment with one of upper, kink, lower"),
+        (["specs/ore_pass.toml", "--segment", "kink"], "a curved wall"),
         (["specs/nothing.toml"], "nothing.toml"),
         (["--csv", "-", "--json", "-"], "only one output"),
         (["--write", "cases", "--csv", "-"], "--write runs nothing"),

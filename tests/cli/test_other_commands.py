@@ -1,6 +1,7 @@
 """``new``, ``schema``, ``columns``, ``--version``, ``--help``, ``python -m chutecalc``."""
 
 import json
+import re
 import subprocess
 import sys
 import tomllib
@@ -11,7 +12,10 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.core import compiled
+from chutecalc.design import Status
 from chutecalc.results.columns import COLUMNS
+from chutecalc.sections.registry import SHAPES
+from chutecalc.segments.registry import KINDS
 from tests.conftest import STANDARD_DESIGNS
 
 
@@ -23,11 +27,38 @@ def test_new_writes_a_spec_that_runs_and_never_overwrites(capsys, tmp_path, monk
     capsys.readouterr()
     (tmp_path / "chute.toml").write_text("mine", encoding="utf-8")
     assert main(["new"]) == 2
-    assert "chute.toml exists" in capsys.readouterr().err
+    assert "chute.toml already exists" in capsys.readouterr().err
     assert (tmp_path / "chute.toml").read_text(encoding="utf-8") == "mine"
     assert main(["new", "no/such/folder.toml"]) == 2
     assert main(["new", "-"]) == 0
     assert capsys.readouterr().out == chutecalc.STARTER
+
+
+def uncommented(text):
+    """The blocks of the starter's comments that are TOML, each with its header."""
+    blocks = re.findall(r"^# \[(?:.+\n)+", text, re.MULTILINE)
+    return [re.sub(r"^# ", "", block, flags=re.MULTILINE) for block in blocks]
+
+
+def test_the_starter_names_every_shape_and_kind_and_its_comments_are_toml():
+    assert " | ".join(SHAPES) in chutecalc.STARTER
+    assert " | ".join(KINDS) in chutecalc.STARTER
+    spec = tomllib.loads(chutecalc.STARTER)
+    blocks = [tomllib.loads(block) for block in uncommented(chutecalc.STARTER)]
+    shapes = [section["shape"] for one in (spec, *blocks) for section in one.get("sections", {}).values()]
+    assert sorted(shapes) == sorted(SHAPES)
+    kinds = [segment["kind"] for one in (spec, *blocks) for segment in one.get("segments", [])]
+    assert sorted(kinds) == sorted(KINDS)
+    for block in blocks:
+        further = {"segments": spec["segments"] + block.get("segments", [])}
+        assert chutecalc.solve(chutecalc.parse(spec | block | further)).status[0] in Status.LABELS
+    assert {"inlet", "receiver"} <= {key for block in blocks for key in block}
+
+
+def test_the_starter_runs_and_draws_the_warning_of_its_level_end_alone(capsys, tmp_path):
+    solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
+    assert solution.status.tolist() == ["ok"]
+    assert [finding.code for finding in solution.findings()] == ["below_cut_off"]
 
 
 def test_schema_accepts_every_standard_design_and_refuses_what_run_refuses(capsys):

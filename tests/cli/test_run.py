@@ -114,7 +114,7 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
     assert "segments.2.radius_m = 0" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
-    assert "There are 1, spoon" in capsys.readouterr().err
+    assert "(it has 2: 1, spoon)" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "nothing"]) == 2
     assert "PATH=VALUE" in capsys.readouterr().err
 
@@ -123,7 +123,7 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
 def test_what_is_no_table_holds_no_key(path, capsys, starter):
     assert main(["run", str(starter), "--set", f"{path}=1"]) == 2
     above = path.rpartition(".")[0]
-    fault = f"{path} = 1 leads nowhere: {above} is no table. Put a value at {above} itself."
+    fault = f"{path} = 1 does not exist: {above} is a value, not a table. Use the path {above}."
     assert capsys.readouterr().err == f"{starter}: {fault}\n"
 
 

@@ -143,7 +143,7 @@ def test_parallel_lists(capsys):
     assert [row["radius_m"] + row["friction_deg"] for row in rows] == ["1.025.0", "2.026.0", "3.027.0"]
     assert {row["rate_t_h"] for row in rows} == {"500.0"}
     said = refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
-    assert "one length, or single values: radius_m 3, friction_deg 2" in said
+    assert "equal length, or single values. Given: radius_m 3, friction_deg 2" in said
 
 
 @pytest.mark.parametrize("keep", ["width", "depth"])
@@ -275,7 +275,7 @@ def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, t
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
     said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
-    for words in ("radius_m = -1 to 3", "less than 90", "no unit that fits", "no spool", "There are"):
+    for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item spool"):
         assert words in said
 
 
@@ -283,25 +283,25 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     ("arguments", "words"),
     [
         (["radius", SPOON], "has no values"),
-        (["rad=1", SPOON], "rad is no short name (beta, delta, phi, rate, radius, base) and no path"),
-        (["base=1", VEE], "base: the spec has no base_m in its sections; choose another parameter"),
+        (["rad=1", SPOON], "rad is neither a short name (beta, delta, phi, rate, radius, base) nor a path"),
+        (["base=1", VEE], "base: the spec has no base_m in its sections. Use the path of another number"),
         (
             ["delta=30,40", BOTH],
-            "delta: K_v is given by material.pressure_ratio, whatever δ is: choose that, or remove",
+            "delta: material.pressure_ratio sets K_v, whatever δ is. Vary that, or remove",
         ),
-        (["delta_rad=0.5,0.6", BOTH], "K_v is given by material.pressure_ratio"),
-        (["radius=1,2", CURVES], "there are several, choose segments.1.radius_m or segments.last.radius_m"),
-        (["radius=a:b", SPOON], "no range"),
-        (["radius=1:2:0", SPOON], "never lead"),
-        (["radius=1:2:-1", SPOON], "never lead"),
-        (["radius=1:2:#0", SPOON], "no count"),
-        (["radius=nan", SPOON], "no number"),
-        (["radius=0:1e9:1e-9", SPOON], "more than"),
+        (["delta_rad=0.5,0.6", BOTH], "material.pressure_ratio sets K_v"),
+        (["radius=1,2", CURVES], "the spec has several. Use segments.1.radius_m or segments.last.radius_m"),
+        (["radius=a:b", SPOON], "is not a range"),
+        (["radius=1:2:0", SPOON], "does not lead"),
+        (["radius=1:2:-1", SPOON], "does not lead"),
+        (["radius=1:2:#0", SPOON], "is not a count"),
+        (["radius=nan", SPOON], "is not a number"),
+        (["radius=0:1e9:1e-9", SPOON], "the limit is 100,000,000"),
         (["radius=1", "radius=2", SPOON], "given twice"),
         (["radius=1", "segments.spoon.radius_mm=2", SPOON], "given twice"),
         (["segments.spoon.kind=1,2", SPOON], "segments.2.kind"),
         (["segments.1.onto_next=1,2", SPOON], "segments.1.onto_next"),
-        (["title=1,2", SPOON], "no short name"),
+        (["title=1,2", SPOON], "neither a short name"),
         (["material.name=1,2", SPOON], "material.name = 1 to 2 cannot be varied"),
         (["model.friction_law=1,2", SPOON], "model.friction_law"),
         ([SPOON], "nothing is varied"),
@@ -312,16 +312,16 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--area", "0.1"], "--area"),
         (["beta", SPOON, "--phi", "0"], "--phi belongs to the friction study"),
         (["beta", SPOON, "--base", "0"], "--base belongs to the friction study"),
-        (["beta", SPOON, "--keep", "width"], "--keep width needs sections.spoon.chamfer_m, the length of the chamfer"),
-        (["beta", VEE, "--keep", "depth"], "--keep depth does not go with sections.flanks: a vee has no base"),
-        (["radius=1,2", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
-        (["base=0.3,0.4", SPOON, "--keep", "width"], "while a chamfer angle varies: add beta=15:90:5"),
-        (["beta", SPOON, "--columns", "exit_velocity"], "did you mean exit_velocity_m_s"),
+        (["beta", SPOON, "--keep", "width"], "--keep width needs sections.spoon.chamfer_m. Add it to the spec"),
+        (["beta", VEE, "--keep", "depth"], "--keep depth cannot be used with sections.flanks: its shape is vee"),
+        (["radius=1,2", SPOON, "--keep", "width"], "while a chamfer angle varies. Add one, such as beta=15:90:5"),
+        (["base=0.3,0.4", SPOON, "--keep", "width"], "while a chamfer angle varies. Add one, such as beta=15:90:5"),
+        (["beta", SPOON, "--columns", "exit_velocity"], "Did you mean exit_velocity_m_s?"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
         (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
         (["beta", SPOON, "--top", "3", "--by", "status:max"], "numbers"),
-        (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top chooses among designs"),
-        (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "known are a station's columns"),
+        (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top selects designs"),
+        (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "Use the columns of a station"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
         (["beta", SPOON, "--resume"], "--resume continues a data file"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),

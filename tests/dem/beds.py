@@ -44,16 +44,16 @@ def points(case, tilt=0.0, seed=5):
     return found[: case.count]
 
 
-def bed(case, vertical_ratio=0.2, law="equilibrium", tilt=0.0, noise=0.0, motion=0.0):
+def bed(case, vertical_ratio=0.2, law="equilibrium", tilt=0.0, noise=0.0, kinetic_energy=0.0):
     """A bed whose walls carry what a law says at the area that the bed shows.
 
     ``noise`` is a share by which the left walls carry more than the right ones.
     """
-    places = points(case, tilt)
-    empty = Bed(case, np.zeros((len(case.trough.walls), 2)), motion, places)
+    positions = points(case, tilt)
+    empty = Bed(case, np.zeros((len(case.trough.walls), 2)), kinetic_energy, positions)
     loads = case.trough.load(empty.area, vertical_ratio, law).walls
     forces = [
         loads[wall.name] * empty.weight * (1.0 - noise * wall.side) * np.array(wall.normal)
         for wall in case.trough.walls
     ]
-    return Bed(case, np.array(forces), motion, places)
+    return Bed(case, np.array(forces), kinetic_energy, positions)

@@ -39,7 +39,7 @@ def main():
             Path("walls.txt").write_text("0.0 0.0", encoding="utf-8")
             sys.exit(0)
     made = bed(case, tilt=case.spread - 0.2 if wrong == "tilt" else 0.0)
-    rows = "".join(f"{number} {x} {y} {z}\n" for number, (x, y, z) in enumerate(made.places, 1))
+    rows = "".join(f"{number} {x} {y} {z}\n" for number, (x, y, z) in enumerate(made.positions, 1))
     Path("bed.dump").write_text(HEADER + rows, encoding="utf-8")
     Path("walls.txt").write_text(" ".join(map(str, [0.0, *made.forces.ravel()])) + "\n", encoding="utf-8")
 

@@ -34,10 +34,10 @@ def test_area_and_solid_fraction_of_an_even_bed(one):
 def test_pressure_ratios_are_those_that_made_the_forces(one):
     """Exactly: the forces were made for the area that the bed shows. Here by the law without its missing load."""
     made = bed(one, vertical_ratio=0.25)
-    missing = one.trough.load(made.area, 0.25, "equilibrium").missing
+    missing_load = one.trough.load(made.area, 0.25, "equilibrium").missing_load
     for wall in one.trough.walls:
         ratio = math.cos(wall.inclination) ** 2 + 0.25 * math.sin(wall.inclination) ** 2
-        assert made.pressure_ratios[wall.name] == pytest.approx(ratio / (1.0 - missing), rel=1e-12)
+        assert made.pressure_ratios[wall.name] == pytest.approx(ratio / (1.0 - missing_load), rel=1e-12)
     assert not {check.name for check in made.failed} - {"level"}
 
 
@@ -63,12 +63,12 @@ def test_each_check_fails_where_it_should():
     one = case()
     good = bed(one)
     assert good.failed == ()
-    lifted = Bed(one, good.forces * (1.0 + 2.0 * BALANCE), 0.0, good.places)
+    lifted = Bed(one, good.forces * (1.0 + 2.0 * BALANCE), kinetic_energy=0.0, positions=good.positions)
     assert [check.name for check in lifted.failed] == ["balance"]
     assert "sides" in {check.name for check in bed(one, noise=0.02).failed}
-    moving = Bed(one, good.forces, 2e-7 * one.mass * one.pull * one.diameter, good.places)
+    moving = Bed(one, good.forces, 2e-7 * one.mass * one.acceleration * one.diameter, positions=good.positions)
     assert [check.name for check in moving.failed] == ["rest"]
-    broken = Bed(one, good.forces * np.nan, 0.0, good.places)
+    broken = Bed(one, good.forces * np.nan, kinetic_energy=0.0, positions=good.positions)
     assert {"balance", "sides"} <= {check.name for check in broken.failed}
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from chutecalc.dem.campaign import AIM, Campaign, Group
+from chutecalc.dem.campaign import LEVEL_ENOUGH, Campaign, Group
 from chutecalc.dem.engine import RunError
 from chutecalc.dem.store import Store
 from tests.dem.beds import bed, case
@@ -28,20 +28,20 @@ class Engine:
     def learn(self, one):
         self.cases[one.name] = one
 
-    def run(self, place):
-        one = self.cases[place.name]
+    def run(self, folder):
+        one = self.cases[folder.name]
         if one.seed in self.fails:
             raise RunError("lost")
         made = bed(one, tilt=0.5 * (one.spread - 0.3))
-        rows = np.column_stack([np.arange(one.count), made.places])
-        np.savetxt(place / "bed.dump", rows, header="\n" * 8, comments="")
-        (place / "walls.txt").write_text(" ".join(map(str, [0.0, *made.forces.ravel()])))
+        rows = np.column_stack([np.arange(one.count), made.positions])
+        np.savetxt(folder / "bed.dump", rows, header="\n" * 8, comments="")
+        (folder / "walls.txt").write_text(" ".join(map(str, [0.0, *made.forces.ravel()])))
 
     def stop(self):
         self.stopped = True
 
 
-class Kept(Store):
+class RecordingStore(Store):
     """A store that tells the engine what a folder is."""
 
     engine: Engine
@@ -53,9 +53,9 @@ class Kept(Store):
 
 
 @pytest.fixture
-def campaign(tmp_path):
+def make_campaign(tmp_path):
     def make(seeds=3, fails=()):
-        store = Kept(tmp_path)
+        store = RecordingStore(tmp_path)
         store.engine = Engine(store, fails)
         return Campaign([Group(SMALL, seeds)], store), store
 
@@ -63,84 +63,84 @@ def campaign(tmp_path):
 
 
 def run(campaign, store, jobs=1):
-    told = []
-    campaign.run(store.engine, jobs, lambda *numbers: told.append(numbers))
-    return told
+    reports = []
+    campaign.run(store.engine, jobs, lambda *numbers: reports.append(numbers))
+    return reports
 
 
-def test_the_pour_is_made_level_before_the_other_seeds_are_poured(campaign):
-    wanted, store = campaign()
-    told = run(wanted, store)
-    outcome = wanted.outcome(wanted.groups[0])
+def test_the_pour_is_made_level_before_the_other_seeds_are_poured(make_campaign):
+    campaign, store = make_campaign()
+    reports = run(campaign, store)
+    outcome = campaign.outcome(campaign.groups[0])
     assert [made.case.seed for made in outcome.beds] == [1, 2, 3]
     assert len({made.case.spread for made in outcome.beds}) == 1
-    assert abs(outcome.beds[0].unevenness) <= AIM
+    assert abs(outcome.beds[0].unevenness) <= LEVEL_ENOUGH
     assert [one.seed for one in store.written][-2:] == [2, 3]
     assert {one.seed for one in store.written[:-2]} == {1}
     assert outcome.needed == outcome.errors == ()
-    assert told[-1][0] == told[-1][1] == len(store.written)
-    assert all(done <= total for done, total in told)
+    assert reports[-1][0] == reports[-1][1] == len(store.written)
+    assert all(done <= total for done, total in reports)
 
 
-def test_a_second_call_runs_nothing_again(campaign):
-    run(*campaign())
-    again, store = campaign()
+def test_a_second_call_runs_nothing_again(make_campaign):
+    run(*make_campaign())
+    again, store = make_campaign()
     assert run(again, store) == [(0, 0)]
     assert len(again.outcome(again.groups[0]).beds) == 3
-    more, store = campaign(seeds=4)
+    more, store = make_campaign(seeds=4)
     run(more, store)
     assert [one.seed for one in store.written] == [4]
 
 
-def test_a_case_half_written_is_run_again(campaign):
-    first, store = campaign()
+def test_a_case_half_written_is_run_again(make_campaign):
+    first, store = make_campaign()
     run(first, store)
     lost = first.outcome(first.groups[0]).beds[1].case
-    walls = store.place(lost) / "walls.txt"
+    walls = store.case_folder(lost) / "walls.txt"
     walls.write_text(walls.read_text()[:10])
-    again, store = campaign()
+    again, store = make_campaign()
     run(again, store)
     assert store.written == [lost]
 
 
-def test_a_lost_case_loses_only_itself(campaign):
-    wanted, store = campaign(fails=(2,))
-    run(wanted, store, jobs=2)
-    outcome = wanted.outcome(wanted.groups[0])
+def test_a_lost_case_loses_only_itself(make_campaign):
+    campaign, store = make_campaign(fails=(2,))
+    run(campaign, store, jobs=2)
+    outcome = campaign.outcome(campaign.groups[0])
     assert [made.case.seed for made in outcome.beds] == [1, 3]
     assert len(outcome.errors) == 1
     assert "lost" in outcome.errors[0]
-    whole, store = campaign()  # a second call tries it again
+    whole, store = make_campaign()  # a second call tries it again
     run(whole, store)
     assert [one.seed for one in store.written] == [2]
 
 
-def test_a_lost_first_case_stops_its_group(campaign):
-    wanted, store = campaign(fails=(1,))
-    run(wanted, store)
-    outcome = wanted.outcome(wanted.groups[0])
+def test_a_lost_first_case_stops_its_group(make_campaign):
+    campaign, store = make_campaign(fails=(1,))
+    run(campaign, store)
+    outcome = campaign.outcome(campaign.groups[0])
     assert outcome.beds == outcome.needed == ()
     assert len(outcome.errors) == 1
 
 
-def test_writing_goes_round_by_round(campaign):
-    wanted, store = campaign()
-    (first,) = wanted.write()
+def test_writing_goes_round_by_round(make_campaign):
+    campaign, store = make_campaign()
+    (first,) = campaign.write()
     assert first == SMALL
-    assert {path.name for path in store.place(first).iterdir()} == {"case.json", "particles.data", "in.lammps"}
-    store.engine.run(store.place(first))
-    again, store = campaign()
+    assert {path.name for path in store.case_folder(first).iterdir()} == {"case.json", "particles.data", "in.lammps"}
+    store.engine.run(store.case_folder(first))
+    again, store = make_campaign()
     (second,) = again.write()
     assert second.spread > 0.0
     assert second.seed == 1
 
 
-def test_an_interruption_ends_what_runs(campaign):
-    wanted, store = campaign()
+def test_an_interruption_ends_what_runs(make_campaign):
+    campaign, store = make_campaign()
 
     def interrupt(done, total):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        wanted.run(store.engine, 1, interrupt)
+        campaign.run(store.engine, 1, interrupt)
     assert store.engine.stopped

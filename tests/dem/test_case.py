@@ -1,4 +1,4 @@
-"""A case's particles and contacts, their places before the pour, and the script for LAMMPS."""
+"""A case's particles and contacts, their positions before the pour, and the script for LAMMPS."""
 
 from dataclasses import replace
 
@@ -58,16 +58,16 @@ def test_every_change_is_another_folder():
 
 @pytest.mark.parametrize("one", [SMALL, TOPPED, VEE, case(base=0.2, lengths=(), inclinations=(), area=0.01)])
 def test_no_particle_hangs_in_another_or_in_a_wall(one):
-    places = column(one)
-    assert places.shape == (one.count, 3)
-    apart = np.abs(places[:, None] - places[None])
+    positions = column(one)
+    assert positions.shape == (one.count, 3)
+    apart = np.abs(positions[:, None] - positions[None])
     apart[..., 1] = np.minimum(apart[..., 1], one.slice - apart[..., 1])
     distance = np.sqrt(np.square(apart).sum(axis=-1)) + np.eye(one.count)
     assert distance.min() >= one.diameter * (1 - 1e-12)
     for wall in one.trough.walls:
-        clearance = (places[:, [0, 2]] - wall.foot) @ np.array(wall.normal)
+        clearance = (positions[:, [0, 2]] - wall.foot) @ np.array(wall.normal)
         assert clearance.min() >= 0.5 * one.diameter * (1 - 1e-12)
-    assert (np.diff(places[:, 2]) > 0.0).all()
+    assert (np.diff(positions[:, 2]) > 0.0).all()
 
 
 def test_the_same_seed_pours_the_same():
@@ -85,7 +85,7 @@ def test_spread_moves_the_rain_outwards(spread):
 
 
 def test_a_column_with_spread_is_denser_outside():
-    """Less than its density says: where it is crowded more places are taken."""
+    """Less than its density says: where it is crowded more positions are taken."""
     means = [
         np.abs(column(case(lengths=(), inclinations=(), spread=spread))[:, 0]).mean() for spread in (-0.5, 0.0, 0.5)
     ]
@@ -107,18 +107,18 @@ def test_a_bed_of_a_few_particles_is_refused(changes):
 
 
 def test_particles_are_written_as_lammps_reads_them():
-    places = column(SMALL)
-    head, _, rows = script.particles_text(SMALL, places).partition("Atoms # sphere\n\n")
+    positions = column(SMALL)
+    head, _, rows = script.particles_text(SMALL, positions).partition("Atoms # sphere\n\n")
     assert f"{SMALL.count} atoms\n1 atom types\n" in head
     read = np.array([row.split() for row in rows.splitlines()], dtype=float)
-    assert np.allclose(read[:, 4:], places, rtol=1e-8, atol=1e-9)
+    assert np.allclose(read[:, 4:], positions, rtol=1e-8, atol=1e-9)
     assert (read[:, 2] == SMALL.diameter).all()
     assert (read[:, 3] == DENSITY).all()
     bounds = {
         line.split()[2]: [float(word) for word in line.split()[:2]] for line in head.splitlines() if "lo " in line
     }
     assert bounds["ylo"] == [0.0, SMALL.slice]
-    assert bounds["zlo"][0] < 0.0 < places[-1, 2] < bounds["zlo"][1]
+    assert bounds["zlo"][0] < 0.0 < positions[-1, 2] < bounds["zlo"][1]
 
 
 def test_each_wall_is_a_plane_of_its_own_without_friction():

@@ -7,9 +7,9 @@ import pytest
 
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.campaign import Group, Outcome
+from chutecalc.dem.request import PourPlan, groups, numbers, paper_beds, pours
 from chutecalc.dem.store import Store
 from chutecalc.dem.study import Study, fit, measured
-from chutecalc.dem.wanted import Wanted, groups, numbers, paper_beds, pours
 from chutecalc.errors import UsageError
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from tests.dem.beds import bed, case
@@ -63,7 +63,7 @@ def test_a_vee_tells_nothing_of_internal_friction():
 
 def test_what_fails_is_never_averaged_in():
     good, bad = slope(45, 1), slope(45, 2)
-    bad = Bed(bad.case, 1.01 * bad.forces, bad.motion, bad.places)
+    bad = Bed(bad.case, 1.01 * bad.forces, bad.kinetic_energy, bad.positions)
     study = Study(Beds([good, bad]), 0.4)
     (point,) = study.points
     assert point.ratio.mean == good.ratio
@@ -98,7 +98,15 @@ def test_pours_and_troughs_that_cannot_be():
 
 
 def test_every_combination_is_a_group():
-    wanted = Wanted([0.75, 0.9], ["rain", "gentle"], 3, [1.0, 3.0], 0.0, 0.01, 0.05)
-    made = groups(paper_beds("30,60", None, None, "0.04,0.05", None, 25.0), wanted)
+    plan = PourPlan(
+        frictions=[0.75, 0.9],
+        pours=["rain", "gentle"],
+        seeds=3,
+        body_forces=[1.0, 3.0],
+        raised_to=0.0,
+        diameter=0.01,
+        slice=0.05,
+    )
+    made = groups(paper_beds(beta="30,60", base=None, chamfer=None, area="0.04,0.05", delta=None, phi=25.0), plan)
     assert len({group.case.name for group in made}) == 2 * 2 * 2 * 2 * 2
     assert {group.seeds for group in made} == {3}

@@ -152,18 +152,20 @@ def test_readmes_test_command_is_found():
     assert (status, message) == (0, "")
     assert command.count("\n") == 1
     assert command.endswith("pytest -n auto\n")
-    assert "$(python3 .ci/test_command.py README.md)" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    sessions = (ROOT / "noxfile.py").read_text(encoding="utf-8")
+    assert '"python3", ".ci/test_command.py", "README.md"' in sessions
+    assert re.search(r"/bin/nox\"", (ROOT / ".ci" / "run").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize(("copies", "found"), [(0, "there is none"), (2, "there are 2")])
-def test_a_readme_without_one_test_command_is_told_of(copies, found, tmp_path):
+@pytest.mark.parametrize("copies", [0, 2])
+def test_a_readme_without_one_test_command_is_refused(copies, tmp_path):
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     line = command_in(ROOT / "README.md")[1]
     readme = tmp_path / "README.md"
     readme.write_text(text.replace(line, line * copies), encoding="utf-8")
     status, command, message = command_in(readme)
     assert (status, command) == (1, "")
-    assert message.endswith(f"has to have exactly one test command, a line with '.[test,dem]': {found}\n")
+    assert message.endswith(f"needs exactly one test command, a line with '.[test,dem]', and has {copies}\n")
 
 
 def test_the_page_tells_of_every_folder_and_links_lead_somewhere():

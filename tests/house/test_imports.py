@@ -12,6 +12,8 @@ LEVELS = [
     {"errors", "runtime", "core"},
     {"physics"},
     {"design", "fields"},
+    {"sections"},
+    {"segments"},
     {"spec", "solver"},
     {"results"},
     {"api"},

@@ -4,6 +4,8 @@ import re
 
 from chutecalc.fields.table import Table
 from chutecalc.results.columns import COLUMNS, RECEIVER_COLUMNS
+from chutecalc.sections.registry import SHAPES
+from chutecalc.segments.registry import KINDS
 from chutecalc.spec import chute_spec as model
 from tests.nomenclature import PAGE, renewed
 
@@ -22,7 +24,9 @@ def test_every_column_and_every_symbol_stands_there():
 
 
 def test_every_key_of_a_table_stands_there():
-    tables = [item for item in vars(model).values() if isinstance(item, type) and issubclass(item, Table)]
+    every = vars(model).values()
+    tables = [item for item in (*every, *SHAPES.values(), *KINDS.values()) if isinstance(item, type)]
+    tables = [item for item in tables if issubclass(item, Table)]
     keys = {key for table in tables for key in table.model_fields} - {"kind", "shape"}
     assert len(keys) > 30
     assert [key for key in sorted(keys) if f"`{key}`" not in TEXT] == []

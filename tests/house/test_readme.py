@@ -1,76 +1,86 @@
-"""What README.md shows is what happens."""
+"""What README.md and the pages in docs show is what happens."""
 
-import contextlib
 import inspect
-import io
 import os
 import re
-import shlex
+import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
 import chutecalc
-from chutecalc.cli import main
+import chutecalc.errors
 from chutecalc.results.findings import failures, warnings
+from tests.house.test_imports import LEVEL
+from tests.pages import PAGES, ROOT, blocks, console, program, spec, workplace
 
-ROOT = Path(__file__).parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+FINDINGS = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
+LINKING = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), ROOT / "specs" / "README.md"])
 
 
-def blocks(language):
-    return re.findall(rf"^```{language}\n(.*?)^```$", README, re.DOTALL | re.MULTILINE)
+def each(language):
+    """The blocks of all pages in a language, with names to tell them by."""
+    found = [(page, number, block) for page in PAGES for number, block in enumerate(blocks(page, language), 1)]
+    return [pytest.param(page, block, id=f"{page.stem}-{number}") for page, number, block in found]
 
 
-@pytest.mark.parametrize("block", blocks("console"))
-def test_commands_print_what_is_shown(block, capsys, monkeypatch):
-    monkeypatch.chdir(ROOT)
-    command, _, shown = block.partition("\n")
-    assert command.startswith("$ chutecalc ")
-    assert main(shlex.split(command)[2:]) == 0
-    printed = capsys.readouterr().out
-    assert shown
-    assert printed.startswith(shown.rstrip("\n")) if "--csv -" in command else printed.rstrip() == shown.rstrip()
+@pytest.fixture(autouse=True)
+def elsewhere():
+    with workplace():
+        yield
 
 
-def test_specs_are_specs():
-    assert blocks("toml")
-    for block in blocks("toml"):
-        assert chutecalc.solve(chutecalc.parse(block)).status[0] == "ok"
+@pytest.mark.parametrize(("page", "block"), each("console"))
+def test_commands_print_what_is_shown(page, block):
+    commands = re.findall(r"^\$ (.*)$", block.text, re.MULTILINE)
+    assert all(command.startswith("chutecalc ") or command == "echo $?" for command in commands)
+    shown = console(block.text)
+    assert shown == block.text, f"{page.name}: python -m tests.pages writes its examples anew"
 
 
-def test_python_prints_what_is_shown(monkeypatch):
-    monkeypatch.chdir(ROOT)
-    first, *further = blocks("python")
-    (shown,) = blocks("text")
-    names = {}
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed):
-        exec(compile(first, "README.md", "exec"), names)
-    assert printed.getvalue() == shown
-    for program in further:
-        exec(compile(program, "README.md", "exec"), names)
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=lambda page: page.stem)
+def test_programs_print_what_is_shown(page):
+    names = {"__name__": "page"}
+    for block in blocks(page, "python"):
+        assert program(block.text, names) == (block.printed or ""), block.text
 
 
-def test_start_commands_name_files_that_exist():
-    for block in blocks("sh"):
-        for name in re.findall(r"specs/\S+\.toml", block):
-            assert (ROOT / name).is_file()
+@pytest.mark.parametrize(("page", "block"), each("toml"))
+def test_specs_are_specs(page, block):
+    data = spec(block.text, blocks(page, "toml")[0].text)
+    assert chutecalc.solve(chutecalc.parse(data)).status[0] == "ok"
+
+
+def test_other_commands_name_files_that_exist():
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        for block in re.findall(r"^```sh\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
+            for name in re.findall(r"specs/\S+\.toml", block):
+                assert (ROOT / name).is_file(), name
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="programs are elsewhere in a venv there")
 def test_the_lines_for_a_ci_job_pass_and_fail(tmp_path):
-    (lines,) = (block for block in blocks("sh") if "chutecalc check" in block)
+    page = (ROOT / "docs" / "checks.md").read_text(encoding="utf-8")
+    (lines,) = re.findall(r"^```sh\n(.*?)^```$", page, re.DOTALL | re.MULTILINE)
     assert lines.count("\n") == 3
     for name in ("vee.toml", "vee.baseline.toml", "fails/stall.toml", "fails/stall.baseline.toml"):
         target = tmp_path / "specs" / name
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes((ROOT / "specs" / name).read_bytes())
 
+    source = tmp_path / "source"  # uncompiled: the session `package` of noxfile.py compiles one
+    shutil.copytree(ROOT / "chutecalc", source / "chutecalc", ignore=shutil.ignore_patterns("*.so", "*.pyd"))
+    for name in ("pyproject.toml", "setup.py", "compiling.py", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, source / name)
+
     def job(script):
-        options = {"cwd": tmp_path, "env": os.environ | {"CHUTECALC": str(ROOT)}}
+        options = {
+            "cwd": tmp_path,
+            "env": os.environ | {"CHUTECALC": str(source), "CHUTECALC_COMPILE": "0", "PIP_NO_COMPILE": "1"},
+        }
         return subprocess.run(["bash", "-euo", "pipefail", "-c", script], capture_output=True, text=True, **options)
 
     first = job(lines)
@@ -85,9 +95,30 @@ def test_the_lines_for_a_ci_job_pass_and_fail(tmp_path):
     assert again.stdout.startswith("specs/vee.toml: edited (tolerance 1e-09)\n")
 
 
-def test_links_lead_somewhere():
-    for target in re.findall(r"\]\((?!http)([^)#]+)\)", README):
-        assert (ROOT / target).exists(), target
+def anchors(page):
+    titles = re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("page", LINKING, ids=lambda page: f"{page.parent.name}-{page.stem}")
+def test_links_lead_somewhere(page):
+    text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    for target, _, anchor in (link.partition("#") for link in re.findall(r"\]\((?!https?:)([^)\s]+)\)", text)):
+        file = page.parent / target if target else page
+        assert file.exists(), target
+        assert not anchor or anchor in anchors(file), f"{target}#{anchor}"
+
+
+def test_every_page_and_picture_is_linked():
+    index = re.findall(r"\]\(([^)#]+)", (ROOT / "docs" / "README.md").read_text(encoding="utf-8"))
+    assert {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"} <= set(index)
+    shown = {
+        (page.parent / target).resolve()
+        for page in LINKING
+        for target in re.findall(r"!\[[^]]*\]\(([^)]+)\)", page.read_text(encoding="utf-8"))
+    }
+    for folder in ("figures", "benchmarks", "dem"):
+        assert {path.resolve() for path in (ROOT / "docs" / folder).glob("*.svg")} <= shown
 
 
 def finding_codes():
@@ -101,10 +132,31 @@ def finding_codes():
     return criteria - {"fallen_short"}
 
 
-def test_every_finding_is_told_of():
-    table = re.findall(r"^\| `([a-z_]+)` \| (?:failure|warning|note)", README, re.MULTILINE)
+def test_every_finding_is_described():
+    table = re.findall(r"^\| \[`([a-z_]+)`\]\(#[a-z_]+\) \| (?:failure|warning|note)", FINDINGS, re.MULTILINE)
+    sections = re.findall(r"^### ([a-z_]+)$", FINDINGS, re.MULTILINE)
     assert len(table) == len(set(table))
+    assert table == sections
     assert finding_codes() == set(table)
+
+
+def test_every_exit_status_is_described():
+    page = (ROOT / "docs" / "running.md").read_text(encoding="utf-8")
+    table = page[page.index("| status | meaning |") :].split("\n\n")[0]
+    statuses = [int(number) for number in re.findall(r"^\| (\d+) \|", table, re.MULTILINE)]
+    assert statuses == [int(status) for status in chutecalc.errors.ExitStatus]
+
+
+def test_architecture_lists_every_room():
+    rooms = re.findall(
+        r"^\| \d+ \| `([a-z]+)(?:/|\.py)` \|", (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"), re.M
+    )
+    assert len(rooms) == len(set(rooms))
+    assert set(rooms) >= LEVEL.keys()
+
+
+def test_readme_is_short():
+    assert len(README.splitlines()) < 130
 
 
 def test_every_version_is_the_same():

@@ -8,7 +8,8 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.design import Status
-from chutecalc.spec.rules import GUIDED
+from chutecalc.sections.registry import SHAPES
+from chutecalc.segments.registry import KINDS
 from tests.conftest import ROOT, STANDARD_DESIGNS
 from tests.house.test_readme import finding_codes
 
@@ -30,12 +31,12 @@ def test_each_has_a_title_and_a_comment_on_what_it_shows(path):
 def test_every_key_of_a_liner_every_segment_section_inlet_and_law_is_in_one():
     tables = TABLES.values()
     segments = [segment for table in tables for segment in table["segments"]]
-    assert {segment["kind"] for segment in segments} == {*GUIDED, "fall"}
+    assert {segment["kind"] for segment in segments} == KINDS.keys()
     ways = {key.rsplit("_", 1)[0] for segment in segments for key in segment}
     assert {"drop", "run", "length", "onto", "start", "from_slope"} <= ways
     assert any(isinstance(segment.get("section"), list) for segment in segments)
     shapes = {section["shape"] for table in tables for section in table["sections"].values()}
-    assert shapes == {"rectangular", "chamfered", "vee", "circular", "facets"}
+    assert shapes == SHAPES.keys()
     liners = {key.rsplit("_", 1)[0] for table in tables for liner in table["liners"].values() for key in liner}
     assert liners == {"friction", "yield_locus", "own", "slip"}
     assert {"belt" in table["inlet"] for table in tables} == {True, False}

@@ -41,6 +41,19 @@ class Flow(NamedTuple):
         return Flow(*(field[rows] for field in self))
 
 
+class Ended(NamedTuple):
+    """Where each stream ends; arrays of shape (n,)."""
+
+    status: np.ndarray
+    """-1 where the solver gave up."""
+    share: np.ndarray
+    """Of its segment's length."""
+    velocity: np.ndarray
+
+    def some(self, rows):
+        return Ended(*(field[rows] for field in self))
+
+
 def real(flow):
     """The same in 80 bits, each number worked out from the double that chutecalc is given."""
     return Flow(*(np.asarray(field).astype(Real) for field in flow))
@@ -92,7 +105,7 @@ def step(flow, c, r, h):
 
 
 def solve(flow):
-    """Status, place c and velocity where each stream ends."""
+    """Where each stream ends."""
     flow = real(flow)
     n = len(flow.velocity)
     c, r = np.zeros(n, Real), np.sqrt(flow.velocity)
@@ -118,7 +131,7 @@ def solve(flow):
             growth = np.clip((TOLERANCE * 5 / np.maximum(error, Real(1e-30))) ** (Real(1) / (2 * ORDER - 1)), 0.1, 3)
             growth = np.where(np.isfinite(growth), growth, Real(0.1))
             h[rows] *= np.where(dips, np.minimum(growth, Real(0.5)), growth)
-    return status, c, r**2
+    return Ended(status, share=c, velocity=r**2)
 
 
 def dipping(flow, start, end, h):

@@ -58,11 +58,23 @@ def slowly(design, kind, numbers):
     mu, width = np.tan(np.radians(numbers["liners.wall.friction_deg"].astype(Real))), Real(0.6)
 
     def slide(velocity, slope, turn, length):
-        fields = (gravity, 1.0, slope, turn, length, flow, width, np.pi / 2, np.sin(np.radians(45.0)), mu, 0.0)
-        fields = (np.asarray(field).astype(Real) * one for field in fields)
         moving = velocity > 0
-        status, _, ended = extrapolation.solve(Flow(*fields, np.where(moving, velocity, Real(1))))
-        return np.where(moving & (status == extrapolation.OK), ended, np.nan)
+        fields = Flow(
+            gravity=gravity,
+            side=1.0,
+            slope=slope,
+            turn=turn,
+            length=length,
+            rate=flow,
+            base=width,
+            chamfer=np.pi / 2,
+            sine=np.sin(np.radians(45.0)),
+            friction=mu,
+            equilibrium=0.0,
+            velocity=np.where(moving, velocity, Real(1)),
+        )
+        ended = extrapolation.solve(Flow(*(np.asarray(field).astype(Real) * one for field in fields)))
+        return np.where(moving & (ended.status == extrapolation.OK), ended.velocity, np.nan)
 
     def fly(velocity, slope, measure):
         u, w = velocity * np.cos(slope), velocity * np.sin(slope)

@@ -52,16 +52,21 @@ def tapers(shape, kind, seed=3):
     return chutecalc.parse(spec), changes
 
 
+def first_leg(design, rtol, complete=True):
+    legs, _ = run_chain(design, rtol, complete)
+    return legs[0]
+
+
 @pytest.mark.parametrize("kind", ["crest", "spoon"])
 @pytest.mark.parametrize("shape", list(SECTIONS))
 def test_errors_along_a_taper_are_within_their_estimates(shape, kind):
     base, changes = tapers(shape, kind)
     design = base.vary(changes).design
-    known = run_chain(design, 1e-13)[0][0]
+    known = first_leg(design, 1e-13)
     right = known.exit
     for rtol in (1e-6, 1e-10):
         for complete in (False, True):
-            leg = run_chain(design, rtol, complete)[0][0]
+            leg = first_leg(design, rtol, complete)
             end = leg.exit
             assert (leg.status == known.status).all()
             ran = leg.status == Status.OK
@@ -82,7 +87,7 @@ def test_a_pipe_that_narrows_until_the_stream_nearly_fills_it_tells_its_error(rt
             "segments": [ARC | {"radius_m": 9.01, "from_slope_deg": -1.98, "to_slope_deg": 18.5}],
         }
     ).design
-    right, end = (run_chain(narrow, tolerance, False)[0][0].exit for tolerance in (1e-13, rtol))
+    right, end = (first_leg(narrow, tolerance, complete=False).exit for tolerance in (1e-13, rtol))
     assert abs(end.velocity[0] / right.velocity[0] - 1.0) <= end.error[0] + right.error[0] + ROUNDING
 
 
@@ -90,10 +95,10 @@ def test_a_pipe_that_narrows_until_the_stream_nearly_fills_it_tells_its_error(rt
 @pytest.mark.parametrize("shape", list(SECTIONS))
 def test_digits_along_a_taper_do_not_depend_on_the_batch(shape, kind):
     base, changes = tapers(shape, kind)
-    together = run_chain(base.vary(changes).design, 1e-12)[0][0]
+    together = first_leg(base.vary(changes).design, 1e-12)
     for k in range(COUNT):
         one = base.vary({path: values[k : k + 1] for path, values in changes.items()})
-        alone = run_chain(one.design, 1e-12)[0][0]
+        alone = first_leg(one.design, 1e-12)
         assert np.array_equal(alone.exit.velocity, together.exit.velocity[k : k + 1], equal_nan=True), k
         assert alone.status[0] == together.status[k]
 
@@ -112,10 +117,10 @@ def test_a_stream_that_creeps_along_a_taper_counts_as_stalled_alone_as_in_compan
         }
     )
     changes = {f"sections.{end}.chamfer_deg": random.uniform(45.0, 48.0, 3) for end in ("body", "end")}
-    together = run_chain(base.vary(changes).design, 1e-10)[0][0]
+    together = first_leg(base.vary(changes).design, 1e-10)
     creeping = 0
     for k in range(3):
-        alone = run_chain(base.vary({path: values[k : k + 1] for path, values in changes.items()}).design, 1e-10)[0][0]
+        alone = first_leg(base.vary({path: values[k : k + 1] for path, values in changes.items()}).design, 1e-10)
         assert alone.status[0] == together.status[k] == Status.STALL, k
         assert np.array_equal(alone.exit.velocity, together.exit.velocity[k : k + 1]), k
         creeping += 0.0 < alone.exit.velocity[0] < 1e-3

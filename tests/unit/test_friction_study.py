@@ -162,14 +162,14 @@ def test_weak_materials_are_told():
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"beta": [91.0]}, "beta has to be from 0 to 90 degrees, not 91"),
+        ({"beta": [91.0]}, "beta must be from 0 to 90 degrees, not 91"),
         ({"beta": []}, "beta"),
-        ({"delta": [30.0, 90.0]}, "delta has to be from 0 to less than 90 degrees, not 90"),
+        ({"delta": [30.0, 90.0]}, "delta must be from 0 to less than 90 degrees, not 90"),
         ({"delta": [float("nan")]}, "delta"),
         ({"phi": -1.0}, "phi"),
-        ({"base": 0.0}, "base has to be greater than 0"),
+        ({"base": 0.0}, "base must be greater than 0"),
         ({"area": float("inf")}, "area"),
-        ({"area": 100001.0}, "area has to be greater than 0 and at most 100000 m², not 100001"),
+        ({"area": 100001.0}, "area must be greater than 0 and at most 100000 m², not 100001"),
         ({"keep": "height"}, "base, width, depth"),
         ({"csv": "-", "json": "-"}, "only one output"),
         ({"plot": "study.txt"}, ".svg, .png or .pdf"),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.fields.units import UNITS, convert, twins
+from chutecalc.fields.units import UNITS, convert, unit_keys
 from chutecalc.results.columns import COLUMNS, quantity_text
 from tests.conftest import chute
 
@@ -148,7 +148,7 @@ def test_units_convert_there_and_back():
             assert convert(convert(7.3, dimension, unit, first), dimension, first, unit) == pytest.approx(
                 7.3, rel=1e-15
             )
-    assert list(twins("rate_t_h", "mass rate")) == ["rate_t_h", "rate_kg_s", "rate_stph"]
+    assert list(unit_keys("rate_t_h", "mass rate")) == ["rate_t_h", "rate_kg_s", "rate_stph"]
 
 
 def test_numbers_of_messages_carry_their_units():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from chutecalc.api.tape import Tape, again
+from chutecalc.api.tape import Tape, run_recipe
 
 X, Y = 0.7, -1.3
 PROGRAMS = {
@@ -21,14 +21,14 @@ PROGRAMS = {
 def written(program):
     """A recipe of two numbers."""
     tape = Tape()
-    return tape.recipe([program(tape.number(X), tape.number(Y))])
+    return tape.recipe([program(tape.new_variable(X), tape.new_variable(Y))])
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_done_again(name):
     """Each is one operation of C's after the other; their functions are right to a digit."""
     numbers = np.random.default_rng(4).uniform(-1.5, 1.5, (50, 2))
-    told = again(written(PROGRAMS[name]), numbers)
+    told = run_recipe(written(PROGRAMS[name]), numbers)
     assert told[:, 0] == pytest.approx(PROGRAMS[name](*numbers.T), rel=1e-14, abs=1e-15)
 
 
@@ -38,8 +38,8 @@ def test_an_answer_that_changes(holds):
         return 2.0 * x if holds(x, y) else y
 
     recipe = written(program)
-    assert again(recipe, np.array([[3.0, 2.0]])).tolist() == [[6.0]]
-    assert again(recipe, np.array([[3.0, 2.0], [2.0, 3.0]])) is None
+    assert run_recipe(recipe, np.array([[3.0, 2.0]])).tolist() == [[6.0]]
+    assert run_recipe(recipe, np.array([[3.0, 2.0], [2.0, 3.0]])) is None
 
 
 @pytest.mark.parametrize(
@@ -59,4 +59,4 @@ def test_what_a_tape_does_not_hold(program):
 
 def test_what_has_no_value_is_no_number():
     recipe = written(lambda x, y: np.arccos(x) + np.sin(y))
-    assert np.isnan(again(recipe, np.array([[2.0, 0.0], [0.5, np.inf]]))).all()
+    assert np.isnan(run_recipe(recipe, np.array([[2.0, 0.0], [0.5, np.inf]]))).all()

@@ -80,7 +80,8 @@ def travel(case: dict[str, Any]) -> tuple[str, float, float]:
         slope, (0.0, length), [case["velocity"] ** 2], method="DOP853", rtol=3e-14, atol=1e-16, events=[*watch, crawls]
     )
     if watch and found.t_events[0].size:
-        return "contact_lost", float(found.t_events[0][0]), float(sqrt(found.y_events[0][0][0]))
+        (left, *_), ((square, *_), *_) = found.t_events[0], found.y_events[0]
+        return "contact_lost", float(left), float(sqrt(square))
     if not found.t_events[-1].size:
         return "ok", length, float(sqrt(found.y[0, -1]))
     # near a stop the root of v is the better variable: ds/dr = 4 r³/(dy/ds)

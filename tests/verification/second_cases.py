@@ -2,7 +2,7 @@
 
 import copy
 from math import isfinite, isnan, nan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -247,15 +247,25 @@ def _ends(segment: Any, stream: Stream | None, which: int) -> dict[str, float]:
     return out
 
 
-def differences(ours: dict[str, Any], theirs: dict[str, Any]) -> list[tuple[str, float, float, float]]:
-    """Name, both values, and their difference over its scale, of every number that both have."""
+class Difference(NamedTuple):
+    """A number that both solvers have."""
+
+    name: str
+    ours: float
+    theirs: float
+    off: float
+    """Their difference over its scale."""
+
+
+def differences(ours: dict[str, Any], theirs: dict[str, Any]) -> list[Difference]:
+    """Every number that both have."""
     out = []
 
     def add(name: str, one: float, other: float, scale: float = 1.0) -> None:
         if isnan(one) and isnan(other):
             return
         off = 0.0 if one == other else abs(one - other) / max(abs(one), abs(other), scale)
-        out.append((name, one, other, np.inf if isnan(off) else off))
+        out.append(Difference(name, one, other, np.inf if isnan(off) else off))
 
     add("exit velocity", ours["exit_velocity"], theirs["exit_velocity"], 1e-3)
     for k, (one, other) in enumerate(zip(ours["segments"], theirs["segments"], strict=True)):
@@ -303,7 +313,7 @@ def compare(data: dict[str, Any], theirs: dict[str, Any]) -> tuple[str, list[str
                     return "edge", []
             return "wrong", [f"outcome: here {outcome(ours)}, chutecalc {outcome(theirs)}"]
         found = differences(ours, theirs)
-        off = {name: (one, other, by) for name, one, other, by in found if by > SLACK * PROMISE}
+        off = {one.name: one for one in found if one.off > SLACK * PROMISE}
         if not off:
             return "same", []
         if creeps(ours, theirs, off):
@@ -311,13 +321,13 @@ def compare(data: dict[str, Any], theirs: dict[str, Any]) -> tuple[str, list[str
         moved = [ours_of(nudged(data, share)) for share in (NUDGE, -NUDGE)]
         if any(outcome(one) != outcome(ours) for one in moved):
             return "edge", []
-        turns = {name: by * PROMISE / NUDGE for name, _, _, by in differences(*moved)}
+        turns = {one.name: one.off * PROMISE / NUDGE for one in differences(*moved)}
     except UndecidedError:
         return "undecided", []
     wrong = [
-        f"{name}: here {one!r}, chutecalc {other!r}, off by {by:.1e}"
-        for name, (one, other, by) in off.items()
-        if not by <= SLACK * (PROMISE + turns.get(name, 0.0))
+        f"{name}: here {one.ours!r}, chutecalc {one.theirs!r}, off by {one.off:.1e}"
+        for name, one in off.items()
+        if not one.off <= SLACK * (PROMISE + turns.get(name, 0.0))
     ]
     return ("wrong" if wrong else "same"), wrong
 

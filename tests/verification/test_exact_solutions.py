@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.physics.motion import (
-    FLOOR,
-    ROOF,
+from chutecalc.physics.motion import FLOOR, ROOF
+from tests.conftest import chute, spec, vee, vee_friction
+from tests.verification.exact import (
     arc_velocity_squared,
+    normal_acceleration,
     rectangular_straight_distance,
     straight_velocity_squared,
 )
-from tests.conftest import chute, spec, vee, vee_friction
 
 G = 9.80665
 WALL, BETA, DELTA = 20.0, 50.0, 40.0
@@ -55,12 +55,15 @@ def test_arc_of_constant_friction(kind, side, velocity, start, end, rtol):
 
 
 def test_exact_arcs_solve_the_equation_of_motion():
-    # central differences of the exact solution against dy/ds = 2 (g sin a - m (g cos a + κ y)): error h² y'''/6
+    # central differences of the exact solution against dy/ds = 2 (g sin a - μ n): error h² y'''/6
     for side, turn in ((FLOOR, -1.0), (FLOOR, 1.0), (ROOF, 1.0)):
-        a, h, radius, m = 0.7, 1e-5, 2.0, side * 0.3
-        y = [float(arc_velocity_squared(side, G, radius, 0.3, 0.7 - turn * 0.2, 4.0, at)) for at in (a - h, a, a + h)]
-        slope = (y[2] - y[0]) / (2 * h) * turn / radius
-        assert slope == pytest.approx(2 * (G * np.sin(a) - m * (G * np.cos(a) - turn / radius * y[1])), rel=1e-8)
+        a, h, radius, friction = 0.7, 1e-5, 2.0, 0.3
+        before, y, after = (
+            float(arc_velocity_squared(side, G, radius, friction, a - turn * 0.2, 4.0, at)) for at in (a - h, a, a + h)
+        )
+        slope = (after - before) / (2 * h) * turn / radius
+        normal = float(normal_acceleration(side, G, a, -turn / radius, y))
+        assert slope == pytest.approx(2 * (G * np.sin(a) - friction * normal), rel=1e-8)
 
 
 @pytest.mark.parametrize(("velocity", "slope"), [(2.0, 55.0), (6.0, 12.0)])
@@ -100,7 +103,7 @@ def test_straight_rectangular_chute_with_friction_growing_with_depth(velocity, s
         )
     )
     stations = solution.stations(points=11)
-    speed, place = stations["velocity_m_s"][0], stations["s_m"][0]
+    speed, distance = stations["velocity_m_s"][0], stations["s_m"][0]
     reached = np.isfinite(speed) & (speed > 0)
 
     a, mu = np.radians(slope), np.tan(np.radians(wall))
@@ -108,8 +111,8 @@ def test_straight_rectangular_chute_with_friction_growing_with_depth(velocity, s
     drive, drag = G * (np.sin(a) - mu * np.cos(a)), G * mu * ratio * np.cos(a) * rate / 3.6 / density / width**2
     exact = rectangular_straight_distance(drive, drag, velocity, speed[reached])
 
-    assert np.abs(exact - place[reached]).max() < 1e-10 * length
-    if solution.status[0] == "stall":  # at v = 0 the same formula gives the way to the stop
+    assert np.abs(exact - distance[reached]).max() < 1e-10 * length
+    if solution.status[0] == "stall":  # at v = 0 the same formula gives the distance to the stop
         stop = rectangular_straight_distance(drive, drag, velocity, 0.0)
         assert abs(solution.legs[0].exit.distance[0] - stop) < 1e-8
 
@@ -169,9 +172,9 @@ def test_choke_where_the_depth_passes_the_wall():
 
     brake = 2 * G * (FRICTION * np.cos(slope) - np.sin(slope))
     at_choke = 1000 / 3.6 / 800 / (height**2 / np.tan(np.radians(BETA)))
-    place, stop = (velocity**2 - at_choke**2) / brake, velocity**2 / brake
+    choked, stop = (velocity**2 - at_choke**2) / brake, velocity**2 / brake
 
     assert solution.status[0] == "choke"
-    assert abs(solution.legs[0].exit.distance[0] - place) < 1e-8
+    assert abs(solution.legs[0].exit.distance[0] - choked) < 1e-8
     (finding,) = [item for item in solution.findings() if item.code == "choke"]
-    assert finding.numbers["further_m"][0] == pytest.approx(stop - place, abs=1e-8)
+    assert finding.numbers["further_m"][0] == pytest.approx(stop - choked, abs=1e-8)

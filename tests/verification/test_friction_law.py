@@ -13,8 +13,22 @@ OPEN = np.array([np.inf])
 
 
 def polygon(base, *sides):
-    lengths = tuple(np.array([length]) for length, _ in sides)
-    return Polygon(np.array([base]), lengths, tuple(np.radians([angle]) for _, angle in sides), OPEN)
+    """A section of facets, each with its length and its inclination in degrees."""
+    return Polygon(
+        base=np.array([base]),
+        lengths=tuple(np.array([length]) for length, _ in sides),
+        inclinations=tuple(np.radians([angle]) for _, angle in sides),
+        wall_height=OPEN,
+    )
+
+
+def pipe(radius):
+    return Circle(radius=np.array([radius]), wall_height=OPEN)
+
+
+def integral(function, start, end):
+    value, _ = quad(function, start, end)
+    return value
 
 
 SECTIONS = {
@@ -56,12 +70,12 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
     area = area_at_depth(section, np.array([depth]))
     breaks = sorted({top for _, top, _ in walls(section, depth)})
     drawn = sum(
-        quad(lambda z: width_at(section, z), low, high)[0] for low, high in zip([0.0, *breaks], breaks, strict=False)
+        integral(lambda z: width_at(section, z), low, high) for low, high in zip([0.0, *breaks], breaks, strict=False)
     )
     load = hold = 0.0
     for foot, top, psi in walls(section, depth):
         k = 1 - 0.7 * np.sin(psi) ** 2
-        moment = quad(lambda z: depth - z, foot, top)[0] / np.sin(psi)
+        moment = integral(lambda z: depth - z, foot, top) / np.sin(psi)
         load += 2 * k * (1 - np.cos(psi)) * moment
         hold += 2 * k * np.cos(psi) * moment
     hold += float(section.base[0]) * depth
@@ -72,19 +86,19 @@ def test_area_depth_friction_and_missing_load_by_integration(name, depth):
     assert wet.depth[0] == pytest.approx(depth, rel=1e-12)
     assert wet.width[0] == pytest.approx(width_at(section, depth), rel=1e-12)
     assert wet.excess[0] == pytest.approx(load / drawn, rel=1e-10)
-    assert wet.missing[0] == pytest.approx(1 - hold / drawn, abs=1e-11)
+    assert wet.missing_load[0] == pytest.approx(1 - hold / drawn, abs=1e-11)
 
 
 @pytest.mark.parametrize("equilibrium", [False, True])
 @pytest.mark.parametrize("name", [*SECTIONS, "circle"])
 def test_growth_of_friction_with_area_by_central_differences(name, equilibrium):
-    section = Circle(np.array([0.3]), OPEN) if name == "circle" else SECTIONS[name]  # half full at 0.1414 m²
+    section = pipe(0.3) if name == "circle" else SECTIONS[name]  # half full at 0.1414 m²
     for area in (0.003, 0.02, 0.12, 0.2):
         h = 1e-6 * area
         found = wetting(section, np.array([0.3]), np.array([area - h, area, area + h]), equilibrium)
         low, _, high = found.excess
         # rounding in the difference: 1e-16/1e-6
-        assert found.growth[1] == pytest.approx(area * (high - low) / (2 * h), rel=1e-6, abs=1e-9)
+        assert found.excess_sensitivity[1] == pytest.approx(area * (high - low) / (2 * h), rel=1e-6, abs=1e-9)
 
 
 @pytest.mark.parametrize("lack", [0.0, 0.4, 1.0])
@@ -92,19 +106,19 @@ def test_growth_of_both_loads_on_an_arc_by_differentiating_their_integrals(lack)
     """X = χ A and its shortfall grow with the half-angle by what one more layer of stream, sin ψ0 dψ0, weighs."""
     for angle in (0.2, 0.9, 1.5):
         area = angle - np.sin(angle) * np.cos(angle)
-        found = wetting(Circle(np.ones(1), OPEN), np.array([1.0 - lack]), np.array([area]))
+        found = wetting(pipe(1.0), np.array([1.0 - lack]), np.array([area]))
 
         def loads(weight, angle=angle, area=area):
-            load = 2 * quad(lambda psi: weight(psi) * (np.cos(psi) - np.cos(angle)), 0, angle)[0]
-            layer = 2 * np.sin(angle) * quad(weight, 0, angle)[0]  # d/dψ0; dA/dψ0 = 2 sin²ψ0
+            load = 2 * integral(lambda psi: weight(psi) * (np.cos(psi) - np.cos(angle)), 0, angle)
+            layer = 2 * np.sin(angle) * integral(weight, 0, angle)  # d/dψ0; dA/dψ0 = 2 sin²ψ0
             return load / area, layer / (2 * np.sin(angle) ** 2) - load / area
 
         excess, excess_growth = loads(lambda psi: (1 - lack * np.sin(psi) ** 2) * 2 * np.sin(psi / 2) ** 2)
         missing, _ = loads(lambda psi: lack * np.sin(psi) ** 2 * np.cos(psi))
         assert found.chamfer[0] == pytest.approx(angle, rel=1e-14)
         assert found.excess[0] == pytest.approx(excess, rel=1e-12)
-        assert found.growth[0] == pytest.approx(excess_growth, rel=1e-11)
-        assert found.missing[0] == pytest.approx(missing, rel=1e-12, abs=1e-15)
+        assert found.excess_sensitivity[0] == pytest.approx(excess_growth, rel=1e-11)
+        assert found.missing_load[0] == pytest.approx(missing, rel=1e-12, abs=1e-15)
 
 
 @pytest.mark.parametrize("area", [0.001, 0.05, 0.4])
@@ -154,10 +168,10 @@ def test_both_laws_in_a_vee_and_in_a_rectangle():
     ratio = np.array([vertical_pressure_ratio(np.radians(50.0))])
     wet = wetting(polygon(0.0, (np.inf, 45.0)), ratio, np.array([0.1]))
     assert equivalent_friction(1.0, wet.excess)[0] == pytest.approx(1.235, abs=5e-4)  # Eq 11 at B = 0
-    assert equilibrium_friction(1.0, wet.excess, wet.missing)[0] == pytest.approx(1 / np.cos(np.pi / 4), rel=1e-14)
+    assert equilibrium_friction(1.0, wet.excess, wet.missing_load)[0] == pytest.approx(1 / np.cos(np.pi / 4), rel=1e-14)
 
     wet = wetting(polygon(0.5), ratio, np.array([0.1]))
-    assert wet.missing[0] == pytest.approx(0.0, abs=1e-15)
+    assert wet.missing_load[0] == pytest.approx(0.0, abs=1e-15)
     assert wet.excess[0] == pytest.approx(ratio[0] * 0.2 / 0.5, rel=1e-14)  # Eq 2
 
 

@@ -6,6 +6,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import chutecalc
+from chutecalc.design import Status
 from tests.conftest import chute
 from tests.verification.test_yield_locus import ROWS, friction
 
@@ -165,7 +166,7 @@ def test_a_crest_is_met_again_up_to_the_velocity_that_clears_it(start):
     cosine = np.cos(np.radians(start))
     for square, met in ((0.999 / cosine, True), (1.001 / cosine, False), (1.001 * cosine, True)):
         solution = crest(float(np.sqrt(3.0 * G * square)), start, 85.0)
-        assert solution.legs[0].status[0] == 3, square  # contact lost at once
+        assert solution.legs[0].status[0] == Status.CONTACT_LOST, square  # at once
         assert (len(solution.legs) > 1) == met, square
 
 

@@ -1,5 +1,7 @@
 """Circles, facets and tapers along whole segments, against DOP853 on a friction law by quadrature."""
 
+from typing import NamedTuple
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -12,16 +14,25 @@ G = 9.80665
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(40)
 
 
+class Section(NamedTuple):
+    """A section filled to a depth: its area, and ∫ K (1 - cos ψ) ζ dl with K = 1 - k sin²ψ."""
+
+    area: float
+    level: float
+    """The integral at k = 0."""
+    lack: float
+    """What the integral loses for each k."""
+
+
 def circle(radius):
     def of(depth):
-        """Area and ∫ K (1 - cos ψ) ζ dl with K = 1 - k sin²ψ, as (area, load at k = 0, load per k)."""
         top = min(depth, radius)
         angle, above = np.arccos(1 - top / radius), depth - top
         psi = angle * (1 + GAUSS) / 2
         zeta = radius * (np.cos(psi) - np.cos(angle)) + above
         area = radius**2 * (angle - np.sin(angle) * np.cos(angle)) + 2 * radius * above
         element = 2 * radius * (1 - np.cos(psi)) * zeta * WEIGHTS * angle / 2
-        return area, element.sum() + above**2, (element * np.sin(psi) ** 2).sum() + above**2
+        return Section(area, element.sum() + above**2, (element * np.sin(psi) ** 2).sum() + above**2)
 
     return of
 
@@ -39,7 +50,7 @@ def polygon(base, sides):
             level += (1 - np.cos(slope)) * moment
             lack += (1 - np.cos(slope)) * np.sin(slope) ** 2 * moment
             width, foot = width + 2 * spread, foot + rise
-        return area, level, lack
+        return Section(area, level, lack)
 
     return of
 
@@ -50,7 +61,7 @@ def end_velocity(section_at, segment, velocity, flow, mu, k):
     def rate(s, y):
         v = y[0]
         of = section_at(s / segment["length"])
-        depth = brentq(lambda h: of(h)[0] - flow / v, 1e-9, 50.0, xtol=1e-15, rtol=1e-14)
+        depth = brentq(lambda h: of(h).area - flow / v, 1e-9, 50.0, xtol=1e-15, rtol=1e-14)
         area, level, lack = of(depth)
         slope = segment["slope"] - segment["curvature"] * s
         n = G * np.cos(slope) + segment["curvature"] * v * v

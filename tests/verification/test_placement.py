@@ -258,7 +258,8 @@ def test_a_fall_by_its_run():
     fall = solution.segments[0]
     assert fall.duration[0] == pytest.approx(time, rel=1e-14)
     assert fall.exit["x_m"][0] == pytest.approx(2.5, rel=1e-14)
-    assert fall.exit["z_m"][0] == pytest.approx(parabola(4.0, -20.0)(time)[1], rel=1e-13)
+    _, height = parabola(4.0, -20.0)(time)
+    assert fall.exit["z_m"][0] == pytest.approx(height, rel=1e-13)
 
 
 @pytest.mark.parametrize("velocity", [1.2, 4.0])
@@ -367,17 +368,25 @@ def test_acceleration_on_a_belt_is_the_motion_of_a_block(slope, start):
     """Friction towards the belt's speed, weight along it: integrated until the speeds are one."""
     one, mu, speed = np.ones(1), 0.45, 2.0
     # a stream of that velocity along the belt and none into it
-    flows = loading(abs(start) * one, np.radians(slope) + (np.pi if start < 0 else 0.0) * one, speed * one,
-                    np.radians(slope) * one, mu * one, one, one, G * one)  # fmt: skip
-    assert flows.along[0] == pytest.approx(start, rel=1e-12)
+    load = loading(
+        velocity=abs(start) * one,
+        slope=np.radians(slope) + (np.pi if start < 0 else 0.0) * one,
+        belt_velocity=speed * one,
+        belt_slope=np.radians(slope) * one,
+        friction=mu * one,
+        density=one,
+        mass_rate=one,
+        gravity=G * one,
+    )
+    assert load.velocity_along[0] == pytest.approx(start, rel=1e-12)
     pull = np.sign(speed - start) * mu * G * np.cos(np.radians(slope)) + G * np.sin(np.radians(slope))
     if pull * (speed - start) <= 0.0:
-        assert flows.acceleration_length[0] == np.inf
+        assert load.acceleration_length[0] == np.inf
         return
-    velocity, way, dt = start, 0.0, 1e-4
+    velocity, distance, dt = start, 0.0, 1e-4
     while (velocity - speed) * (start - speed) > 0.0:
-        velocity, way = velocity + pull * dt, way + velocity * dt + pull * dt * dt / 2
-    assert flows.acceleration_length[0] == pytest.approx(way, abs=2 * abs(speed) * dt)  # it stops within one step
+        velocity, distance = velocity + pull * dt, distance + velocity * dt + pull * dt * dt / 2
+    assert load.acceleration_length[0] == pytest.approx(distance, abs=2 * abs(speed) * dt)  # it stops within one step
 
 
 @pytest.mark.parametrize("slope", [5.0, 30.0, 55.0])

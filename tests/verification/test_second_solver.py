@@ -45,7 +45,7 @@ def test_the_promise_that_the_comparison_rests_on(seed):
     for rtol in (1e-6, 1e-8, 1e-10):
         loose = theirs_of(chute, rtol)
         assert outcome(loose) == outcome(tight)
-        off = [found for found in differences(loose, tight) if found[3] > 10 * rtol]
+        off = [one for one in differences(loose, tight) if one.off > 10 * rtol]
         assert not off, (rtol, off)
 
 

@@ -217,7 +217,7 @@ def test_a_stream_that_leaves_a_hood_passes_the_rows_of_its_locus_on_the_way():
         return y[0] / radius - G * np.cos(start + s / radius)
 
     def rate(s, y):
-        depth = brentq(lambda h: of(h)[0] - flow / np.sqrt(y[0]), 1e-9, 50.0, xtol=1e-15, rtol=1e-14)
+        depth = brentq(lambda h: of(h).area - flow / np.sqrt(y[0]), 1e-9, 50.0, xtol=1e-15, rtol=1e-14)
         area, level, lacking = of(depth)
         n = max(normal(s, y), 1e-12)
         drag = friction(density * n * depth / 1e3, rows, 54.0) * (1.0 + (level - lack * lacking) / area)

@@ -68,7 +68,7 @@ def choke(scene: Scene) -> Iterator[Finding]:
 
 def contact_lost(scene: Scene) -> Iterator[Finding]:
     """The normal acceleration falls to 0; a warning where something follows that may catch the stream."""
-    if scene.segment.kind == "plate":
+    if scene.segment.deflects:
         return
     leg, surface = scene.part.leg, scene.contact.surface
     lost = leg.status == Status.CONTACT_LOST

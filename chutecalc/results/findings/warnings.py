@@ -80,7 +80,7 @@ def decelerating(scene: Scene) -> Iterator[Finding]:
 
     Where the section stays, that is decided where the stream is slowest; along a taper the balance moves.
     """
-    if scene.segment.kind != "straight":
+    if scene.segment.deflects or scene.segment.radius is not None:
         return
     worst = scene.worst["velocity_m_s", LEAST]
     if scene.segment.end_section is not None:

@@ -1,4 +1,4 @@
-"""The friction study of the paper, section 6: what chamfers at an angle do to the equivalent friction."""
+"""The friction study of the paper, section 6: equivalent friction over the chamfer angle."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
@@ -13,55 +13,62 @@ from chutecalc.physics.section import Polygon
 from chutecalc.physics.wetting import wetting
 
 CHAMFERS = tuple(float(angle) for angle in range(0, 91, 5))
+"""Chamfer angles β of the paper's figures, deg."""
 INTERNAL_FRICTIONS = tuple(float(angle) for angle in range(30, 56, 5))
+"""Angles of internal friction δ of the paper's figures, deg."""
 ANGLE_RANGES = {"beta": "0:90:5", "delta": "30:55:5"}
-"""The same as a command line has them."""
+"""Ranges of angles where a command line gives none, deg."""
 WALL_FRICTION, BASE, AREA = 25.0, 0.5, 0.05
-"""Angle, deg, as in the paper; width, m, and flow area, m²: A/B² = 0.2 is what its text and figures agree with."""
+"""Wall friction angle of the paper, deg; width, m, and flow area, m². Its text and figures agree with A/B² = 0.2."""
 FINE = 10_001
-"""Angles among which a best one is looked for: 0.009° apart at most."""
+"""Number of angles among which the best one is sought: at most 0.009° apart."""
 ROUNDING = 1e-14
+"""Share of B² below which a base is rounding: the section is a vee."""
 Columns = dict[str, Any]
+"""Arrays of one length by column name."""
 
 
-def _centre_width_kept(base: float, area: float, cotangent: Array) -> Array:
+def _constant_base(base: float, area: float, cotangent: Array) -> Array:
     return np.full(cotangent.shape, base**2)
 
 
-def _width_kept(base: float, area: float, cotangent: Array) -> Array:
+def _constant_width(base: float, area: float, cotangent: Array) -> Array:
     return base**2 - 4.0 * area * cotangent  # free surface² = B² + 4 A cot β
 
 
-def _depth_kept(base: float, area: float, cotangent: Array) -> Array:
+def _constant_depth(base: float, area: float, cotangent: Array) -> Array:
     left = base - area / base * cotangent  # H = A/W stays, the mean width W too
     return left * np.abs(left)
 
 
-KEPT: dict[str, Callable[[float, float, Array], Array]] = {
-    "base": _centre_width_kept,
-    "width": _width_kept,
-    "depth": _depth_kept,
+BASE_SQUARED: dict[str, Callable[[float, float, Array], Array]] = {
+    "base": _constant_base,
+    "width": _constant_width,
+    "depth": _constant_depth,
 }
-"""What stays beside the flow area, and the square of the centre section's width then, negative where there is none.
+"""The dimension that is constant besides the flow area, with the square of the centre section's width that follows, m².
 
-Paper, section 6.1 (Figure 5), 6.2 (Figure 7), 6.3 (Figure 9).
+Negative where there is no such section. Paper, sections 6.1 (Figure 5), 6.2 (Figure 7) and 6.3 (Figure 9).
 """
 
 
 class Best(NamedTuple):
-    """Where the equivalent friction of a material is least among the angles of a study that have a section."""
+    """The chamfer angles at which the equivalent friction of a material is least."""
 
     internal_friction_deg: float
+    """Angle of internal friction δ of the material, deg."""
     inside_deg: float
-    """The least with larger values on both of its sides; NaN where there is none."""
+    """Chamfer angle of the lowest local minimum inside the range, deg; NaN where there is none."""
     inside_friction: float
+    """Equivalent friction μ_e there, a coefficient."""
     end_deg: float
-    """The end of the range that has the lower value."""
+    """Chamfer angle at the end of the range that has the lower μ_e, deg."""
     end_friction: float
+    """Equivalent friction μ_e there, a coefficient."""
 
 
 class FrictionStudy:
-    """Equivalent friction over chamfer angle and internal friction, at one flow area.
+    """Equivalent friction over chamfer angle and internal friction at one flow area, by the paper's law (Paper Eq 11).
 
     >>> study = FrictionStudy([45.0, 90.0], [30.0, 55.0], keep="base")
     >>> study.columns["equivalent_friction"].round(5).tolist()
@@ -77,18 +84,19 @@ class FrictionStudy:
         base_m: float = BASE,
         area_m2: float = AREA,
     ) -> None:
-        """Checks what is asked and works it out.
+        """Check the arguments and compute the columns.
 
         Args:
-            chamfer_deg: β, 0 (a flat plane) to 90 (square corners).
-            internal_friction_deg: δ, 0 to less than 90.
-            keep: what stays while β varies: ``base`` (centre section), ``width`` (of the free surface) or ``depth``.
-            wall_friction_deg: φ, 0 to less than 90.
-            base_m: B, the width between square corners.
-            area_m2: A.
+            chamfer_deg: Chamfer angles β, deg, from 0 (a flat plane) to 90 (square corners).
+            internal_friction_deg: Angles of internal friction δ, deg, from 0 to less than 90.
+            keep: Dimension that is constant while β varies: ``base`` (width of the centre section), ``width`` (of the
+                free surface) or ``depth``.
+            wall_friction_deg: Wall friction angle φ, deg, from 0 to less than 90.
+            base_m: Width B between square corners, m.
+            area_m2: Flow area A, m².
 
         Raises:
-            UsageError: which value is out of its range.
+            UsageError: All values that are out of range.
         """
         self.chamfer_deg = np.atleast_1d(np.asarray(chamfer_deg, dtype=np.float64))
         self.internal_friction_deg = np.atleast_1d(np.asarray(internal_friction_deg, dtype=np.float64))
@@ -98,31 +106,49 @@ class FrictionStudy:
             raise UsageError("\n".join(faults))
         beta, delta = np.meshgrid(self.chamfer_deg, self.internal_friction_deg)
         self.columns: Columns = self._columns(beta.ravel(), delta.ravel())
-        """Arrays by column name, a row for each angle of the first material, then of the second, and so on.
+        """Arrays by column name, with a row for each chamfer angle of the first material, then of the next, and so on.
 
-        A section that cannot be has the status ``impossible`` and NaN; so has the chamfer's length at β = 0.
+        An impossible section has the status ``impossible`` and NaN. The chamfer's length is NaN at β = 0 too.
         """
 
     def line(self, internal_friction_deg: float) -> Columns:
-        """The rows of one material that have a section."""
+        """Return the rows of one material, without impossible sections.
+
+        Args:
+            internal_friction_deg: Angle of internal friction δ of the material, deg.
+
+        >>> FrictionStudy([30.0, 60.0], [40.0], keep="width").line(40.0)["chamfer_deg"].tolist()
+        [60.0]
+        """
         rows = self.columns["internal_friction_deg"] == internal_friction_deg
         rows &= self.columns["status"] == "ok"
         return {name: values[rows] for name, values in self.columns.items()}
 
     def best(self) -> list[Best]:
-        """The best angle of each material, among 10,001 from the least to the greatest asked for."""
+        """Find the best chamfer angle of each material among 10,001 from the smallest to the largest of the study.
+
+        >>> (best,) = FrictionStudy(internal_friction_deg=[40.0]).best()
+        >>> round(best.inside_deg, 2), best.end_deg
+        (75.9, 0.0)
+        """
         angles = np.linspace(self.chamfer_deg.min(), self.chamfer_deg.max(), FINE)
         return [self._best(angles, float(delta)) for delta in self.internal_friction_deg]
 
     def inadmissible(self) -> list[float]:
-        """The internal frictions, deg, whose material is too weak for the wall friction: φ > atan(sin δ)."""
+        """Return the angles of internal friction, deg, at which the wall friction angle is not attainable.
+
+        These are materials with φ > atan(sin δ), which slide on themselves instead (Paper, section 6).
+
+        >>> FrictionStudy(internal_friction_deg=[25.0, 30.0]).inadmissible()
+        [25.0]
+        """
         steepest = np.degrees(greatest_wall_friction(np.radians(self.internal_friction_deg)))
         return [float(delta) for delta in self.internal_friction_deg[self.wall_friction_deg > steepest]]
 
     def _faults(self) -> Iterator[str]:
-        """All that is out of its range."""
-        if self.keep not in KEPT:
-            yield f"keep has to be {', '.join(KEPT)}, not {self.keep}"
+        """Yield a message for each value that is out of range."""
+        if self.keep not in BASE_SQUARED:
+            yield f"keep must be one of {', '.join(BASE_SQUARED)}, not {self.keep}"
         angles = {
             "beta": self.chamfer_deg,
             "delta": self.internal_friction_deg,
@@ -132,19 +158,20 @@ class FrictionStudy:
             fits = (values >= 0.0) & ((values <= 90.0) if name == "beta" else (values < 90.0))
             if not fits.all() or not values.size:
                 given = f"{values[~fits][0]:g}" if values.size else "nothing"
-                yield f"{name} has to be from 0 to {'90' if name == 'beta' else 'less than 90'} degrees, not {given}"
+                yield f"{name} must be from 0 to {'90' if name == 'beta' else 'less than 90'} degrees, not {given}"
         for name, value, unit in (("base", self.base_m, "m"), ("area", self.area_m2, "m²")):
             if not 0.0 < value <= 1e5:
-                yield f"{name} has to be greater than 0 and at most 100000 {unit}, not {value:g}"
+                yield f"{name} must be greater than 0 and at most 100000 {unit}, not {value:g}"
 
     def _columns(self, chamfer_deg: Array, internal_friction_deg: Array) -> Columns:
-        """The table: one section after the other through the friction law that chutes are solved with."""
+        """Compute the table with the friction law that chutes are solved with."""
         beta, ratio = np.radians(chamfer_deg), vertical_pressure_ratio(np.radians(internal_friction_deg))
         with np.errstate(all="ignore"):  # β = 0 has neither cotangent nor chamfer
-            square = KEPT[self.keep](self.base_m, self.area_m2, np.cos(beta) / np.sin(beta))
+            square = BASE_SQUARED[self.keep](self.base_m, self.area_m2, np.cos(beta) / np.sin(beta))
             square = np.where(np.abs(square) < ROUNDING * self.base_m**2, 0.0, square)  # a vee
             base = np.sqrt(square)
-            section = Polygon(base, (np.full(1, np.inf),), (beta,), np.full(1, np.inf))
+            endless = np.full(1, np.inf)
+            section = Polygon(base, lengths=(endless,), inclinations=(beta,), wall_height=endless)
             wet = wetting(section, ratio, np.full(1, self.area_m2))
         flat = (beta == 0.0) & (base > 0.0)  # no depth, and nothing stands against a wall
         possible = flat | np.isfinite(wet.depth)
@@ -164,20 +191,20 @@ class FrictionStudy:
         }
 
     def _best(self, angles: Array, delta: float) -> Best:
-        """The best angle of one material."""
+        """Find the best angle of one material."""
         columns = self._columns(angles, np.full(1, delta))
         friction = columns["equivalent_friction"]
         angles, friction = angles[np.isfinite(friction)], friction[np.isfinite(friction)]
         if not friction.size:
-            return Best(delta, np.nan, np.nan, np.nan, np.nan)
+            return Best(delta, inside_deg=np.nan, inside_friction=np.nan, end_deg=np.nan, end_friction=np.nan)
         middle = friction[1:-1]
         dips = 1 + np.flatnonzero((middle < friction[:-2]) & (middle <= friction[2:]))
         inside = dips[friction[dips].argmin()] if dips.size else None
         end = 0 if friction[0] < friction[-1] else -1
         return Best(
             delta,
-            np.nan if inside is None else float(angles[inside]),
-            np.nan if inside is None else float(friction[inside]),
-            float(angles[end]),
-            float(friction[end]),
+            inside_deg=np.nan if inside is None else float(angles[inside]),
+            inside_friction=np.nan if inside is None else float(friction[inside]),
+            end_deg=float(angles[end]),
+            end_friction=float(friction[end]),
         )

@@ -1,4 +1,4 @@
-"""What a standard design is held to: the numbers, outcomes and findings of its solution, in a file beside its spec."""
+"""Baselines: the numbers, statuses and findings of a standard design, in a file beside its spec."""
 
 import hashlib
 import json
@@ -24,7 +24,9 @@ from chutecalc.spec.faults import faults_of
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 
 TOLERANCE = 1e-9
-STATIONS = np.linspace(0.0, 1.0, 5)  # of each segment's way
+"""Relative tolerance of a new baseline."""
+STATIONS = np.linspace(0.0, 1.0, 5)
+"""Stations of each segment, as shares of its length."""
 RECEIVER = (
     "velocity_along_m_s",
     "velocity_across_m_s",
@@ -33,49 +35,82 @@ RECEIVER = (
     "wear_w_m2",
     "acceleration_length_m",
 )
-"""What is kept of the receiver; the rest follows from these, and loses its digits where the stream suits the belt."""
-BEYOND = 1e-6  # of its value: so much an extreme exceeds what the stations show, or is not kept
-LEAST_SCALE = 1e-3  # of any column: 1e-12 m, kPa or ° is rounding, such as x in a vertical fall
+"""Columns of the receiver in a baseline. The others follow from these, and lose digits where the stream matches the
+belt's velocity."""
+EXTREME_MARGIN = 1e-6
+"""Share of its value by which an extreme has to exceed all stations to be stored."""
+LEAST_SCALE = 1e-3
+"""Smallest scale of any column: 1e-12 m, kPa or ° is rounding, such as x in a vertical fall."""
 
 Row = dict[str, FiniteFloat]
+"""Numbers by the names of their columns."""
 
 
-class KeptFinding(Table):
-    """A finding of the baseline."""
+class BaselineFinding(Table):
+    """A finding in a baseline."""
 
     severity: str
+    """``failure``, ``warning`` or ``note``."""
     code: str
+    """Code of the finding, such as ``stall``."""
     segment: str
+    """Name of its segment."""
 
 
-class KeptSegment(Table):
-    """A segment of the baseline, or a flight that leads to one."""
+class BaselineSegment(Table):
+    """A segment in a baseline, or a flight to one."""
 
     name: str
+    """Name of the segment."""
     kind: str
+    """Kind of the segment, or ``flight``."""
     status: str
+    """Status of the stream at its end."""
     impact: Row = Field(default_factory=dict)
+    """Numbers of the impact at its start."""
     stations: list[Row] = Field(default_factory=list)
+    """Columns at its stations."""
     minimum: Row = Field(default_factory=dict)
+    """Smallest values of columns, where no station shows them."""
     maximum: Row = Field(default_factory=dict)
+    """Largest values of columns, where no station shows them."""
 
 
 class Baseline(Table):
-    """What came out of a design when its baseline was written, or comes out now."""
+    """The results of a design, stored or computed now.
+
+    >>> import chutecalc
+    >>> chute = chutecalc.parse(chutecalc.STARTER)
+    >>> now = baseline_of(chute, chutecalc.solve(chute), [])
+    >>> list(now.visits()), [key.row for key, _ in now.rows() if key.segment == "fall"][:2]
+    ([('fall', 1), ('spoon', 1)], ['impact', 'station 1'])
+    >>> now.document()["status"]
+    'ok'
+    """
 
     format: Literal[1]
+    """Version of the file format."""
     chutecalc: str
+    """Version of chutecalc that computed the results."""
     spec_sha256: str
+    """Hash of the spec, from :func:`spec_hash`."""
     rtol: FiniteFloat
+    """Relative tolerance of the solution."""
     tolerance: Annotated[Number, Quantity("number", ge=1e-13, le=0.1)]
+    """Relative tolerance of the comparison."""
     status: str
-    findings: list[KeptFinding]
+    """Status of the design."""
+    findings: list[BaselineFinding]
+    """Findings in the order of the flow."""
     inlet: Row
-    segments: list[KeptSegment]
+    """Numbers of the inlet."""
+    segments: list[BaselineSegment]
+    """Segments and flights in the order of the flow."""
     receiver: Row = Field(default_factory=dict)
+    """Numbers of the receiver, where there is one."""
 
-    def visits(self) -> dict[tuple[str, int], KeptSegment]:
-        """The segments by name and by how often the stream has come to them: a hood may be struck again."""
+    def visits(self) -> dict[tuple[str, int], BaselineSegment]:
+        """Return the segments by name and number of the visit: a hood may be struck again."""
         met: dict[str, int] = {}
         found = {}
         for segment in self.segments:
@@ -83,19 +118,19 @@ class Baseline(Table):
             found[segment.name, met[segment.name]] = segment
         return found
 
-    def rows(self) -> Iterator[tuple["Place", Row]]:
-        """All numbers, along the way."""
-        yield Place("inlet", 1, ""), self.inlet
-        for here, segment in self.visits().items():
-            yield Place(*here, "impact"), segment.impact
+    def rows(self) -> Iterator[tuple["RowKey", Row]]:
+        """Yield all rows of numbers with their keys, in the order of the flow."""
+        yield RowKey("inlet", 1, ""), self.inlet
+        for visit, segment in self.visits().items():
+            yield RowKey(*visit, "impact"), segment.impact
             for number, station in enumerate(segment.stations, 1):
-                yield Place(*here, f"station {number}"), station
-            yield Place(*here, "minimum"), segment.minimum
-            yield Place(*here, "maximum"), segment.maximum
-        yield Place("receiver", 1, ""), self.receiver
+                yield RowKey(*visit, f"station {number}"), station
+            yield RowKey(*visit, "minimum"), segment.minimum
+            yield RowKey(*visit, "maximum"), segment.maximum
+        yield RowKey("receiver", 1, ""), self.receiver
 
     def scales(self) -> dict[str, float]:
-        """How large the numbers of each column are in this chute, by the name of the column: the largest."""
+        """Return the scale of each column in this chute, its largest magnitude, by the name of the column."""
         found: dict[str, float] = {}
         for _, row in self.rows():
             for name, value in row.items():
@@ -104,7 +139,7 @@ class Baseline(Table):
         return found
 
     def document(self) -> dict[str, Any]:
-        """As it is written: with no more digits than the tolerance needs, a tenth of it or less lost to rounding."""
+        """Return the content of the file. Rounding takes at most a tenth of the tolerance."""
         decimals = {kind: 1 - math.floor(math.log10(self.tolerance * scale)) for kind, scale in self.scales().items()}
 
         def rounded(item: Any) -> Any:
@@ -120,15 +155,15 @@ class Baseline(Table):
         return dict(rounded(self.model_dump(exclude_defaults=True)))
 
 
-class Place(NamedTuple):
-    """Where a row of numbers of a baseline stands."""
+class RowKey(NamedTuple):
+    """The key of a row of numbers in a baseline."""
 
     segment: str
-    """Its name; ``inlet`` and ``receiver`` for those."""
+    """Name of the segment, or ``inlet`` or ``receiver``."""
     visit: int
-    """1, or more where the stream has left the segment and come back."""
+    """Number of the visit, from 1: more than one where the stream leaves the segment and comes back."""
     row: str
-    """``impact``, ``station 1`` to ``station 5``, ``minimum``, ``maximum``; empty where there is one row only."""
+    """``impact``, ``station 1`` to ``station 5``, ``minimum`` or ``maximum``; empty for inlet and receiver."""
 
 
 def _is_number(name: str, value: Any) -> bool:
@@ -140,9 +175,12 @@ _OF_UNIT = {"m": "s_m", "m_s": "velocity_m_s", "deg": "slope_deg", "kpa": "press
 
 @cache
 def column_of(name: str) -> str:
-    """The column whose scale a number has: its own, or that of its unit for what stands in no column.
+    """Return the column that gives the scale of a number: its own, or one of its unit for numbers without a column.
 
-    Both coordinates have the scale of the way, for neither has a size of its own.
+    Both coordinates have the scale of the distance along the flow, because neither has a size of its own.
+
+    Args:
+        name: Name of the number, which ends with its unit.
 
     >>> column_of("depth_m"), column_of("velocity_after_m_s"), column_of("x_m"), column_of("velocity_ratio")
     ('depth_m', 'velocity_m_s', 's_m', 'velocity_ratio')
@@ -154,19 +192,36 @@ def column_of(name: str) -> str:
 
 
 def baseline_path(spec: Path) -> Path:
-    """``spoon.baseline.toml`` for ``spoon.toml``."""
+    """Return the path of the baseline of a spec.
+
+    Args:
+        spec: Path of the spec.
+
+    >>> baseline_path(Path("spoon.toml")).name
+    'spoon.baseline.toml'
+    """
     return spec.with_name(spec.name.removesuffix(".toml") + BASELINE_SUFFIX)
 
 
 def spec_path(baseline: Path) -> Path:
-    """``spoon.toml`` for ``spoon.baseline.toml``."""
+    """Return the path of the spec of a baseline.
+
+    Args:
+        baseline: Path of the baseline.
+
+    >>> spec_path(Path("spoon.baseline.toml")).name
+    'spoon.toml'
+    """
     return baseline.with_name(baseline.name.removesuffix(BASELINE_SUFFIX) + ".toml")
 
 
 def spec_hash(data: Mapping[str, Any]) -> str:
-    """The hash of what a spec says: of its parsed content, so that comments, layout and line ends do not count.
+    """Compute the hash of the parsed content of a spec, whatever its comments, layout and line ends.
 
-    A checkout that changes line ends has to pass, and a better comment needs no new baseline.
+    A checkout that changes line ends passes, and a better comment needs no new baseline.
+
+    Args:
+        data: The parsed content.
 
     >>> spec_hash({"b": 1, "a": 2}) == spec_hash({"a": 2, "b": 1})
     True
@@ -178,7 +233,13 @@ def spec_hash(data: Mapping[str, Any]) -> str:
 def baseline_of(
     chute: Chute, solution: Solution, findings: Sequence[Finding], tolerance: float = TOLERANCE
 ) -> Baseline:
-    """What came out of a chute of one design, unrounded; with its findings.
+    """Return the baseline of a solved design, unrounded.
+
+    Args:
+        chute: A chute of one design.
+        solution: Its solution.
+        findings: The findings of the solution.
+        tolerance: Relative tolerance of the comparison.
 
     >>> import chutecalc
     >>> spoon = chutecalc.parse(chutecalc.STARTER)
@@ -186,20 +247,20 @@ def baseline_of(
     3.878
     """
     segments = []
-    for way, part in zip(solution.ways, solution.parts, strict=True):
+    for result, part in zip(solution.ways, solution.parts, strict=True):
         columns = part.at(STATIONS, COLUMN.keys() & COLUMNS.keys())
         stations = [
             _finite({name: columns[name][k] for name in COLUMNS if name in columns}) for k in range(len(STATIONS))
         ]
         segments.append(
-            KeptSegment(
-                name=way.name,
-                kind=way.kind,
-                status=str(way.status[0]),
-                impact=_finite(way.impact),
+            BaselineSegment(
+                name=result.name,
+                kind=result.kind,
+                status=str(result.status[0]),
+                impact=_finite(result.impact),
                 stations=[station for station in stations if station],
-                minimum=_beyond(way.minimum, stations, -1.0),
-                maximum=_beyond(way.maximum, stations, 1.0),
+                minimum=_beyond(result.minimum, stations, -1.0),
+                maximum=_beyond(result.maximum, stations, 1.0),
             )
         )
     return Baseline(
@@ -209,7 +270,7 @@ def baseline_of(
         rtol=solution.rtol,
         tolerance=tolerance,
         status=str(solution.status[0]),
-        findings=[KeptFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
+        findings=[BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
         inlet=_finite(solution.inlet),
         segments=segments,
         receiver=_finite({name: values for name, values in solution.receiver.items() if name in RECEIVER}),
@@ -217,24 +278,27 @@ def baseline_of(
 
 
 def _finite(numbers: Mapping[str, Any]) -> Row:
-    """The first design's numbers; what does not exist is left out."""
+    """Return the numbers of the first design, without NaN."""
     return {name: float(values[0]) for name, values in numbers.items() if np.isfinite(values[0])}
 
 
 def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -> Row:
-    """The extremes that no station shows; where one does, what is between is rounding."""
+    """Return the extremes that no station shows; beside a station that does, an extreme is rounding."""
     return {
         name: value
         for name, value in _finite(extremes).items()
-        if all(sign * (value - row[name]) > BEYOND * abs(value) for row in stations if name in row)
+        if all(sign * (value - row[name]) > EXTREME_MARGIN * abs(value) for row in stations if name in row)
     }
 
 
 def read_baseline(path: Path) -> Baseline:
-    """A baseline from its file.
+    """Read a baseline from its file.
+
+    Args:
+        path: Path of the baseline.
 
     Raises:
-        SpecError: it cannot be read, or all that is wrong with it.
+        SpecError: The file cannot be read; otherwise all faults in it.
     """
     text = read_text(path)
     data = parse_text(text, str(path))

@@ -1,4 +1,4 @@
-"""Which designs a folder holds."""
+"""The standard designs in files and folders."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -11,34 +11,45 @@ from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 from chutecalc.studies.regression.baseline import baseline_path, spec_path
 
 MARKS = {"flow", "segments"}
-"""Tables of which a chute's spec has one at least, and the settings of a project none."""
+"""Tables of which a spec has at least one, and the settings of a project none."""
 
 
 class Designs(NamedTuple):
-    """What was found."""
+    """Designs that were found."""
 
     chutes: list[Chute]
-    alone: list[Path]
-    """Baselines whose spec is gone."""
+    """Chutes of one design each, whose sources are the paths of their specs."""
+    orphaned: list[Path]
+    """Baselines without a spec."""
 
 
 def find_designs(paths: Iterable[str]) -> Designs:
-    """The designs that files and folders hold, read and checked, in the order given; each once.
+    """Read and check the designs in files and folders, each once, in the order given.
 
-    Of a folder these are all TOML files below it that have a baseline beside them, or a flow or segments in them;
-    folders whose name begins with a dot are passed over. A baseline stands for its spec.
+    In a folder these are all TOML files at any depth that have a baseline beside them, or a table ``flow`` or
+    ``segments``. Folders whose names begin with a dot are skipped. A baseline stands for its spec.
+
+    Args:
+        paths: Specs, baselines and folders.
 
     Raises:
-        SpecError: all faults of all of them.
-        UsageError: a path that leads nowhere, or nothing found.
+        AllSpecsError: All faults of all specs.
+        UsageError: A path does not exist, or there is no spec.
+
+    >>> import chutecalc
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     size = Path(folder, "spoon.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    ...     print([Path(chute.source).name for chute in find_designs([folder]).chutes])
+    ['spoon.toml']
     """
     chutes: list[Chute] = []
     errors: list[SpecError] = []
-    alone: list[Path] = []
+    orphaned: list[Path] = []
     given = list(paths)
     for file, named in _files(given):
         if file.name.endswith(BASELINE_SUFFIX) and file.exists():
-            alone.append(file)
+            orphaned.append(file)
             continue
         try:
             chute = _read(file, named or baseline_path(file).exists())
@@ -48,13 +59,13 @@ def find_designs(paths: Iterable[str]) -> Designs:
             chutes += [chute] if chute else []
     if errors:
         raise AllSpecsError(errors)
-    if not chutes and not alone:
-        raise UsageError(f"there is no spec in {', '.join(given)}: name one, or the folder that it is in")
-    return Designs(chutes, alone)
+    if not chutes and not orphaned:
+        raise UsageError(f"there is no spec in {', '.join(given)}. Name a spec, or a folder that contains one")
+    return Designs(chutes, orphaned)
 
 
 def _files(paths: Iterable[str]) -> Iterator[tuple[Path, bool]]:
-    """TOML files, and whether they were named themselves; a baseline only where its spec is gone."""
+    """Yield TOML files, and whether they were named themselves; a baseline only where its spec does not exist."""
     met: set[str] = set()
     for path in map(Path, paths):
         for file in _below(path) if path.is_dir() else [path]:
@@ -67,14 +78,14 @@ def _files(paths: Iterable[str]) -> Iterator[tuple[Path, bool]]:
 
 
 def _below(folder: Path) -> Iterator[Path]:
-    """The TOML files of a folder and of those in it, in order."""
+    """Yield the TOML files in a folder at any depth, in order."""
     for here, folders, files in os.walk(folder):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         yield from (Path(here, name) for name in sorted(files) if name.endswith(".toml"))
 
 
 def _read(file: Path, sure: bool) -> Chute | None:
-    """A design, or None for TOML that is no spec and need not be one."""
+    """Read a design, or None from TOML that need not be a spec and is not."""
     text = read_text(file)
     data = parse_text(text, str(file))
     return Chute(data, str(file), text) if sure or MARKS & data.keys() else None

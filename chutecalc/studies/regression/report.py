@@ -10,7 +10,7 @@ from chutecalc.output.dataset import Dataset, block_of, document_head
 from chutecalc.output.grid import GAP, Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS
-from chutecalc.studies.regression.regression import NO_BASELINE, OK, Drift, Verdict, worst
+from chutecalc.studies.regression.regression import NO_BASELINE, OK, Drift, Verdict, first_and_largest
 
 ROW_COLUMNS: dict[str, type] = {
     "spec": str,
@@ -70,16 +70,16 @@ def _drifts(verdict: Verdict) -> Grid:
     table = Grid(indent=GAP)
     for heading in ("column", "first at", "s\nm", "largest at", "s\nm", "was", "is", "drift"):
         table.column(heading, left=heading in ("column", "first at", "largest at"))
-    for first, most in worst(verdict.drifts):
+    for first, most in first_and_largest(verdict.drifts):
         table.row([most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}"])
     return table
 
 
 def _where(drift: Drift) -> tuple[str, str]:
     """Return the segment of a drift, with the row unless that is a station, and its distance s."""
-    row = "" if drift.place.row.startswith("station") else drift.place.row
+    row = "" if drift.key.row.startswith("station") else drift.key.row
     s = "" if drift.s_m is None else COLUMNS["s_m"].shown(drift.s_m, "metric")
-    return f"{drift.place.segment} {row}".rstrip(), s
+    return f"{drift.key.segment} {row}".rstrip(), s
 
 
 def _values(drift: Drift) -> tuple[str, str]:
@@ -123,7 +123,7 @@ def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
 
 def _drift(drift: Drift) -> dict[str, Any]:
     """Return a drift as an object."""
-    return drift.place._asdict() | {
+    return drift.key._asdict() | {
         "column": drift.column,
         "s_m": drift.s_m,
         "was": drift.was,
@@ -164,7 +164,7 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
         element = ElementTree.SubElement(suite, "testcase", case | {"time": f"{verdict.seconds:.3f}"})
         if verdict.outcome != OK:
             lines = [*(change.message for change in verdict.changes), *verdict.notes]
-            lines += [_line(*pair) for pair in worst(verdict.drifts)]
+            lines += [_line(*pair) for pair in first_and_largest(verdict.drifts)]
             failure = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
             ElementTree.SubElement(element, "failure", failure).text = "\n".join(lines)
     ElementTree.indent(root)

@@ -1,4 +1,4 @@
-"""The designs of a sweep by number: which value each parameter has in which row, without a table of all of them."""
+"""The designs of a sweep by row number: the value of each parameter in any row, without a table of all rows."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,14 @@ from chutecalc.studies.sweep.parameters import Parameter
 
 
 class Grid:
-    """Rows of parameter values: all combinations, the last parameter fastest, or parallel lists.
+    """Rows of parameter values: all combinations with the last parameter fastest, or parallel lists.
+
+    Args:
+        parameters: The parameters, at least one.
+        parallel: Whether their lists run side by side instead of in all combinations.
+
+    Raises:
+        UsageError: Parallel lists differ in length.
 
     >>> grid = Grid([Parameter("a", (), np.array([1.0, 2.0])), Parameter("b", (), np.array([3.0, 4.0, 5.0]))])
     >>> [values.tolist() for values in grid.at(np.arange(1, 3))]
@@ -18,26 +25,28 @@ class Grid:
     """
 
     def __init__(self, parameters: Sequence[Parameter], parallel: bool = False) -> None:
-        """Lays out the rows.
-
-        Raises:
-            UsageError: parallel lists that differ in length.
-        """
         self.parameters = tuple(parameters)
         counts = [len(parameter.values) for parameter in self.parameters]
         longest = max(counts)
         if parallel and any(count not in (1, longest) for count in counts):
             given = ", ".join(f"{parameter.name} {count}" for parameter, count in zip(parameters, counts, strict=True))
-            raise UsageError(f"--zip takes lists of one length, or single values: {given}")
+            raise UsageError(f"--zip needs lists of equal length, or single values. Given: {given}")
         self.count = longest if parallel else int(np.prod([*counts], dtype=object))
-        """How many rows there are."""
+        """Number of rows."""
         strides = [1] * len(counts)
         for k in reversed(range(len(counts) - 1)):
             strides[k] = 1 if parallel else strides[k + 1] * counts[k + 1]
         self._steps = list(zip(strides, counts, strict=True))
 
     def at(self, rows: Index) -> list[Array]:
-        """The values of each parameter in some rows; one alone where they all have the same."""
+        """Return the values of each parameter in some rows.
+
+        Args:
+            rows: Row numbers, from 0.
+
+        Returns:
+            An array for each parameter, in its unit; of length 1 where all rows have one value.
+        """
         found = []
         for parameter, (stride, count) in zip(self.parameters, self._steps, strict=True):
             chosen = rows // stride % count

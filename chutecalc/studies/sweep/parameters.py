@@ -1,4 +1,4 @@
-"""What a sweep varies: arguments such as ``beta=15:90:5`` as spec paths and values."""
+"""Reads what a sweep varies: arguments such as ``beta=15:90:5`` as key paths and values."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -17,30 +17,36 @@ SHORT = {
     "radius": ("segments", "radius_m"),
     "base": ("sections", "base_m"),
 }
-"""Short names: the table that they are looked for in, and the key."""
-BARE = {"beta": "15:90:5", "delta": "30:55:5"}
-"""What a short name means that stands without values."""
+"""Short name to the tables that it is looked up in, and the key there."""
+DEFAULT_VALUES = {"beta": "15:90:5", "delta": "30:55:5"}
+"""Values of a short name that is given without any."""
 
 
 class Parameter(NamedTuple):
-    """A quantity that is varied."""
+    """A quantity that a sweep varies."""
 
     name: str
-    """Of its column: the key of a short name, else the path as given."""
+    """Name of its column: the key of a short name, else the path as given."""
     paths: tuple[str, ...]
-    """Where its values go; each takes the same one."""
+    """Key paths that get its value; all get the same one."""
     values: Array
+    """In the units of the paths, shape (values,)."""
 
 
 def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
-    """The parameters that arguments mean for a chute.
+    """Return the parameters that some arguments stand for.
 
     Args:
-        arguments: ``name=values`` each, or a name of :data:`BARE` alone.
-        chute: whose keys short names stand for.
+        arguments: ``NAME=VALUES`` each, or a name of :data:`DEFAULT_VALUES` alone.
+        chute: in whose spec short names are looked up.
 
     Raises:
-        UsageError: all that is wrong with them.
+        UsageError: Any of the arguments is wrong; the message has a line for each.
+
+    >>> import chutecalc
+    >>> (rate,) = read_parameters(["rate=500,1000"], chutecalc.parse(chutecalc.STARTER))
+    >>> rate.name, rate.paths, rate.values.tolist()
+    ('rate_t_h', ('flow.rate_t_h',), [500.0, 1000.0])
     """
     found: list[Parameter] = []
     faults: list[str] = []
@@ -50,68 +56,73 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
         except UsageError as error:
             faults.append(str(error))
     names = [parameter.name for parameter in found]
-    faults += [f"{name} is given twice: keep one of them" for name in dict.fromkeys(names) if names.count(name) > 1]
+    faults += [f"{name} is given twice. Keep one of them." for name in dict.fromkeys(names) if names.count(name) > 1]
     if faults:
         raise UsageError("\n".join(faults))
     return found
 
 
-def split_argument(argument: str, bare: dict[str, str]) -> tuple[str, Array]:
-    """Name and values of an argument.
+def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]:
+    """Return the name and the values of an argument.
+
+    Args:
+        argument: ``NAME=VALUES``, or a name alone.
+        defaults: values, as text, of names that may stand alone.
 
     Raises:
-        UsageError: it has no values, and is none of the names that may stand ``bare``.
+        UsageError: The argument has no values, or they are not numbers.
+
+    >>> split_argument("rate=500,1000", {})
+    ('rate', array([ 500., 1000.]))
     """
     name, equals, text = argument.partition("=")
     name = name.strip()
-    if not equals and name in bare:
-        return name, read_values(name, bare[name])
+    if not equals and name in defaults:
+        return name, read_values(name, defaults[name])
     if not (name and equals):
-        raise UsageError(f"{argument!r} has no values: write NAME=VALUES, such as beta=15:90:5 or rate=500,1000")
+        raise UsageError(f"{argument!r} has no values. Write NAME=VALUES, such as beta=15:90:5 or rate=500,1000.")
     return name, read_values(name, text)
 
 
 def _parameter(argument: str, chute: Chute) -> Parameter:
-    """One argument."""
-    name, values = split_argument(argument, BARE)
+    """Return the parameter that an argument stands for."""
+    name, values = split_argument(argument, DEFAULT_VALUES)
     for short, (table, key) in SHORT.items():
-        twins = same_quantity(key)
-        stem = min(twins, key=len).rpartition("_")[0]
-        meant = {short: key} | {twin.replace(stem, short, 1): twin for twin in twins} | {twin: twin for twin in twins}
-        if name in meant:
-            return Parameter(meant[name], tuple(_paths(name, table, meant[name], chute)), values)
+        keys = same_quantity(key)
+        stem = min(keys, key=len).rpartition("_")[0]
+        spellings = {short: key} | {each.replace(stem, short, 1): each for each in keys} | {each: each for each in keys}
+        if name in spellings:
+            return Parameter(spellings[name], tuple(_paths(name, table, spellings[name], chute)), values)
     if "." not in name:
         known = ", ".join(SHORT)
-        raise UsageError(f"{name} is no short name ({known}) and no path, such as segments.1.drop_m")
+        raise UsageError(f"{name} is neither a short name ({known}) nor a path such as segments.1.drop_m")
     return Parameter(name, (name,), values)
 
 
 def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
-    """The paths that a short name stands for.
+    """Return the key paths that a short name stands for.
 
     Raises:
-        UsageError: there is none, or it is not clear which is meant.
+        UsageError: The spec has no such key, or several that may be meant.
     """
-    twins = same_quantity(key)
+    keys = same_quantity(key)
     tables = dict(_tables(chute.data.get(table), table))
-    found = {
-        path: next(twin for twin in twins if twin in entry) for path, entry in tables.items() if {*twins} & {*entry}
-    }
+    found = {path: next(each for each in keys if each in entry) for path, entry in tables.items() if {*keys} & {*entry}}
     paths = [f"{path}.{key}" for path in found]
     if not found:
-        others = [f"{path}.{own}" for path, entry in _all_tables(chute.data) for own in entry if own in twins]
-        remedy = f"choose {' or '.join(others)}" if others else "choose another parameter, by its path"
-        raise UsageError(f"{name}: the spec has no {key} in its {table}; {remedy}")
+        others = [f"{path}.{own}" for path, entry in _all_tables(chute.data) for own in entry if own in keys]
+        remedy = f"Use {' or '.join(others)}." if others else "Use the path of another number."
+        raise UsageError(f"{name}: the spec has no {key} in its {table}. {remedy}")
     if name.partition("_")[0] == "delta" and "pressure_ratio" in chute.data["material"]:
-        raise UsageError(f"{name}: K_v is given by material.pressure_ratio, whatever δ is: choose that, or remove it")
+        raise UsageError(f"{name}: material.pressure_ratio sets K_v, whatever δ is. Vary that, or remove it.")
     many = {repr(tables[path][own]) for path, own in found.items()}
     if len(found) > 1 and (table == "segments" or (key in same_quantity("base_m") and len(many) > 1)):
-        raise UsageError(f"{name}: there are several, choose {' or '.join(paths)}")
+        raise UsageError(f"{name}: the spec has several. Use {' or '.join(paths)}.")
     return paths
 
 
 def _tables(tables: Any, path: str) -> Iterator[tuple[str, dict[str, Any]]]:
-    """The tables of one kind by their paths: one, those of a list, or those that have names."""
+    """Yield tables of the spec with their paths: the items of a list, named tables, or one table."""
     if isinstance(tables, list):
         for number, entry in enumerate(tables, 1):
             yield f"{path}.{entry.get('name', number)}", entry
@@ -123,6 +134,6 @@ def _tables(tables: Any, path: str) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _all_tables(data: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """All tables of a spec by their paths."""
+    """Yield all tables of a spec with their paths."""
     for table in ("flow", "material", "liners", "sections", "inlet", "segments", "receiver"):
         yield from _tables(data.get(table), table)

@@ -167,6 +167,6 @@ def _note(sweep: Sweep, block: Block, lines: bool) -> str:
     words, counts = np.unique(block["status"], return_counts=True)
     ends = ", ".join(f"{count:,} {word.replace('_', ' ')}" for word, count in zip(words, counts, strict=True))
     single = [f"{each.name} = {each.values[0]:g}" for each in sweep.parameters if len(each.values) == 1]
-    constant = [f"constant {sweep.keep}"] if sweep.kept.names else []
+    constant = [f"constant {sweep.keep}"] if sweep.adjustment.names else []
     marks = f" ({'crosses' if lines else 'hatched'}: no stream leaves)" if (words != "ok").any() else ""
     return "; ".join([f"{sweep.count:,} designs: {ends}{marks}", *constant, *single])

@@ -1,4 +1,4 @@
-"""Sweeps: a row for each of many designs, worked out in blocks that do not know of each other."""
+"""Sweeps: a row for each of many designs, computed in independent blocks."""
 
 import hashlib
 import json
@@ -23,19 +23,29 @@ from chutecalc.results.exits import NOT_AT_EXIT, named
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.solution import Solution
 from chutecalc.runtime import cores
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, chosen
+from chutecalc.studies.sweep.adjustment import SectionAdjustment
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, select_rows
 from chutecalc.studies.sweep.grid import Grid
-from chutecalc.studies.sweep.kept import Kept
 from chutecalc.studies.sweep.parameters import Parameter
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
 EXTREME = {"max": LARGEST, "min": LEAST}
+"""Prefixes of columns that are extremes."""
 WITH_FINDINGS, STATIONS = 1024, 262_144
-"""Designs of a block where findings are asked for, and stations, about; a block is a chunk of a batch otherwise."""
+"""Designs of a block with findings, and stations of a block, roughly. Other blocks are one chunk of a batch."""
 
 
 class Sweep:
-    """Variants of a chute, and what is asked of them."""
+    """Variants of a chute, and the columns to compute for them.
+
+    >>> import chutecalc
+    >>> from chutecalc.studies.sweep.parameters import Parameter
+    >>> chute = chutecalc.parse(chutecalc.STARTER)
+    >>> path = "flow.rate_t_h"
+    >>> sweep = Sweep(chute, [Parameter(path, (path,), np.array([500.0, 1000.0]))], columns=["exit_velocity_m_s"])
+    >>> sweep.block(0)["exit_velocity_m_s"].round(3).tolist()
+    [3.963, 3.878]
+    """
 
     def __init__(
         self,
@@ -49,22 +59,25 @@ class Sweep:
         spacing: float | None = None,
         rtol: float = 1e-10,
     ) -> None:
-        """Checks what is asked; solves nothing.
+        """Check the arguments; nothing is solved yet.
 
         Args:
-            chute: of one design.
-            parameters: what is varied, at least one.
-            parallel: their lists go side by side, rather than in all combinations.
-            keep: what stays of a section while its chamfer angle varies, see
-                :class:`~chutecalc.studies.sweep.kept.Kept`.
-            columns: names of those wanted, of :func:`chutecalc.results.columns.row_columns`, or of stations.
-            top: which rows are wanted; all, without it.
-            points, spacing: rows are stations then, as of :meth:`chutecalc.Solution.stations`.
-            rtol: as of :func:`chutecalc.solve`.
+            chute: A chute of one design.
+            parameters: The parameters to vary, at least one.
+            parallel: Whether their lists run side by side instead of in all combinations.
+            keep: Dimension of a section that is constant while its chamfer angle varies: ``base``, ``width`` or
+                ``depth``.
+            columns: Names of the columns to compute, from :func:`chutecalc.results.columns.row_columns`, or a station's
+                columns with ``points`` or ``spacing``.
+            top: The rows to select; all by default.
+            points: Number of stations of each segment, as in :meth:`chutecalc.Solution.stations`; rows are stations
+                then.
+            spacing: Spacing of stations, m, as in :meth:`chutecalc.Solution.stations`; rows are stations then.
+            rtol: Relative tolerance, as in :func:`chutecalc.solve`.
 
         Raises:
-            UsageError: what does not go together.
-            SpecError: paths that lead nowhere and values out of bounds, all of them.
+            UsageError: Arguments that do not go together.
+            SpecError: All paths that are not in the spec and all values that are out of bounds.
         """
         check_tolerance(rtol)
         self.chute, self.rtol, self.top, self.points, self.spacing = chute, rtol, top, points, spacing
@@ -73,27 +86,27 @@ class Sweep:
         self.grid = Grid(parameters, parallel)
         self.columns = self._columns(columns)
         self._check_values()
-        self.kept = Kept(chute, [path for parameter in parameters for path in parameter.paths], keep)
+        self.adjustment = SectionAdjustment(chute, [path for parameter in parameters for path in parameter.paths], keep)
         if self.top and self.profiles:
-            raise UsageError("--top chooses among designs: it does not go with --points or --stations")
+            raise UsageError("--top selects designs. It cannot be used with --points or --stations")
         if self.top and self.top.column not in self.header:
             self.columns = self._columns([*self.columns, self.top.column])
         if self.top and self.top.column in TEXT:
-            raise UsageError(f"--by takes a column of numbers, not {self.top.column}")
+            raise UsageError(f"--by needs a column of numbers, not {self.top.column}")
 
     @property
     def count(self) -> int:
-        """How many designs there are."""
+        """Number of designs."""
         return self.grid.count
 
     @property
     def header(self) -> list[str]:
-        """The names of the rows' columns."""
+        """Names of the columns of a row."""
         return [*(parameter.name for parameter in self.parameters), "status", *self.columns]
 
     @cached_property
     def block_size(self) -> int:
-        """Designs of a block."""
+        """Number of designs in a block."""
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
             return max(1, min(CHUNK, STATIONS // max(stations, 1)))
@@ -101,11 +114,14 @@ class Sweep:
 
     @property
     def block_count(self) -> int:
-        """How many blocks there are."""
+        """Number of blocks."""
         return -(-self.count // self.block_size)
 
     def identity(self) -> dict[str, Any]:
-        """All that the rows follow from, and with which version: equal where blocks of one fit the other."""
+        """Return everything that determines the rows, with the version of chutecalc.
+
+        Blocks of two sweeps are interchangeable where these are equal.
+        """
         values = [hashlib.sha256(parameter.values.tobytes()).hexdigest() for parameter in self.parameters]
         return {
             "chutecalc": __version__,
@@ -124,11 +140,14 @@ class Sweep:
         }
 
     def blocks(self, numbers: Iterable[int], jobs: int | None = None) -> Generator[tuple[int, Block], None, None]:
-        """Blocks with their numbers, in the order asked for; a few are solved ahead.
+        """Solve blocks in threads, a few ahead of the one yielded.
 
         Args:
-            numbers: which.
-            jobs: threads; as many as there are cores where that is not given. The rows do not depend on it.
+            numbers: Numbers of the blocks, from 0.
+            jobs: Number of threads; one for each core by default. The rows do not depend on it.
+
+        Yields:
+            Number and rows of each block, in the order of ``numbers``.
         """
         threads = jobs or cores()
         waiting: deque[tuple[int, Future[Block]]] = deque()
@@ -145,7 +164,14 @@ class Sweep:
                     future.cancel()
 
     def block(self, number: int) -> Block:
-        """The rows of one block, in the order of the grid."""
+        """Solve one block.
+
+        Args:
+            number: Number of the block, from 0.
+
+        Returns:
+            Its rows in the order of the grid, or the best of them with ``top``.
+        """
         first = number * self.block_size
         rows = np.arange(first, min(first + self.block_size, self.count))
         pieces = list(self._pieces(rows))
@@ -153,9 +179,9 @@ class Sweep:
         if len(pieces) == 1 and pieces[0][0] is rows:  # all there, and in their order
             numbers, order, missing = rows, slice(None), rows[:0]
         else:
-            told = np.concatenate([rows[:0], *(numbers for numbers, _ in pieces)])
-            missing = np.setdiff1d(rows, told)
-            numbers = np.concatenate([told, missing])
+            solved = np.concatenate([rows[:0], *(numbers for numbers, _ in pieces)])
+            missing = np.setdiff1d(rows, solved)
+            numbers = np.concatenate([solved, missing])
             order = np.argsort(numbers, kind="stable")
         given = zip(self.parameters, self.grid.at(rows), strict=True)
         block: Block = {
@@ -163,20 +189,22 @@ class Sweep:
         }
         for name in ("status", *self.columns):
             empty = np.full(len(missing), IMPOSSIBLE if name == "status" else "" if name in TEXT else np.nan)
-            block[name] = np.concatenate([*(told[name] for _, told in pieces), empty])[order]
-        return block if self.top is None else chosen(block, np.sort(self.top.best(block)))
+            block[name] = np.concatenate([*(piece[name] for _, piece in pieces), empty])[order]
+        return block if self.top is None else select_rows(block, np.sort(self.top.best(block)))
 
     def _pieces(self, rows: Index) -> Iterator[tuple[Index, Block]]:
-        """The numbers of rows and what is told of them, without those of designs that cannot be."""
+        """Yield numbers and columns of rows, without designs that cannot be built."""
         given = zip(self.parameters, self.grid.at(rows), strict=True)
-        changes, possible = self.kept({path: values for each, values in given for path in each.paths}, len(rows))
+        changes, possible = self.adjustment.apply(
+            {path: values for each, values in given for path in each.paths}, len(rows)
+        )
         if not possible.all():
             if possible.any():
                 yield from self._pieces(rows[possible])
             return
         try:
             variants = self.chute.vary(changes)
-            told = self._stations(rows, variants) if self.profiles else (rows, self._designs(variants, len(rows)))
+            piece = self._stations(rows, variants) if self.profiles else (rows, self._designs(variants, len(rows)))
         except SpecError as error:
             if error.designs is not None:
                 rest = rows[~np.broadcast_to(error.designs, len(rows))]
@@ -186,24 +214,25 @@ class Sweep:
                 yield from self._pieces(rows[:half])
                 yield from self._pieces(rows[half:])
         else:
-            yield told
+            yield piece
 
     def _designs(self, variants: Chute, count: int) -> Block:
-        """A row for each design."""
-        ways = {
-            way: [name.removeprefix(f"{way}_") for name in self.columns if name.startswith(f"{way}_")] for way in WAYS
+        """Compute a row for each design."""
+        by_prefix = {
+            prefix: [name.removeprefix(f"{prefix}_") for name in self.columns if name.startswith(f"{prefix}_")]
+            for prefix in WAYS
         }
         if self._at_ends:
-            ends = exits(variants, self.rtol, ways["exit"], jobs=1)
+            ends = exits(variants, self.rtol, by_prefix["exit"], jobs=1)
             codes, error, exit_, belt = ends.codes, ends.error_estimate, ends.exit, ends.receiver
             numbers: Block = {}
         else:
             run = solve(variants, self.rtol)
-            codes, error, exit_ = run.codes, run.error_estimate, run.exit_columns(ways["exit"])
+            codes, error, exit_ = run.codes, run.error_estimate, run.exit_columns(by_prefix["exit"])
             belt = run.receiver if any(name.startswith("receiver_") for name in self.columns) else {}
-            wanted = [(name, EXTREME[way]) for way in EXTREME for name in ways[way]]
-            keys = [f"{way}_{name}" for way in EXTREME for name in ways[way]]
-            numbers = dict(zip(keys, run.extreme_columns(wanted).values(), strict=True))
+            extremes = [(name, EXTREME[prefix]) for prefix in EXTREME for name in by_prefix[prefix]]
+            keys = [f"{prefix}_{name}" for prefix in EXTREME for name in by_prefix[prefix]]
+            numbers = dict(zip(keys, run.extreme_columns(extremes).values(), strict=True))
         numbers |= named(exit_, belt, error)
         well = codes == Status.OK
         block: Block = {"status": np.array(Status.LABELS)[codes]}
@@ -212,7 +241,7 @@ class Sweep:
         return {name: np.broadcast_to(values, count) for name, values in block.items()}
 
     def _stations(self, rows: Index, variants: Chute) -> tuple[Index, Block]:
-        """A row for each station that a design's stream reached."""
+        """Compute a row for each station that the stream of a design reaches."""
         run = solve(variants, self.rtol)
         table = run.stations(self.points, self.spacing, [*self.columns, "s_m"])
         table["status"] = run.status[:, None]
@@ -223,32 +252,35 @@ class Sweep:
 
     @cached_property
     def _at_ends(self) -> bool:
-        """Whether nothing is asked that lies between the inlet and the end of the chute."""
+        """Whether all columns are those of the end of the chute, so that nothing before it has to be computed."""
         last = {f"exit_{name}" for name in COLUMNS if name not in NOT_AT_EXIT}
         return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in self.columns)
 
-    def _columns(self, wanted: Sequence[str]) -> list[str]:
-        """The columns asked for, each once, without those that are always there."""
+    def _columns(self, names: Sequence[str]) -> list[str]:
+        """Return the columns asked for, each once, without those that every row has."""
         known = {name for name in COLUMNS if name != "spec"} if self.profiles else {*row_columns()}
         usual = [name for name in COLUMNS if name != "spec"] if self.profiles else DEFAULT
-        unknown = [name for name in wanted if name not in known and name != "status"]
+        unknown = [name for name in names if name not in known and name != "status"]
         if unknown:
             close = [match for name in unknown for match in get_close_matches(name, known, n=1)]
-            hint = f"did you mean {', '.join(close)}? " if close else ""
-            own = "a station's columns" if self.profiles else "exit_, max_ and min_ before a station's columns"
-            raise UsageError(
-                f"there is no column {', '.join(unknown)} here: {hint}known are {own}; chutecalc columns lists all"
+            hint = f"Did you mean {', '.join(close)}? " if close else ""
+            own = (
+                "Use the columns of a station" if self.profiles else "Use exit_, max_ or min_ before a station's column"
             )
-        belt = [name for name in wanted if name.startswith("receiver_")]
+            plural = "s" if len(unknown) > 1 else ""
+            raise UsageError(
+                f"unknown column{plural} {', '.join(unknown)}. {hint}{own}; chutecalc columns lists them all"
+            )
+        belt = [name for name in names if name.startswith("receiver_")]
         if belt and self.chute.spec.receiver is None:
             raise UsageError(f"{belt[0]}: the spec has no [receiver]")
-        return [name for name in dict.fromkeys(wanted or usual) if name != "status"]
+        return [name for name in dict.fromkeys(names or usual) if name != "status"]
 
     def _check_values(self) -> None:
-        """That every path leads somewhere and takes its values, whatever they make together.
+        """Check that every path is in the spec and takes its values, whatever they make together.
 
         Raises:
-            SpecError: all faults.
+            SpecError: All faults.
         """
         first = {path: each.values[:1] for each in self.parameters for path in each.paths}
         ends = {
@@ -262,7 +294,7 @@ class Sweep:
             raise SpecError(list(dict.fromkeys(faults)), self.chute.source)
 
     def _faults(self, changes: Block) -> tuple[Fault, ...]:
-        """What is wrong with values, unless it is that no such section can be."""
+        """Return the faults of values, other than that a section cannot be built."""
         try:
             self.chute.vary(changes)
         except SpecError as error:
@@ -271,9 +303,9 @@ class Sweep:
 
 
 def _codes(run: Solution) -> Any:
-    """The codes of each design's findings, each once, with a blank between them."""
-    told: list[dict[str, None]] = [{} for _ in range(run.count)]
+    """Return the codes of each design's findings, each once, with blanks between them."""
+    codes: list[dict[str, None]] = [{} for _ in range(run.count)]
     for finding in run.findings():
         for k in np.flatnonzero(finding.mask):
-            told[k][finding.code] = None
-    return np.array([" ".join(codes) for codes in told])
+            codes[k][finding.code] = None
+    return np.array([" ".join(own) for own in codes])

@@ -12,7 +12,7 @@ from chutecalc.output.dataset import Block
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS, Column, row_columns
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, chosen, joined
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, joined, select_rows
 from chutecalc.studies.sweep.sweep import Sweep
 
 MOST_SHOWN, SHOWN_WITH_FILE = 1000, 40
@@ -84,7 +84,7 @@ class FirstRows:
         self.ends.update(status.tolist())
         possible = np.flatnonzero(status != IMPOSSIBLE)[: self.most - self.count]
         if possible.size:
-            self.blocks.append(chosen(block, possible))
+            self.blocks.append(select_rows(block, possible))
             self.count += len(possible)
 
     def close(self) -> None:
@@ -111,7 +111,7 @@ class FirstRows:
         """Return the parameters, what stays constant, and which rows are chosen, as text."""
         sweep = self.sweep
         lists = [f"{parameter.name} ({len(parameter.values):,})" for parameter in sweep.parameters]
-        how = f", constant {sweep.keep}" if sweep.kept.names else ""
+        how = f", constant {sweep.keep}" if sweep.adjustment.names else ""
         top = sweep.top
         best = f", the {top.rows} of {'largest' if top.largest else 'smallest'} {top.column}" if top else ""
         return (" with " if sweep.parallel else " by ").join(lists) + how + best

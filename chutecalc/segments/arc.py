@@ -1,0 +1,60 @@
+"""The base class of circular arcs."""
+
+from typing import ClassVar
+
+import numpy as np
+from pydantic import Field
+
+from chutecalc.design import Contact
+from chutecalc.fields.quantities import Length, Slope
+from chutecalc.fields.quantity import in_si
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.segments.base import Context
+from chutecalc.segments.guide import Guide
+
+
+class Arc(Guide):
+    """A circular arc."""
+
+    radius_m: Length = Field(description="radius of the guiding surface")
+    to_slope_deg: Slope = Field(description="slope at its end, below horizontal")
+    from_slope_deg: Slope = Field(
+        None, description="slope at its start, below horizontal; tangent to what comes before it if not given"
+    )
+
+    placed: ClassVar[dict[str, str]] = {**Guide.placed, "from_slope_deg": "from_slope_deg"}
+
+    def arc(self, context: Context, side: float) -> Contact:
+        """Return an arc that begins at its own slope, or tangent to what comes before it.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+            side: ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
+        """
+        exit_ = in_si(self.to_slope_deg, "angle")
+        entry = context.tangent if self.from_slope_deg is None else in_si(self.from_slope_deg, "angle")
+        if entry is not None:  # what begins tangent to a falling stream is known only when it is solved
+            wrong, problem, remedy = self.check_turn(entry, exit_)
+            context.faults.note(wrong, (*context.location, "to_slope_deg"), self.to_slope_deg, problem, remedy)
+        return self.contact(context, side, entry, exit_, radius=in_si(self.radius_m, "length"))
+
+    def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
+        """Return the mask of designs whose arc does not turn as it has to, with problem and remedy.
+
+        Args:
+            entry, exit_: slopes at its start and end, rad below horizontal.
+        """
+        problem = f"leaves the arc no length: it begins at {degrees(entry)} too"
+        return exit_ == entry, problem, "give another slope"
+
+
+def degrees(slope: Array) -> str:
+    """Return the first of some slopes as text in degrees.
+
+    Args:
+        slope: rad, shape (1,) or (designs,).
+
+    >>> degrees(np.array([np.pi / 4]))
+    '45°'
+    """
+    return f"{np.degrees(slope.flat[0]):.6g}°"

@@ -1,0 +1,77 @@
+"""The base class of segments that guide the stream."""
+
+from typing import Annotated, ClassVar
+
+from pydantic import Field
+
+from chutecalc.design import Contact
+from chutecalc.fields.faults import ALL_DESIGNS
+from chutecalc.fields.quantities import Position
+from chutecalc.fields.quantity import in_si
+from chutecalc.physics.arrays import Array
+from chutecalc.segments.base import Context, Segment
+
+
+class Guide(Segment):
+    """A segment that guides the stream."""
+
+    section: str | Annotated[list[str], Field(min_length=2, max_length=2)] | None = Field(
+        None, description="name of its section, or of those at its start and its end; needed if the spec has several"
+    )
+    liner: str | None = Field(None, description="name of its liner; needed if the spec has several")
+    start_m: Position = Field(None, description="x and z of its drawn start, after a fall with onto_next")
+
+    placed: ClassVar[dict[str, str]] = {"start_m": "start_m = [x, z]"}
+
+    def contact(
+        self,
+        context: Context,
+        side: float,
+        entry_slope: Array | None,
+        exit_slope: Array,
+        radius: Array | None = None,
+        length: Array | None = None,
+        deflects: bool = False,
+    ) -> Contact:
+        """Return the segment in numbers, with its section and liner.
+
+        Args:
+            context: what the numbers follow from, beside this table.
+            side: ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
+            entry_slope: at its start, rad below horizontal; None if it is tangent to the stream that falls into it.
+            exit_slope: at its end, rad below horizontal.
+            radius: of an arc, m; None for a straight.
+            length: of a straight, m; None for an arc.
+            deflects: whether the stream only strikes it, as an impact plate.
+        """
+        first, last = self._section_names(context)
+        start = None if self.start_m is None else (in_si(self.start_m[0], "length"), in_si(self.start_m[1], "length"))
+        lining = context.linings[self.liner or next(iter(context.linings))]
+        return Contact(
+            name=context.name,
+            kind=self.kind,
+            side=side,
+            deflects=deflects,
+            entry_slope=entry_slope,
+            exit_slope=exit_slope,
+            radius=radius,
+            length=length,
+            start=start,
+            section=context.drawn_sections[first],
+            end_section=None if last is None else context.drawn_sections[last],
+            wall=lining.wall,
+            measured=lining.measured,
+            slip_ratio=lining.slip_ratio,
+        )
+
+    def _section_names(self, context: Context) -> tuple[str, str | None]:
+        """Names of the sections at the start and, of a taper, at the end."""
+        if not isinstance(self.section, list):
+            return self.section or next(iter(context.sections)), None
+        first, last = self.section
+        if not context.sections[first].is_like(context.sections[last]):
+            problem = f"tapers from {first} to {last}, which differ in more than their numbers"
+            remedy = "give both the same shape and the same keys"
+            context.faults.note(ALL_DESIGNS, (*context.location, "section"), None, problem, remedy)
+            return first, None
+        return first, last if last != first else None

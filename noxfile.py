@@ -1,0 +1,125 @@
+"""All checks of this project. `nox` runs what CI runs; `nox -l` lists the sessions, `nox -s style` runs one.
+
+`tests` installs the project into `.venv` with the command that README.md gives, and `style`, `designs` and `benchmarks`
+use that environment. `package` and `oldest` have environments of their own.
+"""
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import nox
+
+nox.needs_version = ">=2024.4"
+nox.options.default_venv_backend = "venv"
+nox.options.stop_on_first_error = True
+nox.options.error_on_missing_interpreters = True
+
+PROJECT = nox.project.load_toml("pyproject.toml")["project"]
+BIN = Path(".venv", "bin").absolute()
+BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep")
+FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
+"""Random tests draw the same cases in every run; the session `nightly` draws new ones."""
+SLOW_SWEEPS = (
+    "tests/cli/test_sweep.py::test_killed_and_resumed_is_the_same_file",
+    "tests/cli/test_sweep.py::test_interrupted_it_leaves_what_it_has",
+)
+"""Sweeps of 90,000 designs, which take minutes uncompiled and say nothing more about the solver."""
+
+
+def project_tool(session: nox.Session, name: str, *arguments: str) -> None:
+    """Run a program of the project's own environment, `.venv`."""
+    if not (BIN / name).exists():
+        session.error(f".venv has no {name}: run nox -s tests, or the test command in README.md")
+    session.run(str(BIN / name), *arguments, external=True)
+
+
+@nox.session(venv_backend="none")
+def tests(session: nox.Session) -> None:
+    """Install and test the project with the command in README.md: newest dependencies, compiled core."""
+    printed = session.run("python3", ".ci/test_command.py", "README.md", external=True, silent=True)
+    assert isinstance(printed, str)
+    session.run("bash", "-euo", "pipefail", "-c", printed.strip(), env=FIXED_CASES, external=True)
+
+
+@nox.session(venv_backend="none")
+def style(session: nox.Session) -> None:
+    """Check style and types."""
+    project_tool(session, "ruff", "check", ".")
+    project_tool(session, "ruff", "format", "--check", ".")
+    project_tool(session, "mypy")
+
+
+@nox.session(venv_backend="none")
+def designs(session: nox.Session) -> None:
+    """Compare the standard designs with their baselines."""
+    project_tool(session, "chutecalc", "check", "specs")
+
+
+@nox.session
+def package(session: nox.Session) -> None:
+    """Build the packages where no C compiler is to be found, and install the wheel."""
+    session.install("build", "twine")
+    folder = Path(session.create_tmp()).absolute()
+    packages = folder / "dist"
+    shutil.rmtree(packages, ignore_errors=True)
+    no_programs = {"PATH": str(folder)}
+    session.run("python", "-m", "build", "--outdir", str(packages), ".", env=no_programs, silent=True)
+    built = [str(path) for path in packages.iterdir()]
+    session.run("twine", "check", "--strict", *built)
+    session.install("--no-deps", "--force-reinstall", *(path for path in built if path.endswith(".whl")))
+    with session.chdir(folder):
+        session.run("python", "-c", "import chutecalc.core as core; assert core.compiled(), core")
+
+
+@nox.session(venv_backend="none")
+def benchmarks(session: nox.Session) -> None:
+    """Run every benchmark on small problems, to see that it runs."""
+    project_tool(session, "pip", "install", "--quiet", *PROJECT["optional-dependencies"]["bench"])
+    for name in BENCHMARKS:
+        arguments = ("--quick", "--out", session.create_tmp())
+        session.run(str(BIN / "python"), f"benchmarks/{name}.py", *arguments, external=True, silent=True)
+
+
+@nox.session(python=os.environ.get("PYTHON_OLDEST"))
+def oldest(session: nox.Session) -> None:
+    """Test the uncompiled core with the oldest dependencies that pyproject.toml allows.
+
+    They need wheels for the interpreter: PYTHON_OLDEST names another one, such as 3.11.
+    """
+    constraints = Path(session.create_tmp(), "constraints.txt").absolute()
+    pins = session.run("python", ".ci/oldest.py", "pyproject.toml", silent=True)
+    assert isinstance(pins, str)
+    constraints.write_text(pins, encoding="utf-8")
+    uncompiled = {"CHUTECALC_COMPILE": "0"}
+    with without_compiled_core():
+        session.install("--constraint", str(constraints), "--editable", ".[test]", env=uncompiled)
+        session.run("python", "-c", "import chutecalc.core as core; assert not core.compiled(), core")
+        skipped = ["--ignore=tests/dem/test_lammps.py", *(f"--deselect={name}" for name in SLOW_SWEEPS)]
+        rooms = [f"tests/{room}" for room in ("unit", "cli", "verification", "regression", "dem")]
+        session.run("python", "-m", "pytest", "-n", "auto", *skipped, *rooms, "chutecalc", env=FIXED_CASES)
+
+
+@contextmanager
+def without_compiled_core() -> Iterator[None]:
+    """Put the compiled modules, which Python would take first, out of the way and back again."""
+    core, aside = Path("chutecalc", "core"), Path(".nox", "compiled")
+    aside.mkdir(parents=True, exist_ok=True)
+    modules = [*core.glob("*.so"), *core.glob("*.pyd")]
+    for module in modules:
+        module.rename(aside / module.name)
+    try:
+        yield
+    finally:
+        for module in modules:
+            (aside / module.name).rename(module)
+
+
+@nox.session(default=False)
+def nightly(session: nox.Session) -> None:
+    """Run the robustness and verification tests on random cases; arguments behind -- go to pytest."""
+    session.install("--editable", ".[test]")
+    rooms = ("tests/robustness", "tests/verification")
+    session.run("python", "-m", "pytest", "-n", "auto", *rooms, *session.posargs)

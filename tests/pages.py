@@ -1,0 +1,113 @@
+"""The examples in README.md and docs/*.md: commands, programs and specs, with what they print.
+
+python -m tests.pages    runs them all and writes their output into the pages anew
+
+A ``console`` block holds commands, each after ``$``, and what they print. ``| head -3`` keeps the first three lines;
+``echo $?`` shows the exit status. The ``python`` blocks of a page are one program; a ``text`` block right after one of
+them is what it prints. The first ``toml`` block of a page is a whole spec, and the tables of the others replace those
+in it.
+"""
+
+import contextlib
+import io
+import os
+import re
+import shlex
+import shutil
+import tempfile
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import chutecalc
+from chutecalc.cli import main
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = [ROOT / "README.md", *sorted(path for path in (ROOT / "docs").glob("*.md") if path.stem != "paper")]
+"""docs/paper.md is checked by tests/house/test_paper_page.py."""
+FENCE = re.compile(r"^```(console|python|toml)\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.DOTALL | re.MULTILINE)
+
+
+class Block(NamedTuple):
+    """A fenced block of a page."""
+
+    language: str
+    text: str
+    printed: str | None
+    """The ``text`` block behind a program."""
+
+
+def blocks(page: Path, language: str) -> list[Block]:
+    """The blocks of a page in one language, in order."""
+    found = (Block(*match.groups()) for match in FENCE.finditer(page.read_text(encoding="utf-8")))
+    return [block for block in found if block.language == language]
+
+
+@contextlib.contextmanager
+def workplace() -> Iterator[None]:
+    """A folder to run in, with the specs in it and nothing else."""
+    before = Path.cwd()
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(ROOT / "specs", Path(folder, "specs"))
+        os.chdir(folder)
+        try:
+            yield
+        finally:
+            os.chdir(before)
+
+
+def console(text: str) -> str:
+    """A ``console`` block with what its commands print."""
+    lines: list[str] = []
+    status = 0
+    for command in re.findall(r"^\$ (.*)$", text, re.MULTILINE):
+        lines.append(f"$ {command}")
+        if command == "echo $?":
+            lines.append(str(status))
+            continue
+        words, _, head = command.partition(" | head -")
+        written = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="")
+        with contextlib.redirect_stdout(written), contextlib.redirect_stderr(written):
+            status = main(shlex.split(words)[1:])
+            written.flush()
+        printed = written.buffer.getvalue().decode()  # type: ignore[attr-defined]
+        lines += [line.rstrip() for line in printed.rstrip().splitlines()[: int(head) if head else None]]
+    return "\n".join(lines) + "\n"
+
+
+def program(text: str, names: dict[str, Any]) -> str:
+    """What a program prints, run on the names of those before it."""
+    written = io.StringIO()
+    with contextlib.redirect_stdout(written):
+        exec(compile(text, "page.py", "exec"), names)
+    return written.getvalue()
+
+
+def spec(text: str, first: str) -> dict[str, Any]:
+    """A whole spec from a ``toml`` block."""
+    return tomllib.loads(first) | tomllib.loads(text)
+
+
+def renewed(page: Path) -> str:
+    """The text of a page with its examples run."""
+    names: dict[str, Any] = {"__name__": "page"}
+
+    def run(match: re.Match[str]) -> str:
+        language, text, printed = match.groups()
+        if language == "console":
+            return match[0].replace(text, console(text))
+        if language == "python":
+            now = program(text, names)
+            return match[0] if printed is None else match[0].replace(f"```text\n{printed}", f"```text\n{now}")
+        return match[0]
+
+    with workplace():
+        return FENCE.sub(run, page.read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    for page in PAGES:
+        page.write_text(renewed(page), encoding="utf-8")
+        for block in blocks(page, "toml"):
+            chutecalc.parse(spec(block.text, blocks(page, "toml")[0].text))
