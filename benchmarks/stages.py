@@ -14,7 +14,9 @@ from typing import Any
 from measure import Report, in_turn, median
 
 import chutecalc
-from chutecalc.output.csv import write_stations
+from chutecalc.output.dataset import Dataset
+from chutecalc.output.formats.csv import CsvRows
+from chutecalc.output.run import run_dataset
 from chutecalc.output.table import Printer
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
@@ -47,8 +49,16 @@ def stages(file: Path) -> Tasks:
         "stations, all columns": lambda: again().stations(),
         "extremes and findings": lambda: again().findings(),
         "table": lambda: Printer("metric", io.StringIO()).report(again()),
-        "CSV file": lambda: write_stations(io.StringIO(), [("spec", table)]),
+        "CSV file": lambda: write_csv(run_dataset([solution], [table])),
     }
+
+
+def write_csv(dataset: Dataset) -> None:
+    """Write rows as ``run --csv`` does."""
+    rows = CsvRows(io.StringIO(), dataset)
+    for block in dataset.blocks:
+        rows.write(block)
+    rows.close()
 
 
 def main() -> None:

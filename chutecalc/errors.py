@@ -1,4 +1,4 @@
-"""What a user may meet, with the exit status of each. The library raises; only ``cli.main`` prints."""
+"""Errors that a user can meet, with the exit status of each. The library raises them; only ``cli.main`` prints them."""
 
 from collections.abc import Sequence
 from enum import IntEnum
@@ -6,45 +6,59 @@ from typing import Any, NamedTuple
 
 
 class ExitStatus(IntEnum):
-    """Exit statuses of the commands."""
+    """Exit statuses of the commands, each with its meaning. ``chutecalc --help`` lists them."""
 
-    OK = 0
-    FAILS = 1
-    """The design fails, or a check found a difference."""
-    USAGE = 2
-    """A wrong command or spec, or an output that cannot be opened."""
-    EXTRA_MISSING = 3
-    INTERNAL = 70
-    WRITE_FAILED = 74
-    INTERRUPTED = 130
+    meaning: str
+
+    def __new__(cls, value: int, meaning: str = "") -> "ExitStatus":
+        """Make a status of its number and meaning."""
+        status = int.__new__(cls, value)
+        status._value_, status.meaning = value, meaning
+        return status
+
+    OK = 0, "Success. A sweep succeeds whatever its rows say."
+    FAILS = 1, "A chute fails, check finds a difference, or a dem case fails."
+    USAGE = 2, "The command or a spec is wrong, or an output cannot be opened."
+    EXTRA_MISSING = 3, "An optional library or program is not installed."
+    INTERNAL = 70, "A fault of chutecalc itself. --debug shows a traceback."
+    WRITE_FAILED = 74, "Writing an output failed, for example because the disk is full."
+    INTERRUPTED = 130, "Interrupted with Ctrl-C."
 
 
 class ChutecalcError(Exception):
-    """Anything that a user can mend."""
+    """Base of all errors that a user can correct."""
 
     exit_status = ExitStatus.USAGE
 
 
 class Fault(NamedTuple):
-    """One thing wrong with a spec: the fact, the place, the next step."""
+    """One fault of a spec: what is wrong, where, and what to do."""
 
     path: str
-    """Key path as the user wrote it, ``segments.2.radius_mm``; empty for the whole file."""
+    """Key path as the user wrote it, such as ``segments.2.radius_mm``; empty for the whole file."""
     problem: str
-    """What is wrong, with what is allowed."""
+    """What is wrong, and what is allowed."""
     remedy: str
     """What to do."""
     given: str = ""
-    """The value given, as text."""
+    """The value given, as text; empty if it does not matter."""
     line: int | None = None
+    """Line of the file; None if it is not known."""
 
     def text(self, source: str) -> str:
-        """As shown to people: ``spoon.toml:12: segments.2.radius_m = -3 has to be greater than 0 m. Change it.``."""
-        place = source if self.line is None else f"{source}:{self.line}"
+        """Return the fault as a line of text.
+
+        Args:
+            source: name of the file.
+
+        >>> Fault("segments.2.radius_m", "has to be greater than 0 m", "change it", "-3", 12).text("spoon.toml")
+        'spoon.toml:12: segments.2.radius_m = -3 has to be greater than 0 m. Change it.'
+        """
+        location = source if self.line is None else f"{source}:{self.line}"
         what = " = ".join(part for part in (self.path, self.given) if part)
         remedy = self.remedy[:1].upper() + self.remedy[1:]
         return (
-            f"{place}: "
+            f"{location}: "
             + " ".join(part for part in (what, self.problem) if part)
             + f". {remedy.rstrip('?.')}"
             + ("?" if remedy.endswith("?") else ".")
@@ -52,22 +66,31 @@ class Fault(NamedTuple):
 
 
 class SpecError(ChutecalcError):
-    """A spec that cannot be used; ``faults`` lists all that is wrong with it."""
+    """A spec with faults.
+
+    Args:
+        faults: all faults of the spec.
+        source: name of its file.
+        designs: of variants that are impossible only in combination, a mask of the impossible ones, of length 1 or n.
+    """
 
     def __init__(self, faults: Sequence[Fault], source: str = "spec", designs: Any = None) -> None:
         self.faults = tuple(faults)
         self.source = source
         self.designs = designs
-        """Of variants whose values are right one by one and do not go together: a mask of those, of length 1 or n."""
         super().__init__("\n".join(fault.text(source) for fault in self.faults))
 
     def __reduce__(self) -> tuple[type[Exception], tuple[object, ...]]:
-        """Errors cross from process to process by what they are made of."""
+        """Return how to make the error again, for other processes."""
         return SpecError, (self.faults, self.source)
 
 
 class AllSpecsError(SpecError):
-    """Several specs that cannot be used."""
+    """Several specs with faults.
+
+    Args:
+        errors: one for each spec.
+    """
 
     def __init__(self, errors: Sequence[SpecError]) -> None:
         super().__init__([fault for error in errors for fault in error.faults])
@@ -75,7 +98,7 @@ class AllSpecsError(SpecError):
 
 
 class UsageError(ChutecalcError):
-    """Arguments that do not fit together."""
+    """Arguments that are wrong, or do not fit together."""
 
 
 class OutputError(ChutecalcError):
@@ -83,7 +106,7 @@ class OutputError(ChutecalcError):
 
 
 class WriteError(ChutecalcError):
-    """A write that failed after its output was opened."""
+    """Writing an output failed after it was opened."""
 
     exit_status = ExitStatus.WRITE_FAILED
 

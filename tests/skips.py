@@ -11,6 +11,7 @@ EXPECTED = (
     "signals are others there",
     "programs are elsewhere in a venv there",
     "no device that is always full on this system",
+    "no affinity on this system",
     "mutants run in forked processes",
 )
 """How the reasons begin that are fine everywhere: what a platform does not have."""

@@ -1,6 +1,5 @@
 """The exits of many variants of a chute, without what lies before them: the fast way through a large batch."""
 
-import os
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields
@@ -14,6 +13,7 @@ from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import Exits, solve_exits
+from chutecalc.runtime import cores
 
 CHUNK = 16384
 """Designs solved together: enough that NumPy's calls cost nothing, few enough for the cache and for an even share."""
@@ -67,7 +67,7 @@ def exits(
         if len(edges) == 1:
             chunks = [solved(0)]
         else:
-            with ThreadPoolExecutor(min(jobs or os.cpu_count() or 1, len(edges))) as pool:
+            with ThreadPoolExecutor(min(jobs or cores(), len(edges))) as pool:
                 chunks = list(pool.map(solved, edges))
     except SpecError as error:
         raise SpecError(error.faults, chute.source, error.designs if len(edges) == 1 else None) from None

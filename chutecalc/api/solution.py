@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import require_extra
+from chutecalc.output.extras import PLOT, require_extra
 from chutecalc.results.described import html_table, number, outcomes
 from chutecalc.results.solved import SolvedChute
 
@@ -50,7 +50,7 @@ class Solution(SolvedChute):
             )
         if units not in UNITS:
             raise UsageError(f"units has to be {' or '.join(UNITS)}, not {units!r}")
-        require_extra("plot", "Solution.plot")
+        require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
 
         return draw_run([self], units)

@@ -1,4 +1,4 @@
-"""The command line: one thin file a command. ``main`` alone prints errors and sets the exit status."""
+"""The command line, one file for each command. ``main`` alone prints errors and sets the exit status."""
 
 import io
 import os
@@ -14,12 +14,12 @@ from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 COMMANDS = ("run", "sweep", "check", "dem", "new", "schema", "columns")
-HELP = "How a bulk-material stream runs through a transfer chute, by a lumped-mass continuum model."
+HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
 
-def _show_version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"chutecalc {__version__}{'' if compiled() else ' (its core uncompiled: slower)'}")
+def _show_version(requested: bool) -> None:
+    if requested:
+        typer.echo(f"chutecalc {__version__}{'' if compiled() else ' (core not compiled: slower)'}")
         raise typer.Exit()
 
 
@@ -32,32 +32,46 @@ def _common(
 
 
 def _app(given: Sequence[str]) -> typer.Typer:
-    """The commands; the one that is asked for alone, where there is one: each takes some milliseconds to set up."""
+    """Return the commands, or only the one that is called: each takes some milliseconds to set up."""
     app = typer.Typer(
         name="chutecalc",
-        help=HELP,
         rich_markup_mode=None,
         no_args_is_help=True,
         add_completion=False,
         context_settings={"help_option_names": ["-h", "--help"]},
     )
-    app.callback(help=HELP)(_common)
+    app.callback(help=HELP, epilog=_block("Exit status:", exit_statuses()))(_common)
     for name in given[:1] if given and given[0] in COMMANDS else COMMANDS:
-        app.command(name)(getattr(import_module(f"chutecalc.cli.{name}"), name))
+        module = import_module(f"chutecalc.cli.{name}")
+        app.command(name, epilog=_block("Examples:", module.EXAMPLES))(getattr(module, name))
     return app
 
 
+def exit_statuses() -> list[str]:
+    """Return a line for each exit status: its number, and what it means.
+
+    >>> exit_statuses()[-1]
+    '130  Interrupted with Ctrl-C.'
+    """
+    return [f"{status.value:>3}  {status.meaning}" for status in ExitStatus]
+
+
+def _block(heading: str, lines: Sequence[str]) -> str:
+    """Return lines under a heading, as the end of a help text that is not wrapped."""
+    return "\n".join(["\b", heading, *(f"  {line}" for line in lines)])
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs a command line.
+    """Run a command line.
 
     Args:
-        arguments: without the program's name; those of the process where none are given.
+        arguments: arguments without the name of the program; None for those of the process.
 
     Returns:
         The exit status, see :class:`chutecalc.errors.ExitStatus`.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
-    _speak_unicode()
+    _use_unicode()
     try:
         status = _app(given)(args=given, prog_name="chutecalc", standalone_mode=False)
         if status == ExitStatus.INTERRUPTED:
@@ -65,7 +79,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
         return int(status or ExitStatus.OK)
     except (BrokenPipeError, SystemExit):
-        # Whoever read our output has had enough; Typer makes SystemExit of it. Python would complain again at exit.
+        # The reader closed the pipe, which Typer may turn into SystemExit. Python would complain again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitStatus.OK
     except typer.TyperException as error:
@@ -77,22 +91,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _complain("chutecalc: interrupted", ExitStatus.INTERRUPTED)
     except OSError as error:
-        return _complain(f"chutecalc: the output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
+        return _complain(f"chutecalc: output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
     except Exception as error:
         if "--debug" in given:
             traceback.print_exc()
         return _complain(
-            f"a fault of the program, version {__version__}: {error!r}\n"
-            "Please report it with the command and the spec; --debug shows where it happened.",
+            f"chutecalc {__version__} failed, which is a fault of the program: {error!r}\n"
+            "Please report it with the command and the spec. --debug shows a traceback.",
             ExitStatus.INTERNAL,
         )
 
 
-def _speak_unicode() -> None:
-    """Data leave in UTF-8 whatever the locale says; a terminal that cannot show a character shows another."""
+def _use_unicode() -> None:
+    """Write UTF-8 to files and pipes whatever the locale, and replace characters that a terminal cannot show."""
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # closed before we began
-            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - stays open to the end
+        if getattr(sys, name) is None:  # closed before the start
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - stays open until the end
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and stream.encoding.lower().replace("-", "") != "utf8":
             if stream.isatty():
@@ -102,6 +116,6 @@ def _speak_unicode() -> None:
 
 
 def _complain(text: str, status: ExitStatus) -> int:
-    """Says on standard error what is wrong. Faults of specs and usage texts say themselves what they are about."""
+    """Print an error to standard error, and return its exit status."""
     print(text, file=sys.stderr)
     return status

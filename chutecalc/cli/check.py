@@ -1,68 +1,77 @@
-"""``chutecalc check``: whether standard designs still come out as they did."""
+"""``chutecalc check``: compare standard designs with their baselines."""
 
 from __future__ import annotations
 
-from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
+from chutecalc.cli.options import RTOL, with_groups
+from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import AllSpecsError, ExitStatus, SpecError
+from chutecalc.output.files import STANDARD_STREAM, open_whole
 
 if TYPE_CHECKING:
     from chutecalc.studies.regression.designs import Designs
     from chutecalc.studies.regression.regression import Verdict
 
+EXAMPLES = (
+    "chutecalc check specs --junit check.xml",
+    "chutecalc check specs/spoon.toml --update",
+)
 
+
+@with_groups
 def check(
-    paths: list[str] = typer.Argument(None, metavar="PATH", help="Specs, or folders of them; none: this folder."),
+    paths: list[str] = typer.Argument(None, metavar="PATH", help="Specs, or folders of them. Default: this folder."),
     update: bool = typer.Option(False, "--update", help="Write the baselines that are missing or no longer hold."),
-    junit: str | None = typer.Option(None, metavar="FILE", help="Write the verdicts as JUnit XML, for CI systems."),
-    json: str | None = typer.Option(
-        None, metavar="FILE", help="Write them with all that drifted; - for standard output."
+    junit: str | None = typer.Option(
+        None, metavar="FILE", help="Write the verdicts as JUnit XML, for CI; - for standard output."
     ),
-    rtol: float = typer.Option(1e-10, help="Relative error allowed to the velocity, 1e-13 to 1e-3."),
-    debug: bool = typer.Option(False, "--debug", help="Show where the program itself fails."),
+    rtol: float = RTOL,
+    *,
+    outputs: Outputs,
 ) -> int:
-    """Solve standard designs and compare them with their baselines, number by number.
+    """Compare standard designs with their baselines, number by number.
 
-    The baseline of spoon.toml is spoon.baseline.toml beside it. Ends with status 0 where all is as it was, 1 where
-    anything is not or a design has no baseline, 2 where a spec or the command is wrong.
+    The baseline of spoon.toml is spoon.baseline.toml beside it. Data files have a row for each number that drifted, and
+    one for each design without drift.
     """
-    from chutecalc.output.files import check_targets, open_whole
     from chutecalc.output.table import Printer
     from chutecalc.studies.regression.baseline import baseline_path
     from chutecalc.studies.regression.designs import find_designs
     from chutecalc.studies.regression.regression import OK
-    from chutecalc.studies.regression.report import check_document, print_verdicts, write_check, write_junit
+    from chutecalc.studies.regression.report import check_dataset, print_verdicts, write_junit
     from chutecalc.studies.regression.write import write_baseline
 
     designs = find_designs(paths or ["."])
     specs = [chute.source for chute in designs.chutes]
-    check_targets([junit, json], [*specs, *(str(baseline_path(Path(spec))) for spec in specs)])
-    with ExitStack() as outputs:
-        junit_stream = outputs.enter_context(open_whole(junit))
-        json_stream = outputs.enter_context(open_whole(json))
-        verdicts = _verdicts(designs, rtol, update)
-        written = [str(write_baseline(item.spec, item.document)) for item in verdicts if item.document]
-        if junit_stream:
-            write_junit(junit_stream, verdicts)
-        if json_stream:
-            write_check(json_stream, check_document(verdicts, rtol))
-    if "-" not in (junit, json):
+    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit)
+    verdicts = _verdicts(designs, rtol, update)
+    written = [str(write_baseline(verdict.spec, verdict.document)) for verdict in verdicts if verdict.document]
+    if junit:
+        with open_whole(junit) as stream:
+            write_junit(stream, verdicts)
+    outputs.write(check_dataset(verdicts, rtol))
+    if junit != STANDARD_STREAM and not outputs.to_standard_output:
         print_verdicts(Printer(), verdicts, written)
-    well = all(item.outcome == OK or item.document for item in verdicts)
-    return ExitStatus.OK if well else ExitStatus.FAILS
+    passed = all(verdict.outcome == OK or verdict.document for verdict in verdicts)
+    return ExitStatus.OK if passed else ExitStatus.FAILS
 
 
 def _verdicts(designs: Designs, rtol: float, update: bool) -> list[Verdict]:
-    """The verdicts on all designs, and on the baselines that have none."""
+    """Return the verdicts on all designs, and on baselines without a spec.
+
+    Raises:
+        AllSpecsError: specs that cannot be solved.
+    """
     from chutecalc.output.progress import with_progress
-    from chutecalc.studies.regression.regression import check as judged
+    from chutecalc.studies.regression.regression import check as check_designs
     from chutecalc.studies.regression.regression import without_spec
 
-    found = list(with_progress(judged(designs.chutes, rtol, update), len(designs.chutes), "designs"))
+    checked = check_designs(designs.chutes, rtol, update)
+    found = list(with_progress(checked, len(designs.chutes), "designs"))
     if errors := [item for item in found if isinstance(item, SpecError)]:
         raise AllSpecsError(errors)
     return [item for item in found if not isinstance(item, SpecError)] + [

@@ -1,8 +1,10 @@
-"""``chutecalc columns``: what columns there are."""
+"""``chutecalc columns``: the catalogue of columns."""
+
+EXAMPLES = ("chutecalc columns",)
 
 
 def columns() -> int:
-    """List the columns of CSV and JSON: name, unit, symbol, meaning."""
+    """List the columns of data files: name, unit, symbol, meaning."""
     from chutecalc.output.table import Printer
 
     Printer().catalogue()

@@ -4,6 +4,8 @@ import typer
 
 from chutecalc.errors import OutputError
 
+EXAMPLES = ("chutecalc new", "chutecalc new spoon.toml")
+
 
 def new(
     file: str = typer.Argument("chute.toml", metavar="[FILE]", help="To write; - for standard output."),

@@ -2,6 +2,8 @@
 
 import typer
 
+EXAMPLES = ("chutecalc schema > chute.schema.json",)
+
 
 def schema() -> int:
     """Print the JSON Schema of a spec, with which editors complete keys and check values."""

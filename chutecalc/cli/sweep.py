@@ -1,194 +1,193 @@
-"""``chutecalc sweep``: many designs, a row each; without a spec the paper's friction study."""
+"""``chutecalc sweep``: many designs, a row each; without a spec the friction study of the paper."""
 
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.run import Units, read_chute
+from chutecalc.cli.options import JOBS, RTOL, OptionGroup, StationOptions, with_groups
+from chutecalc.cli.outputs import Outputs
+from chutecalc.cli.specs import read_chute
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import require_extra
 
 if TYPE_CHECKING:
     from chutecalc.studies.sweep.block import Top
     from chutecalc.studies.sweep.sweep import Sweep
 
-MEANT = 10_000_000
-"""Designs that a person can have meant."""
+CONFIRMED_ABOVE = 10_000_000
+"""Designs above which a user is asked whether so many are meant."""
 MOST_DRAWN = 1_000_000
-STUDY_BARE = {"beta": "0:90:5", "delta": "30:55:5"}
+EXAMPLES = (
+    "chutecalc sweep radius=2:4:0.5 phi=20:30:5 chute.toml --csv designs.csv",
+    "chutecalc sweep beta delta=30,40,50 --keep width --plot friction.svg",
+)
 
 
 class Keep(StrEnum):
-    """What stays while the chamfer angle varies."""
+    """What stays constant while the chamfer angle varies."""
 
     BASE = "base"
     WIDTH = "width"
     DEPTH = "depth"
 
 
+@dataclass(frozen=True)
+class BestOptions(OptionGroup):
+    """Which rows are the best."""
+
+    top: int | None = typer.Option(None, min=1, metavar="N", help="Report only the N best rows, by --by.")
+    by: str | None = typer.Option(None, metavar="COLUMN:max|min", help="What is best, e.g. exit_velocity_m_s:max.")
+
+    def read(self) -> Top | None:
+        """Return the choice of rows, or None for all rows."""
+        from chutecalc.studies.sweep.block import Top
+
+        if self.top is None and self.by is None:
+            return None
+        name, _, direction = (self.by or "").rpartition(":")
+        if self.top is None or not name or direction not in ("max", "min"):
+            raise UsageError("choose the best rows with --top N and --by COLUMN:max or COLUMN:min")
+        return Top(self.top, name, direction == "max")
+
+
+@dataclass(frozen=True)
+class StudyOptions(OptionGroup):
+    """Inputs of the friction study beside its angles."""
+
+    phi: float | None = typer.Option(None, metavar="DEG", help="Friction study: wall friction angle. Default: 25.")
+    base: float | None = typer.Option(None, metavar="M", help="Friction study: width at 90°. Default: 0.5.")
+    area: float | None = typer.Option(None, metavar="M2", help="Friction study: flow area. Default: 0.05.")
+
+
+class SweepOutputs(Outputs):
+    """Outputs of a sweep."""
+
+    picture = "lines over one parameter, or contours over two"
+    charted = "two columns over one parameter"
+    has_units = True
+
+
+@with_groups
 def sweep(
     arguments: list[str] = typer.Argument(
         ...,
         metavar="ARG...",
         help="Parameters, such as beta, radius=1:4:0.5, rate=500,1000 or segments.1.drop_m=1:3:#21, and a spec (.toml,"
-        " or - for standard input). Without a spec: the paper's friction study over beta and delta.",
+        " or - for standard input).",
     ),
-    keep: Keep = typer.Option(Keep.BASE, help="What stays of a section while beta varies."),
+    keep: Keep = typer.Option(Keep.BASE, help="What stays constant in a section while beta varies."),
     parallel: bool = typer.Option(False, "--zip", help="Take the lists side by side, not in all combinations."),
     columns: str | None = typer.Option(
         None,
         metavar="NAMES",
-        help="Columns, between commas: exit_, max_ or min_ before a name of chutecalc columns,"
-        " receiver_…, error_estimate, findings.",
+        help="Columns, separated by commas: a name from chutecalc columns after exit_, max_ or min_, a name after"
+        " receiver_, error_estimate, or findings.",
     ),
-    top: int | None = typer.Option(None, min=1, metavar="N", help="The N best rows only, with --by."),
-    by: str | None = typer.Option(None, metavar="COLUMN:max|min", help="What is best, e.g. exit_velocity_m_s:max."),
-    points: int | None = typer.Option(None, min=2, help="Rows are stations: so many along each segment."),
-    stations: float | None = typer.Option(None, metavar="D", help="Rows are stations, every D metres."),
-    csv: str | None = typer.Option(None, metavar="FILE", help="Write the rows; - for standard output."),
-    parquet: str | None = typer.Option(None, metavar="FILE", help="Write the rows (extra parquet)."),
-    json: str | None = typer.Option(None, metavar="FILE", help="Write the rows, and what was asked; - as above."),
-    plot: str | None = typer.Option(
-        None, metavar="FILE", help="Draw lines over one parameter, contours over two: .svg, .png or .pdf."
-    ),
-    chart: bool = typer.Option(False, "--chart", help="Show a small chart over one parameter too."),
-    resume: bool = typer.Option(False, "--resume", help="Go on from the FILE.part of a sweep that was ended."),
-    yes: bool = typer.Option(False, "--yes", help=f"Do not ask, also above {MEANT:,} designs."),
-    jobs: int | None = typer.Option(None, min=1, help="Threads; as many as there are cores without it."),
-    phi: float | None = typer.Option(None, help="Friction study: wall friction angle, degrees (25)."),
-    base: float | None = typer.Option(None, help="Friction study: width between square corners, m (0.5)."),
-    area: float | None = typer.Option(None, help="Friction study: flow area, m² (0.05)."),
-    units: Units = typer.Option(Units.METRIC, help="Units of tables, charts and pictures."),
-    rtol: float = typer.Option(1e-10, help="Relative error allowed to the velocity, 1e-13 to 1e-3."),
-    debug: bool = typer.Option(False, "--debug", help="Show where the program itself fails."),
+    *,
+    best: BestOptions,
+    stations: StationOptions,
+    study: StudyOptions,
+    resume: bool = typer.Option(False, "--resume", help="Continue an interrupted sweep from its FILE.part."),
+    yes: bool = typer.Option(False, "--yes", help=f"Do not ask for confirmation above {CONFIRMED_ABOVE:,} designs."),
+    jobs: int | None = JOBS,
+    rtol: float = RTOL,
+    outputs: SweepOutputs,
 ) -> int:
-    """Vary parameters of a chute: a row for each design.
+    """Vary parameters of a chute and report a row for each design.
 
-    Without a spec: the equivalent friction over the chamfer angle, as in the paper. Ends with status 0 whatever the
-    rows say.
+    With --points or --stations there is a row for each station instead. Without a spec, report the equivalent friction
+    over the chamfer angle, as in the paper (parameters beta and delta).
     """
     specs = [argument for argument in arguments if argument == "-" or argument.endswith(".toml")]
     given = [argument for argument in arguments if argument not in specs]
     if len(specs) > 1:
         raise UsageError(f"a sweep takes one spec, not {len(specs)}: {', '.join(specs)}")
-    study = {"--phi": phi, "--base": base, "--area": area}
     if not specs:
-        other: dict[str, Any] = {"--zip": parallel, "--columns": columns, "--top": top, "--by": by, "--points": points}
-        other |= {"--stations": stations, "--parquet": parquet, "--chart": chart, "--resume": resume}
-        _refuse(other, "goes with a spec: the friction study has its own rows, with --csv, --json and --plot")
-        return _friction_study(given, keep, study, csv, json, plot, units)
-    _refuse(study, "belongs to the friction study: with a spec, vary phi or base, or change the spec")
+        other: dict[str, Any] = {"zip": parallel, "columns": columns, "resume": resume, "chart": outputs.chart}
+        _refuse(vars(best) | vars(stations) | other, "needs a spec: the friction study does not have it")
+        return _friction_study(given, keep, study, outputs)
+    _refuse(vars(study), "belongs to the friction study: with a spec, vary phi or base, or change the spec")
     if not given:
         raise UsageError("nothing is varied: add a parameter, such as beta, rate=500,1000 or segments.1.drop_m=1:3:0.5")
     from chutecalc.cli.sweep_run import SweepRun
-    from chutecalc.output.files import check_openable, check_targets
     from chutecalc.studies.sweep.parameters import read_parameters
     from chutecalc.studies.sweep.sweep import Sweep
     from chutecalc.studies.sweep.table import MOST_SHOWN
 
-    if points is not None and stations is not None:
-        raise UsageError("--points and --stations both say where the stations are: give one of them")
-    targets = {"csv": csv, "parquet": parquet, "json": json, "plot": plot}
-    check_targets(list(targets.values()), specs)
-    _check_extras(parquet, plot, chart)
-    for target in targets.values():
-        check_openable(target)
+    outputs.check(specs)
     chute = read_chute(specs[0])
     parameters = read_parameters(given, chute)
     names = [name.strip() for name in columns.split(",")] if columns else []
-    asked = Sweep(chute, parameters, parallel, keep, names, _top(top, by), points, stations, rtol)
-    if not (names or asked.profiles or any(targets.values()) or asked.count > MOST_SHOWN):
-        asked.columns.append("findings")  # a hundred times the work of all others, so by itself for few designs alone
-    _check_drawn(asked, plot, chart)
-    if asked.count > MEANT and not yes:
-        _ask(asked)
-    return SweepRun(asked, targets, chart, resume, jobs, units).run()
+    task = Sweep(chute, parameters, parallel, keep, names, best.read(), stations.points, stations.stations, rtol)
+    if not (names or task.profiles or outputs.files or outputs.plot or task.count > MOST_SHOWN):
+        task.columns.append("findings")  # a hundred times the work of the others: for short tables only
+    _check_drawn(task, outputs)
+    if task.count > CONFIRMED_ABOVE and not yes:
+        _confirm(task)
+    return SweepRun(task, outputs, resume, jobs).run()
 
 
-def _friction_study(
-    given: list[str],
-    keep: Keep,
-    study: dict[str, float | None],
-    csv: str | None,
-    json: str | None,
-    plot: str | None,
-    units: Units,
-) -> int:
-    """The study, over the angles given."""
+def _friction_study(given: list[str], keep: Keep, study: StudyOptions, outputs: SweepOutputs) -> int:
+    """Run the friction study over the angles given."""
     from chutecalc.cli.friction import run_friction_study
+    from chutecalc.studies.friction.study import ANGLE_RANGES
     from chutecalc.studies.sweep.parameters import split_argument
 
+    inputs: dict[str, Any] = {name: value for name, value in vars(study).items() if value is not None}
     angles: dict[str, Any] = {}
     for argument in given:
         name = argument.partition("=")[0].strip()
-        if name not in STUDY_BARE:
-            raise UsageError(
-                f"{argument}: without a spec only beta and delta are varied; name a spec (.toml) for others"
-            )
+        if name not in ANGLE_RANGES:
+            raise UsageError(f"{argument}: without a spec only beta and delta can vary. Add a spec (.toml)")
         if name in angles:
-            raise UsageError(f"{name} is given twice: keep one of them")
-        angles[name] = split_argument(argument, STUDY_BARE)[1].tolist()
-    angles |= {name.removeprefix("--"): value for name, value in study.items() if value is not None}
-    return run_friction_study(**angles, keep=keep.value, csv=csv, json=json, plot=plot, units=units)
+            raise UsageError(f"{name} is given twice: remove one of them")
+        angles[name] = split_argument(argument, ANGLE_RANGES)[1].tolist()
+    return run_friction_study(outputs, keep=keep.value, **angles, **inputs)
 
 
-def _refuse(options: dict[str, Any], why: str) -> None:
-    """Options that were given, whatever their value, and do not fit."""
-    given = [name for name, value in options.items() if value is not None and value is not False]
+def _refuse(options: dict[str, Any], reason: str) -> None:
+    """Refuse options that were given, whatever their value, where they do not fit.
+
+    Raises:
+        UsageError: the options, and the reason.
+    """
+    given = [f"--{name}" for name, value in options.items() if value is not None and value is not False]
     if given:
-        raise UsageError(f"{', '.join(given)} {why}")
+        raise UsageError(f"{', '.join(given)} {reason}")
 
 
-def _check_extras(parquet: str | None, plot: str | None, chart: bool) -> None:
-    """That what is asked for can be written, before anything is solved."""
-    if parquet == "-":
-        raise UsageError("--parquet writes a file: standard output takes --csv or --json")
-    if parquet:
-        require_extra("parquet")
-    if plot:
-        from chutecalc.output.plots.save import picture_format
+def _check_drawn(sweep: Sweep, outputs: SweepOutputs) -> None:
+    """Check that a picture or a chart can show the rows.
 
-        picture_format(plot)
-    if chart:
-        require_extra("chart")
-
-
-def _check_drawn(sweep: Sweep, plot: str | None, chart: bool) -> None:
-    """That the rows can be drawn."""
-    option, most = ("--chart", 1) if chart else ("--plot", 2)
-    if not (plot or chart):
+    Raises:
+        UsageError: it cannot.
+    """
+    option, most = ("--chart", 1) if outputs.chart else ("--plot", 2)
+    if not (outputs.plot or outputs.chart):
         return
     if sweep.profiles or sweep.top:
-        raise UsageError(f"{option} draws all designs: it does not go with --points, --stations or --top")
+        raise UsageError(f"{option} shows all designs: remove --points, --stations or --top")
     varied = [parameter.name for parameter in sweep.parameters if len(parameter.values) > 1]
     if not varied or (len(varied) > most and not sweep.parallel):
         raise UsageError(
-            f"{option} draws over {'one parameter' if most == 1 else 'one or two parameters'} of several"
-            f" values, not {len(varied)}"
+            f"{option} needs {'one parameter' if most == 1 else 'one or two parameters'} of several values,"
+            f" not {len(varied)}"
         )
     if sweep.count > MOST_DRAWN:
-        raise UsageError(f"{option} draws at most {MOST_DRAWN:,} designs, not {sweep.count:,}")
+        raise UsageError(f"{option} shows at most {MOST_DRAWN:,} designs, not {sweep.count:,}")
 
 
-def _top(top: int | None, by: str | None) -> Top | None:
-    """What is best."""
-    from chutecalc.studies.sweep.block import Top
+def _confirm(sweep: Sweep) -> None:
+    """Ask whether so many designs are meant, if there is a terminal to ask on.
 
-    if top is None and by is None:
-        return None
-    name, _, way = (by or "").rpartition(":")
-    if top is None or not name or way not in ("max", "min"):
-        raise UsageError("the best rows are asked for with --top N --by COLUMN:max or COLUMN:min")
-    return Top(top, name, way == "max")
-
-
-def _ask(sweep: Sweep) -> None:
-    """Whether so many designs are meant, where somebody can be asked."""
+    Raises:
+        UsageError: they are not.
+    """
     if sys.stdin.isatty() and sys.stderr.isatty():
         lists = " × ".join(f"{len(parameter.values):,} {parameter.name}" for parameter in sweep.parameters)
-        if not typer.confirm(f"{lists}: {sweep.count:,} designs. Go on?", err=True):
+        if not typer.confirm(f"{lists}: {sweep.count:,} designs. Continue?", err=True):
             raise UsageError("nothing was solved")

@@ -1,4 +1,4 @@
-"""LAMMPS as a program of its own: what crashes or is killed there is one case lost, and none of its code is ours."""
+"""LAMMPS as a separate program: a crash loses one case only, and no GPL code enters our process."""
 
 import os
 import shutil
@@ -14,28 +14,28 @@ from chutecalc.errors import ExtraMissingError
 
 INSTALL = "pip install 'chutecalc[dem]'"
 OUTPUT = "output.txt"
-"""What LAMMPS says, in the folder of the case."""
+"""File of the output of LAMMPS, in the folder of a case."""
 
 
 class RunError(Exception):
-    """A case whose run did not end well."""
+    """The run of a case failed."""
 
 
 class Engine:
-    """Runs cases, several at once where threads call it.
+    """Runs cases, several at once if several threads call it.
 
     Args:
-        processes: of each run; more than one go through mpirun.
-        program: name or path of LAMMPS' executable.
+        processes: number of processes of each run. More than one are started by mpirun.
+        program: name or path of the executable of LAMMPS.
 
     Raises:
-        ExtraMissingError: there is no such program.
+        ExtraMissingError: the program is not installed.
     """
 
     def __init__(self, processes: int = 1, program: str = "lmp") -> None:
         lmp = _find(program)
         if lmp is None:
-            raise ExtraMissingError(f"LAMMPS is not installed: there is no program {program}. Install it: {INSTALL}")
+            raise ExtraMissingError(f"LAMMPS is not installed: no program {program} was found. Install it: {INSTALL}")
         self.command = [lmp]
         if processes > 1:
             mpirun = _find("mpirun") or _find("mpiexec")
@@ -47,10 +47,13 @@ class Engine:
         self._stopped = False
 
     def run(self, folder: Path) -> None:
-        """Runs the case in a folder to its end.
+        """Run a case to its end.
+
+        Args:
+            folder: the folder of the case.
 
         Raises:
-            RunError: it crashed, was killed, or found the disk full; with where its log is.
+            RunError: it crashed, was killed, or the disk was full. The message names its log.
         """
         for old in (script.WALLS, script.BED):
             (folder / old).unlink(missing_ok=True)
@@ -80,20 +83,15 @@ class Engine:
             raise RunError(f"{_cause(status, folder)}; see {folder / OUTPUT}")
 
     def stop(self) -> None:
-        """Ends all that runs, and lets nothing new begin."""
+        """Stop all running cases, and start no others."""
         with self._lock:
             self._stopped = True
             for process in self._running:
                 _end(process)
 
 
-def cores() -> int:
-    """How many this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def _end(process: "subprocess.Popen[bytes]") -> None:
-    """Ends a program with what it has started."""
+    """Stop a program and the programs that it has started."""
     with suppress(ProcessLookupError):
         if hasattr(os, "killpg"):
             os.killpg(process.pid, signal.SIGTERM)
@@ -102,15 +100,15 @@ def _end(process: "subprocess.Popen[bytes]") -> None:
 
 
 def _find(program: str) -> str | None:
-    """A program beside the interpreter, as in a virtual environment that is not activated, or else on the path."""
+    """Return the path of a program: beside the interpreter, as in a virtual environment, or else on the search path."""
     return shutil.which(program, path=str(Path(sys.executable).parent)) or shutil.which(program)
 
 
 def _cause(status: int, folder: Path) -> str:
-    """Why a run ended badly, as LAMMPS says it itself where it does."""
+    """Return why a run failed, in the words of LAMMPS if there are any."""
     with suppress(OSError):
-        said = (folder / OUTPUT).read_text(encoding="utf-8", errors="replace").splitlines()
-        for line in reversed(said):
+        output = (folder / OUTPUT).read_text(encoding="utf-8", errors="replace").splitlines()
+        for line in reversed(output):
             if "ERROR" in line:
                 return line.strip()
     return f"LAMMPS was killed by signal {-status}" if status < 0 else f"LAMMPS ended with status {status}"

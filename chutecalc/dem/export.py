@@ -1,22 +1,24 @@
-"""The discrete-element check as CSV and JSON, a row for each bed, those that failed too."""
+"""The discrete-element check for files: a row for each bed, the failed ones too."""
 
-import csv
-import json
 import math
-from typing import IO, Any
+from collections.abc import Sequence
+from typing import Any
 
-from chutecalc import __version__
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.columns import DEM_COLUMNS
 from chutecalc.dem.report import failures
 from chutecalc.dem.study import CLAIM, LAWS, Fit, Measured, Point, Series, Study
+from chutecalc.output.dataset import Dataset, block_of, column_types, document_head, number
 
-FORMAT = 1
 Row = dict[str, Any]
 
 
 def rows(study: Study) -> list[Row]:
-    """A row for each bed, by :data:`chutecalc.dem.columns.DEM_COLUMNS` and then its walls."""
+    """Return a row for each bed: the columns :data:`chutecalc.dem.columns.DEM_COLUMNS`, then those of its walls.
+
+    Args:
+        study: the results.
+    """
     found = []
     for series in study.series:
         for point in study.points:
@@ -27,7 +29,7 @@ def rows(study: Study) -> list[Row]:
 
 
 def _row(study: Study, series: Series, point: Point, bed: Bed) -> Row:
-    """One bed."""
+    """Return the row of one bed. Numbers that do not exist are None."""
     case, checks = bed.case, {check.name: check.value for check in bed.checks}
     row = {
         "case": case.name,
@@ -59,20 +61,23 @@ def _row(study: Study, series: Series, point: Point, bed: Bed) -> Row:
     return row
 
 
-def write_csv(stream: IO[str], study: Study) -> None:
-    """Writes a row for each bed."""
+def study_dataset(study: Study) -> Dataset:
+    """Return a row for each bed; the document has means, fits and failures as well.
+
+    Args:
+        study: the results.
+    """
     found = rows(study)
-    names = dict.fromkeys([*DEM_COLUMNS, *(name for row in found for name in row)])
-    writer = csv.DictWriter(stream, list(names), restval="")
-    writer.writeheader()
-    writer.writerows({name: "" if value is None else value for name, value in row.items()} for row in found)
+    measured = dict.fromkeys(name for row in found for name in row)
+    columns = column_types(DEM_COLUMNS.values()) | {"seed": int}
+    columns |= {name: float for name in measured if name not in columns}
+    return Dataset(columns, [block_of(found, columns)], document=lambda: _document(study, found))
 
 
-def write_json(stream: IO[str], study: Study) -> None:
-    """Writes all beds, means, fits and failures."""
-    document = {
-        "chutecalc": __version__,
-        "format": FORMAT,
+def _document(study: Study, found: Sequence[Row]) -> dict[str, Any]:
+    """Return all beds, means, fits and failures."""
+    return {
+        **document_head(),
         "claim": CLAIM,
         "series": [
             {
@@ -85,16 +90,14 @@ def write_json(stream: IO[str], study: Study) -> None:
             }
             for series in study.series
         ],
-        "cases": rows(study),
+        "cases": found,
         "failures": failures(study),
         "waiting": sum(point.waiting for point in study.points),
     }
-    json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
-    stream.write("\n")
 
 
 def _point_document(study: Study, series: Series, point: Point) -> Row:
-    """Means and scatter of a point, and the laws at its area."""
+    """Return means and scatter of a point, and the results of the friction laws at its area."""
     friction = math.tan(study.wall_friction)
     return {
         "chamfer_deg": point.case.slope_label,
@@ -121,16 +124,11 @@ def _point_document(study: Study, series: Series, point: Point) -> Row:
 
 def _fit_document(fit: Fit) -> Row:
     return {
-        "internal_friction_deg": _number(math.degrees(fit.internal_friction)),
-        "scatter_deg": _number(math.degrees(fit.scatter)),
+        "internal_friction_deg": number(math.degrees(fit.internal_friction)),
+        "scatter_deg": number(math.degrees(fit.scatter)),
         "residual": fit.residual,
     }
 
 
 def _pair(value: Measured) -> Row:
-    return {"mean": value.mean, "scatter": _number(value.scatter)}
-
-
-def _number(value: float) -> float | None:
-    """A number, or null."""
-    return value if math.isfinite(value) else None
+    return {"mean": value.mean, "scatter": number(value.scatter)}

@@ -1,4 +1,4 @@
-"""The check as a picture: pressures and equivalent friction as the paper's Figure 11, and beds as its Figure 10."""
+"""The picture of the check: pressures and equivalent friction as in Figure 11 of the paper, beds as in Figure 10."""
 
 import math
 from collections.abc import Sequence
@@ -17,23 +17,23 @@ from chutecalc.output.plots.style import INK, MARKS, PALE, SMALL, STROKES, colou
 from chutecalc.physics.pressure import pressure_ratio
 
 WIDTH, HEIGHT = 9.0, 5.6
-"""Inches."""
-BEDS = 0.24
-"""Of the height."""
-PICTURED = 3
-"""Beds."""
+"""Size of the picture, inches."""
+BED_SHARE = 0.24
+"""Share of the height for beds."""
+MOST_BEDS = 3
+"""Most beds drawn."""
 
 
 def draw_study(study: Study) -> Figure:
-    """Draws K of each wall against its inclination, μ_e, and up to three beds.
+    """Draw K of each wall over its inclination, μ_e, and up to three beds.
 
     Args:
-        study: what was found; only beds that pass all checks are drawn.
+        study: the results. Only beds that pass all checks are drawn.
     """
     series = [one for one in study.series if one.points]
     with styled():
         figure = Figure(figsize=(WIDTH, HEIGHT))
-        upper, lower = np.asarray(figure.subfigures(2, 1, height_ratios=(1.0 - BEDS, BEDS))).tolist()
+        upper, lower = np.asarray(figure.subfigures(2, 1, height_ratios=(1.0 - BED_SHARE, BED_SHARE))).tolist()
         pressure, friction = upper.subplots(1, 2)
         by_slope = len({point.case.slope_label for one in series for point in one.points}) > 1
         for one, colour, number in zip(series, colours(len(series)), range(len(series)), strict=True):
@@ -45,7 +45,7 @@ def draw_study(study: Study) -> Figure:
         friction.set_ylabel(mathematical(f"equivalent friction μ_e at φ = {math.degrees(study.wall_friction):.4g}°"))
         friction.ticklabel_format(axis="y", useOffset=False)
         if not by_slope:  # a few depths, perhaps one: something to see them against
-            friction.axhline(math.tan(study.wall_friction), color=PALE, label="the wall's own, tan φ")
+            friction.axhline(math.tan(study.wall_friction), color=PALE, label="tan φ of the wall")
         if series:
             pressure.plot([], [], "o", color=INK, label="beds, mean and scatter of seeds")
             pressure.plot([], [], "-", color=INK, label="law with the fitted δ")
@@ -56,7 +56,7 @@ def draw_study(study: Study) -> Figure:
 
 
 def _pressures(axes: Axes, series: Series, colour: str, mark: str, stroke: Any) -> None:
-    """K of each wall, and the law's curve with the fitted δ."""
+    """Draw K of each wall, and the curve of the law with the fitted δ."""
     for point in series.points:
         for wall in point.trough.walls:
             if wall.side == 1 and wall.name in point.walls:
@@ -69,7 +69,7 @@ def _pressures(axes: Axes, series: Series, colour: str, mark: str, stroke: Any) 
 
 
 def _frictions(axes: Axes, study: Study, series: Series, colour: str, mark: str, stroke: Any, by_slope: bool) -> None:
-    """μ_e of the beds, and of the law at their own areas."""
+    """Draw μ_e of the beds, and of the law at the areas of the beds."""
     friction, ratio = math.tan(study.wall_friction), series.fits["paper"].vertical_ratio
 
     def abscissa(point: Point) -> float:
@@ -94,14 +94,14 @@ def _frictions(axes: Axes, study: Study, series: Series, colour: str, mark: str,
 
 
 def _pictured(series: Sequence[Series]) -> list[Bed]:
-    """The beds that are drawn: of the first series, spread over its troughs."""
+    """Return the beds to draw: of the first series, spread over its troughs."""
     points = series[0].points if series else ()
-    chosen = np.unique(np.linspace(0, len(points) - 1, min(PICTURED, len(points))).round().astype(int))
+    chosen = np.unique(np.linspace(0, len(points) - 1, min(MOST_BEDS, len(points))).round().astype(int))
     return [points[number].beds[0] for number in chosen]
 
 
 def _beds(figure: SubFigure, beds: Sequence[Bed]) -> None:
-    """Beds beside each other, at one scale."""
+    """Draw beds beside each other, at one scale."""
     half = max(float(np.abs(bed.positions[:, 0]).max()) + bed.case.diameter for bed in beds)
     top = max(float(bed.positions[:, 2].max()) + bed.case.diameter for bed in beds)
     for axes, bed in zip(np.atleast_1d(figure.subplots(1, len(beds))), beds, strict=True):
@@ -110,7 +110,7 @@ def _beds(figure: SubFigure, beds: Sequence[Bed]) -> None:
 
 
 def _bed(axes: Axes, bed: Bed) -> None:
-    """The particles as seen along the chute, the nearer the lighter, in their trough."""
+    """Draw particles in their trough, seen along the chute, the nearer ones lighter."""
     order = np.argsort(-bed.positions[:, 1])
     positions, d = bed.positions[order], bed.case.diameter
     shade = 0.55 + 0.4 * (1.0 - positions[:, 1] / bed.case.slice)

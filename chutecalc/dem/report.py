@@ -1,4 +1,4 @@
-"""The discrete-element check as tables for people. What failed is shown, and never averaged in."""
+"""The discrete-element check as tables for people. Failed beds are shown, and never averaged."""
 
 import math
 
@@ -7,11 +7,16 @@ from chutecalc.output.grid import Grid
 from chutecalc.output.table import COLOURS, Printer
 
 SHALLOW = 6.0
-"""Particles, one on the other (practice)."""
+"""Depth below which a bed is reported as shallow, in particle diameters (practice)."""
 
 
 def print_study(printer: Printer, study: Study) -> None:
-    """Prints a table for each series, its fits, and what failed."""
+    """Print a table for each series with its fits, then failures.
+
+    Args:
+        printer: where to print.
+        study: the results.
+    """
     for series in study.series:
         if series.points:
             printer.text(series_title(series), style="bold")
@@ -23,24 +28,28 @@ def print_study(printer: Printer, study: Study) -> None:
         printer.text(line, style=COLOURS["failure"])
     waiting = sum(point.waiting for point in study.points)
     if waiting:
-        printer.text(f"{waiting} cases have not been run, and more may follow to make beds level")
+        printer.text(f"{waiting} cases have not been run. More may follow, until beds are level")
     printer.text(CLAIM)
 
 
 def series_title(series: Series) -> str:
-    """What a series is."""
+    """Return the name of a series.
+
+    Args:
+        series: a series of beds.
+    """
     force = f", {series.body_force:g} g" if series.body_force != 1.0 or series.raised_to else ""
     raised = f" raised to {series.raised_to:g} g" if series.raised_to else ""
     return f"{series.pour}, particle friction {series.friction:g}{force}{raised}"
 
 
 def _table(study: Study, series: Series) -> Grid:
-    """A row for each trough and wall, measured and by the law with the fitted δ."""
+    """Return a row for each trough and wall: measured, and by the law with the fitted δ."""
     table = Grid()
     headings = ("β", "area", "depth", "solids", "wall", "K", "±", "law", "N_t/N", "±", "paper", "equil.", "μ_e", "±")
     units = ("°", "m²", "m", "", "", "", "", "", "", "", "", "", "", "")
     for heading, unit in zip((*headings, "seeds"), (*units, ""), strict=True):
-        table.column(f"{heading}\n{unit}", to_left=heading == "wall")
+        table.column(f"{heading}\n{unit}", left=heading == "wall")
     for point in series.points:
         walls = {name: both for name, both in point.walls.items() if name != "floor"}
         law = point.law(series.fits["paper"].vertical_ratio, "paper")
@@ -69,37 +78,41 @@ def _table(study: Study, series: Series) -> Grid:
 
 
 def _shown(value: Measured, digits: int) -> tuple[str, str]:
-    """A mean and its scatter."""
+    """Return a mean and its scatter as cells."""
     return f"{value.mean:.{digits}f}", "" if value.scatter != value.scatter else f"{value.scatter:.{digits}f}"
 
 
 def _fit_lines(study: Study, series: Series) -> list[str]:
-    """The fitted δ of each law, and how far the beds are from it."""
+    """Return lines on the fitted δ of each law, and on how far the beds are from it."""
     lines = []
     for law, fit in series.fits.items():
-        off = f"off by {fit.residual:.4f} rms in N_t/N"
+        off = f"rms error {fit.residual:.4f} in N_t/N"
         if fit.internal_friction != fit.internal_friction:
-            lines.append(f"{law} law: the same at every δ, {off}")
+            lines.append(f"{law} law: no dependence on δ, {off}")
         elif len(series.points) == 1 and fit.residual < INSENSITIVE:
-            lines.append(f"{law} law: δ = {delta_text(fit)} gives the N_t/N measured")
+            lines.append(f"{law} law: δ = {delta_text(fit)} gives the measured N_t/N")
         else:
             lines.append(f"{law} law: δ = {delta_text(fit)} fits best, {off}")
     if study.vertical_ratio is not None:
-        off = ", ".join(f"{residual(series.points, study.vertical_ratio, law):.4f} ({law})" for law in LAWS)
-        lines.append(f"with the given K_v = {study.vertical_ratio:.4f}: off by {off} rms in N_t/N")
+        errors = ", ".join(f"{residual(series.points, study.vertical_ratio, law):.4f} ({law})" for law in LAWS)
+        lines.append(f"with the given K_v = {study.vertical_ratio:.4f}: rms error {errors} in N_t/N")
     return lines
 
 
 def _shallow_lines(series: Series) -> list[str]:
-    """That beds are too shallow to be a continuum."""
+    """Return a line if beds are too shallow to be a continuum."""
     layers = min(point.depth.mean / point.case.diameter for point in series.points)
     if layers >= SHALLOW:
         return []
-    return [f"the shallowest bed is {layers:.1f} particles deep: with less than {SHALLOW:g} they tell of particles"]
+    return [f"the shallowest bed is only {layers:.1f} particles deep: below {SHALLOW:g} it is hardly a continuum"]
 
 
 def delta_text(fit: Fit) -> str:
-    """A fitted δ with its scatter."""
+    """Return a fitted δ with its scatter, as text.
+
+    Args:
+        fit: the fit of a friction law.
+    """
     if fit.internal_friction != fit.internal_friction:
         return "any"
     scatter = "" if fit.scatter != fit.scatter else f" ± {math.degrees(fit.scatter):.1f}°"
@@ -109,7 +122,11 @@ def delta_text(fit: Fit) -> str:
 
 
 def failures(study: Study) -> list[str]:
-    """What failed, with its folder."""
+    """Return a line for each failure, with the folder of the case.
+
+    Args:
+        study: the results.
+    """
     lines = []
     for point in study.points:
         for bed in point.failed:

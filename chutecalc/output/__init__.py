@@ -1,1 +1,1 @@
-"""Showing what came out. Nothing here computes."""
+"""Output: tables, data files, charts and pictures. Nothing here computes results."""

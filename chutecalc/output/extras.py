@@ -1,23 +1,33 @@
-"""What outputs need beyond what is always installed."""
+"""Optional dependencies: what outputs need beyond what is always installed."""
 
 from importlib.util import find_spec
+from typing import NamedTuple
 
 from chutecalc.errors import ExtraMissingError
 
-LIBRARIES = {"chart": "Plotille", "parquet": "PyArrow", "plot": "Matplotlib"}
-"""By extra; the option that needs one is called as it is, and its module too, in small letters."""
+
+class Extra(NamedTuple):
+    """An optional dependency of the package."""
+
+    name: str
+    """As pip takes it, ``parquet`` in ``chutecalc[parquet]``."""
+    library: str
+    """The library that it installs. Its module has this name in lower case."""
 
 
-def require_extra(extra: str, needed_by: str = "") -> None:
-    """That the library of an extra is installed; it is not imported, which takes time.
+CHART = Extra("chart", "Plotille")
+PLOT = Extra("plot", "Matplotlib")
+
+
+def require_extra(needed_by: str, extra: Extra) -> None:
+    """Check that an optional dependency is installed. Its library is not imported, which would take time.
 
     Args:
-        extra: its name.
-        needed_by: what the message names as needing it; the option of the extra's name by default.
+        needed_by: what needs it, such as ``--plot``.
+        extra: the dependency.
 
     Raises:
-        ExtraMissingError: it is not.
+        ExtraMissingError: it is not installed.
     """
-    library = LIBRARIES[extra]
-    if find_spec(library.lower()) is None:
-        raise ExtraMissingError(f"{needed_by or f'--{extra}'} needs {library}: pip install 'chutecalc[{extra}]'")
+    if find_spec(extra.library.lower()) is None:
+        raise ExtraMissingError(f"{needed_by} needs {extra.library}. Install it: pip install 'chutecalc[{extra.name}]'")

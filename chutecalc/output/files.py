@@ -1,4 +1,4 @@
-"""Outputs that are written whole or not at all, and opened before anything is solved."""
+"""Output files: checked before anything is solved, and written whole or not at all."""
 
 import os
 import sys
@@ -13,10 +13,14 @@ STANDARD_STREAM = "-"
 
 
 def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
-    """That no two outputs, and no output and input, are the same.
+    """Check that no two outputs are the same, and that no output is an input.
+
+    Args:
+        outputs: files that are written; None for an output that was not asked for.
+        inputs: files that are read.
 
     Raises:
-        UsageError: which are.
+        UsageError: the outputs that are the same, or the output that is an input.
     """
     given = [output for output in outputs if output]
     if given.count(STANDARD_STREAM) > 1:
@@ -28,14 +32,17 @@ def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
         raise UsageError(f"two outputs go to the same file: {', '.join(given)}")
     for file in files:
         if file in {os.path.realpath(name) for name in inputs if name != STANDARD_STREAM}:
-            raise UsageError(f"{file} is an input: writing there would overwrite it")
+            raise UsageError(f"{file} is an input, and the output would overwrite it: choose another name")
 
 
 def check_openable(target: str | None) -> None:
-    """That a file which is written later can be.
+    """Check that a file can be written.
+
+    Args:
+        target: its path, ``-`` for standard output, or None for no output.
 
     Raises:
-        OutputError: it cannot.
+        OutputError: it cannot be written.
     """
     if target in (None, STANDARD_STREAM):
         return
@@ -49,20 +56,18 @@ def check_openable(target: str | None) -> None:
 
 
 @contextmanager
-def open_whole(target: str | None, mode: str = "w") -> Iterator[IO[Any] | None]:
-    """A stream that becomes the file when the block ends, and leaves no trace when it fails.
+def open_whole(target: str, mode: str = "w") -> Iterator[IO[Any]]:
+    """Open a stream that becomes the file when the block ends, and leaves no trace when the block fails.
 
     Args:
-        target: a path, ``-`` for standard output, None for no output at all.
+        target: a path, or ``-`` for standard output.
         mode: ``w`` for text, ``wb`` for bytes (never to standard output).
 
     Raises:
         OutputError: it cannot be opened.
         WriteError: it was opened, and then could not be written.
     """
-    if target is None:
-        yield None
-    elif target == STANDARD_STREAM:
+    if target == STANDARD_STREAM:
         yield sys.stdout
     elif os.path.exists(target) and not os.path.isfile(target) and not os.path.isdir(target):
         with _opened(target, target, mode) as stream:  # a device or a pipe: nothing to rename
@@ -72,7 +77,7 @@ def open_whole(target: str | None, mode: str = "w") -> Iterator[IO[Any] | None]:
 
 
 def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:
-    """A new file beside the target that takes its place."""
+    """Open a new file beside the target, and replace the target with it at the end."""
     path = Path(os.path.realpath(target))
     if path.is_dir():
         raise OutputError(f"{target} is a folder: name a file in it")
@@ -95,7 +100,7 @@ def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:
 
 @contextmanager
 def _opened(file: str, target: str, mode: str) -> Iterator[IO[Any]]:
-    """An opened file whose errors name the target."""
+    """Open a file whose errors name the target."""
     try:
         encoding, newline = (None, None) if "b" in mode else ("utf-8", "")
         stream = open(file, mode, encoding=encoding, newline=newline)  # noqa: SIM115 - closed below; other errors are others

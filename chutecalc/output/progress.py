@@ -1,4 +1,4 @@
-"""A bar for long work, on a terminal's standard error only."""
+"""A progress bar for long work, on standard error and only on a terminal."""
 
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -9,16 +9,20 @@ if TYPE_CHECKING:
     from rich.progress import Task
 
 Item = TypeVar("Item")
-WORTH_A_BAR = 20
+MIN_ITEMS = 20
+"""With fewer items there is no bar."""
 
 
 @contextmanager
 def progress(unit: str, slow: bool = False) -> Iterator[Callable[[int, int], None]]:
-    """A bar with the time left; what it yields is called with how many are done and how many there are.
+    """Show a bar with the time left.
 
     Args:
-        unit: what they are called.
-        slow: each takes long: the time gone is told, rather than how many are done in a second.
+        unit: name of the items, plural.
+        slow: whether an item takes long. The bar shows the time elapsed then, rather than items per second.
+
+    Yields:
+        A function that updates the bar, from the number of items done and the number of all items.
     """
     if not sys.stderr.isatty():
         yield lambda done, total: None
@@ -48,18 +52,18 @@ def progress(unit: str, slow: bool = False) -> Iterator[Callable[[int, int], Non
 
 
 def with_progress(items: Iterable[Item], total: int, unit: str) -> Iterator[Item]:
-    """The items as they come, with a bar where there are many.
+    """Yield items as they come, with a bar if there are many.
 
     Args:
-        items: whatever takes its time.
-        total: how many there will be.
-        unit: what they are called.
+        items: items that take time.
+        total: number of items.
+        unit: name of the items, plural.
     """
-    if total < WORTH_A_BAR:
+    if total < MIN_ITEMS:
         yield from items
         return
-    with progress(unit) as told:
-        told(0, total)
+    with progress(unit) as show:
+        show(0, total)
         for done, item in enumerate(items, 1):
             yield item
-            told(done, total)
+            show(done, total)

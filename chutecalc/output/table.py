@@ -1,4 +1,4 @@
-"""Tables that a chute designer reads, with the same digits on a terminal and in a pipe."""
+"""Reports for chute designers, with the same digits on a terminal and in a pipe."""
 
 from __future__ import annotations
 
@@ -21,11 +21,18 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 COLOURS: dict[str, str] = {Severity.FAILURE: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
+"""Styles of rich by the severity of a finding."""
 NO_WRAP = 100_000
+"""Width at which no table is wrapped, characters."""
 
 
 class Printer:
-    """Prints reports to a stream, for people."""
+    """Prints reports to a stream.
+
+    Args:
+        units: ``metric`` or ``us``.
+        stream: where to print; None for standard output.
+    """
 
     def __init__(self, units: str = "metric", stream: Any = None) -> None:
         self.units = units
@@ -34,7 +41,7 @@ class Printer:
 
     @cached_property
     def console(self) -> Console:
-        """Of the terminal."""
+        """Console of rich, for a terminal."""
         from rich.console import Console
 
         return Console(
@@ -47,7 +54,13 @@ class Printer:
         )
 
     def text(self, text: str = "", plain: str = "", style: str = "") -> None:
-        """A line, wrapped on a terminal only, where what comes before ``plain`` has a style."""
+        """Print a line. It is wrapped on a terminal only.
+
+        Args:
+            text: the line, or its beginning if there is ``plain``.
+            plain: the rest of the line, without style.
+            style: style of ``text`` on a terminal, as rich takes it.
+        """
         if self.is_terminal:
             from rich.text import Text
 
@@ -56,7 +69,11 @@ class Printer:
             self.stream.write(f"{text}{plain}\n")
 
     def table(self, grid: Grid) -> None:
-        """A table at its own width: numbers are never cut or folded."""
+        """Print a table at its own width: numbers are never cut or wrapped.
+
+        Args:
+            grid: the table.
+        """
         if not self.is_terminal:
             self.stream.writelines(f"{line}\n" for line in grid.lines())
             return
@@ -69,7 +86,11 @@ class Printer:
         self.console.width = width
 
     def report(self, solution: SolvedChute) -> None:
-        """A chute: what it is, its segments, its findings."""
+        """Print a chute: its title and flow, its segments, its outcome and findings.
+
+        Args:
+            solution: solution of one design.
+        """
         self.text(solution.spec.title or solution.source, style="bold")
         self.text(_flow_line(solution, self.units))
         self.text()
@@ -81,18 +102,26 @@ class Printer:
         self.findings(solution.findings())
 
     def findings(self, findings: Sequence[Finding]) -> None:
-        """What a designer has to know."""
+        """Print findings, a line each.
+
+        Args:
+            findings: findings of one design.
+        """
         for finding in findings:
-            place = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
+            distance = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
             unit = COLUMNS["s_m"].unit_text(self.units)
             self.text(
                 f"{finding.severity} {finding.code}",
-                f"  {finding.segment}, s = {place} {unit}: {finding.message(0, self.units)}",
+                f"  {finding.segment}, s = {distance} {unit}: {finding.message(0, self.units)}",
                 COLOURS[finding.severity],
             )
 
     def stations(self, stations: dict[str, Any]) -> None:
-        """The stream along the chute."""
+        """Print stations along the stream.
+
+        Args:
+            stations: stations of one design, from :meth:`chutecalc.SolvedChute.stations`.
+        """
         table = self._new_table(["segment"])
         for k, segment in enumerate(stations["segment"][0].tolist()):
             if stations["s_m"][0, k] == stations["s_m"][0, k]:
@@ -100,7 +129,11 @@ class Printer:
         self.table(table)
 
     def comparison(self, solutions: Sequence[SolvedChute]) -> None:
-        """Several chutes beside each other, at their ends."""
+        """Print the streams at the ends of several chutes, a row each.
+
+        Args:
+            solutions: solutions of one design each.
+        """
         table = self._new_table(["spec", "status"], "comparison")
         for solution in solutions:
             cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in IN_TABLES)
@@ -108,36 +141,36 @@ class Printer:
         self.table(table)
 
     def catalogue(self) -> None:
-        """All columns."""
+        """Print the catalogue of columns."""
         table = Grid()
         for heading in ("name", "unit", "symbol", "meaning"):
-            table.column(heading, to_left=True)
+            table.column(heading, left=True)
         for column in COLUMNS.values():
             table.row([column.name, column.unit_text("metric"), column.symbol, column.meaning])
         self.table(table)
 
-    def _segments(self, ways: Sequence[SegmentResult]) -> Grid:
-        """The ends and extremes of each segment."""
+    def _segments(self, results: Sequence[SegmentResult]) -> Grid:
+        """Return the ends of each segment, and the extremes that lie beyond those."""
         table = self._new_table(["segment", "kind", ""])
-        for way in ways:
-            if way.entry["s_m"][0] != way.entry["s_m"][0]:
-                table.row([way.name, way.kind, str(way.status[0]).replace("_", " ")])
+        for result in results:
+            if result.entry["s_m"][0] != result.entry["s_m"][0]:
+                table.row([result.name, result.kind, str(result.status[0]).replace("_", " ")])
                 continue
-            rows = [("in", way.entry), ("out", way.exit)]
+            rows = [("in", result.entry), ("out", result.exit)]
             if any(
-                _exceeds(-way.minimum[name][0], -way.entry[name][0], -way.exit[name][0])
-                for name in way.minimum
+                _exceeds(-result.minimum[name][0], -result.entry[name][0], -result.exit[name][0])
+                for name in result.minimum
                 if name in IN_TABLES
             ):
-                rows.append(("min", way.minimum))
+                rows.append(("min", result.minimum))
             if any(
-                _exceeds(way.maximum[name][0], way.entry[name][0], way.exit[name][0])
-                for name in way.maximum
+                _exceeds(result.maximum[name][0], result.entry[name][0], result.exit[name][0])
+                for name in result.maximum
                 if name in IN_TABLES
             ):
-                rows.append(("max", way.maximum))
+                rows.append(("max", result.maximum))
             for row, (label, numbers) in enumerate(rows):
-                names = (way.name, way.kind) if row == 0 else ("", "")
+                names = (result.name, result.kind) if row == 0 else ("", "")
                 cells = (
                     COLUMNS[name].shown(float(numbers[name][0]), self.units) if name in numbers else ""
                     for name in IN_TABLES
@@ -146,65 +179,70 @@ class Printer:
         return table
 
     def _new_table(self, labels: Sequence[str], title: str = "") -> Grid:
-        """A table of labels and the shown columns, headed with their units."""
+        """Return an empty table of labels and the columns of :data:`IN_TABLES`, with their units."""
         table = Grid(title)
         for label in labels:
-            table.column(label, to_left=True)
+            table.column(label, left=True)
         for name in IN_TABLES:
             column = COLUMNS[name]
             table.column(f"{column.heading}\n{column.unit_text(self.units)}")
         return table
 
     def _impacts(self, solution: SolvedChute) -> Iterator[str]:
-        """Each place at which the stream strikes a surface."""
+        """Yield a line for each impact of the stream on a surface."""
         for segment in solution.trajectory.results:
-            said = {name: quantity_text(name, float(values[0]), self.units) for name, values in segment.impact.items()}
+            text = {name: quantity_text(name, float(values[0]), self.units) for name, values in segment.impact.items()}
             if segment.impact and segment.impact["incidence_deg"][0] == segment.impact["incidence_deg"][0]:
                 yield (
-                    f"impact  {segment.name}: at {said['incidence_deg']}, {said['velocity_before_m_s']} before and"
-                    f" {said['velocity_after_m_s']} after, {said['pressure_kpa']} and {said['wear_w_m2']} on"
-                    f" {said['footprint_m']}"
+                    f"impact  {segment.name}: at {text['incidence_deg']}, {text['velocity_before_m_s']} before and"
+                    f" {text['velocity_after_m_s']} after, {text['pressure_kpa']} and {text['wear_w_m2']} over a length"
+                    f" of {text['footprint_m']}"
                 )
 
     def _belts(self, solution: SolvedChute) -> Iterator[str]:
-        """The belt that the stream comes from, and the one that it goes to with what would suit it better."""
+        """Yield lines on the belt that the stream leaves and on the one that receives it."""
 
-        def said(numbers: Mapping[str, Any], name: str) -> str:
+        def text(numbers: Mapping[str, Any], name: str) -> str:
             return quantity_text(name, float(numbers[name][0]), self.units)
 
         inlet = solution.inlet
         if "discharge_froude" in inlet:
-            x, z, low_x, low_z = (said(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
+            x, z, low_x, low_z = (text(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
             yield (
-                f"inlet  leaves the belt at {said(inlet, 'slope_deg')} (V²/gr"
-                f" {said(inlet, 'discharge_froude')}); its centre"
-                f" line from x {x}, z {z}, lower edge from x {low_x}, z {low_z}"
+                f"inlet  leaves the belt at {text(inlet, 'slope_deg')} (V²/gr"
+                f" {text(inlet, 'discharge_froude')}); its centre"
+                f" line starts at x {x}, z {z}, its lower edge at x {low_x}, z {low_z}"
             )
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return
         yield (
-            f"receiver  {said(belt, 'velocity_along_m_s')} along the belt ({said(belt, 'velocity_ratio')} of its own),"
-            f" {said(belt, 'velocity_across_m_s')} into it ({said(belt, 'impact_pressure_kpa')}); belt wear"
-            f" {said(belt, 'wear_w_m2')}"
+            f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} of its speed;"
+            f" {text(belt, 'velocity_across_m_s')} onto it ({text(belt, 'impact_pressure_kpa')}); belt wear"
+            f" {text(belt, 'wear_w_m2')}"
         )
         yield (
             f"receiver  at the belt's speed {self._reached(belt['acceleration_length_m'][0])}, with"
-            f" {said(belt, 'acceleration_power_kw')}; friction on the impact leaves {said(belt, 'landed_velocity_m_s')}"
-            f" along it, from there {self._reached(belt['landed_acceleration_length_m'][0])}"
+            f" {text(belt, 'acceleration_power_kw')}; with friction at the impact {text(belt, 'landed_velocity_m_s')}"
+            f" along the belt, at its speed {self._reached(belt['landed_acceleration_length_m'][0])}"
         )
-        yield f"receiver  {_advice(solution, said)}"
+        yield f"receiver  {_advice(solution, text)}"
 
     def _reached(self, length: float) -> str:
-        """Where material has the belt's velocity."""
+        """Return after which length the material has the velocity of the belt, as text."""
         if length == float("inf"):
             return "never"
-        way = quantity_text("length_m", abs(length), self.units)
-        return f"after {way}" if length >= 0.0 else f"{way} behind where it falls, for it runs back first"
+        distance = quantity_text("length_m", abs(length), self.units)
+        return f"after {distance}" if length >= 0.0 else f"{distance} behind the loading point: it runs back first"
 
 
 def outcome(solution: SolvedChute, units: str) -> str:
-    """Status and exit of a chute in a line."""
+    """Return the status of a chute and the stream at its exit, in a line.
+
+    Args:
+        solution: solution of one design.
+        units: ``metric`` or ``us``.
+    """
     status = str(solution.status[0])
     if status != "ok":
         return f"status {status}"
@@ -217,28 +255,29 @@ def outcome(solution: SolvedChute, units: str) -> str:
 
 
 def _exceeds(extreme: float, *ends: float) -> bool:
-    """Whether an extreme lies visibly above both ends, of which a stream at rest has one less."""
+    """Return whether an extreme is visibly above both ends. A stream that comes to rest has only one."""
     end = max((end for end in ends if end == end), default=extreme)
     return extreme > end and (math.isinf(extreme) or extreme - end > 1e-6 * abs(extreme))
 
 
-def _advice(solution: SolvedChute, said: Callable[[Mapping[str, Any], str], str]) -> str:
-    """Which way the exit's velocity or slope is off the belt's."""
+def _advice(solution: SolvedChute, text: Callable[[Mapping[str, Any], str], str]) -> str:
+    """Return how to change velocity or slope at the exit so that the stream suits the belt."""
     belt, exit_ = solution.receiver, solution.exit
     ratio, slope = belt["velocity_ratio"][0], exit_["slope_deg"][0]
     if abs(ratio - 1.0) < 0.005:
-        return "the stream has the belt's velocity along it"
+        return "along the belt, the stream has the speed of the belt"
     off = f"the stream is too {'slow' if ratio < 1.0 else 'fast'} for the belt"
-    velocity = f"at this slope an exit velocity of {said(belt, 'matching_velocity_m_s')} would match"
+    velocity = f"at this slope an exit velocity of {text(belt, 'matching_velocity_m_s')} would match"
     match = belt["matching_slope_deg"][0]
     if match != match:
-        return f"{off}, even along it; {velocity}"
-    way = "flatter" if match < slope else "steeper"
-    return f"{off}; {velocity}, or an exit {way}, at {said(belt, 'matching_slope_deg')}, which changes what strikes it"
+        return f"{off} at any slope; {velocity}"
+    change = "flatter" if match < slope else "steeper"
+    slope_text = text(belt, "matching_slope_deg")
+    return f"{off}; {velocity}, or a {change} exit, at {slope_text}, which changes the impact on the belt"
 
 
 def _flow_line(solution: SolvedChute, units: str) -> str:
-    """What flows."""
+    """Return the spec and what flows, in a line."""
     material, flow = solution.spec.material, solution.spec.flow
     rate, density = f"{flow.rate_t_h:g} t/h", f"{material.density_kg_m3:g} kg/m³"
     if units == "us":

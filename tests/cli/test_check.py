@@ -162,7 +162,7 @@ def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone
     note = "not compared, because the baseline does not have it until --update adds it: depth_m"
     assert outcome(capsys) == (0, "ok", [note])
     assert main(["check"]) == 0
-    assert f"{note}: 1 design as before" in capsys.readouterr().out
+    assert f"{note}: 1 design unchanged" in capsys.readouterr().out
     assert main(["check", "--update"]) == 0
     assert any("depth_m" in row for segment in baseline()["segments"] for row in segment["stations"])
     document = baseline()
@@ -262,7 +262,7 @@ def test_a_baseline_of_another_version_is_noted_and_holds_where_the_numbers_do(f
     note = f"the baseline was written by chutecalc 0.0.1; this is {chutecalc.__version__}"
     assert outcome(capsys) == (0, "ok", [note])
     assert main(["check"]) == 0
-    assert capsys.readouterr().out == f"{note}: 1 design as before\n1 design: 1 ok\n"
+    assert capsys.readouterr().out == f"{note}: 1 design unchanged\n1 design: 1 ok\n"
     edit("spoon.baseline.toml", "velocity_m_s = 6.", "velocity_m_s = 6.1")
     assert outcome(capsys) == (1, "drifted", [note])
     assert main(["check", "--update"]) == 0
@@ -381,7 +381,9 @@ def test_junit_tells_each_design_and_each_failure(folder, capsys):
     other, spoon = suite
     assert (other.get("name"), spoon.get("name")) == ("other.toml", "spoon.toml")
     assert [failure.get("type") for case in suite for failure in case] == ["no_baseline", "drifted"]
-    assert spoon[0].get("message").startswith("drifted: velocity_m_s: off from fall, s = 2.000 m on; most at fall")
+    assert (
+        spoon[0].get("message").startswith("drifted: velocity_m_s: first drift at fall, s = 2.000 m; largest at fall")
+    )
     capsys.readouterr()
     assert main(["check", "spoon.toml", "--junit", "-"]) == 1
     assert ElementTree.fromstring(capsys.readouterr().out).get("failures") == "1"

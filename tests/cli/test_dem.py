@@ -75,6 +75,16 @@ def test_csv_and_json(dem):
     assert [case["status"] for case in document["cases"]] == ["ok"] * 3
 
 
+def test_parquet(dem):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    assert dem("--csv", "beds.csv", "--parquet", "beds.parquet")[0] == 0
+    with open("beds.csv", encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    table = parquet.read_table("beds.parquet").to_pylist()
+    assert rows == [{name: "" if value is None else str(value) for name, value in row.items()} for row in table]
+    assert table[0]["seed"] == 1
+
+
 def test_beds_are_made_level(dem):
     """The program's beds are level with a spread of 0.2 only."""
     status, out, _ = dem("--csv", "-", wrong="tilt")
@@ -108,7 +118,7 @@ def test_a_case_that_is_lost(dem, wrong, words):
 def test_written_here_run_elsewhere_read_again(dem, tmp_path):
     status, out, err = dem("--write", "cluster")
     assert (status, out) == (0, "")
-    assert "3 cases written" in err
+    assert "wrote 3 cases" in err
     assert dem("--read", "cluster")[0] == 1
     for place in (tmp_path / "cluster").iterdir():
         assert (place / "in.lammps").is_file()
@@ -116,7 +126,7 @@ def test_written_here_run_elsewhere_read_again(dem, tmp_path):
     status, out, _ = dem("--read", "cluster")
     assert status == 0
     assert f"δ = {DELTA:.1f}°" in out
-    assert dem("--write", "cluster")[2].startswith("0 cases written")
+    assert dem("--write", "cluster")[2].startswith("wrote 0 cases")
     assert dem("--write", "a", "--read", "b")[0] == 2
     assert "no such folder" in dem("--read", "nowhere")[2]
 
@@ -153,7 +163,7 @@ def test_the_section_of_a_chute(tmp_path, capsys, spec, segment, wall):
         (["--area", "0.0001"], "too small"),
         (["--base", "0"], "no width"),
         (["--segment", "spoon"], "give the spec too"),
-        (["specs/vee.toml", "--beta", "45"], "leave them out"),
+        (["specs/vee.toml", "--beta", "45"], "remove them"),
         (["specs/ore_pass.toml"], "has several segments. Use --segment with one of upper, kink, lower"),
         (["specs/ore_pass.toml", "--segment", "kink"], "a curved wall"),
         (["specs/nothing.toml"], "nothing.toml"),

@@ -9,6 +9,7 @@ import tomli_w
 
 from chutecalc.cli import main
 from chutecalc.cli.friction import run_friction_study
+from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExtraMissingError
 from tests.conftest import ROOT, spec
 
@@ -93,14 +94,14 @@ def test_a_missing_extra_ends_with_3_before_solving(
 def test_the_study_needs_the_extra_too(tmp_path, monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(ExtraMissingError, match="plot"):
-        run_friction_study(plot=str(tmp_path / "study.svg"))
+        run_friction_study(Outputs(plot=str(tmp_path / "study.svg")))
     assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize("ending", MAGIC)
 def test_the_study_is_drawn(ending, tmp_path, capsys):
     file = tmp_path / f"study.{ending}"
-    assert run_friction_study(keep="width", plot=str(file)) == 0
+    assert run_friction_study(Outputs(plot=str(file)), keep="width") == 0
     assert file.read_bytes().startswith(MAGIC[ending])
 
 
@@ -154,7 +155,7 @@ def test_a_chart_takes_a_terminal_wide_enough(columns, shown, monkeypatch):
     assert main(["run", SPOON, "--chart"]) == 0
     out = terminal.getvalue()
     assert ("velocity v, m/s" in out) == shown
-    assert (f"no chart: it takes 60 columns, and there are {columns}" in out) == (not shown)
+    assert (f"no chart: it needs 60 columns, and the terminal has {columns}" in out) == (not shown)
     if shown:
         assert max(map(len, charts(out))) <= min(columns, 120)
 

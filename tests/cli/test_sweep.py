@@ -232,7 +232,7 @@ def test_impossible_designs_keep_their_rows(capsys, tmp_path):
         assert (row["status"] == "impossible") == impossible
         assert (row["exit_velocity_m_s"] == "") == impossible
     assert main(["sweep", "beta=10:50:5", "--keep", "depth", path]) == 0
-    assert "left out: 4 impossible" in capsys.readouterr().out
+    assert "left out: 4 impossible designs" in capsys.readouterr().out
 
 
 def test_values_that_only_together_cannot_be(capsys, tmp_path):
@@ -323,7 +323,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top selects designs"),
         (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "Use the columns of a station"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
-        (["beta", SPOON, "--resume"], "--resume goes on with a file"),
+        (["beta", SPOON, "--resume"], "--resume continues a data file"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),
         (["beta", SPOON, "--csv", "-", "--json", "-"], "standard output"),
         (["beta", SPOON, "--parquet", "-"], "standard output"),
@@ -530,7 +530,7 @@ def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
     capsys.readouterr()
     assert "--resume" in refused(capsys, *LONG, SPOON, "--csv", str(target))
     other = refused(capsys, LONG[0], "phi=15:25:#300", SPOON, "--csv", str(target), "--resume")
-    assert "another sweep: it differs in the parameters" in other
+    assert "another sweep, which differs in the parameters" in other
     before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "rows.csv.part").glob("[0-9]*")}
     assert 0 < len(before) < 6
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
@@ -544,7 +544,7 @@ def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
     assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
     status, said = stopped(target, signal.SIGINT)
     assert status == 130
-    assert "--resume goes on" in said
+    assert "--resume continues from" in said
     part = target.read_bytes()
     assert part == whole.read_bytes()[: len(part)]
     assert 1 < part.count(b"\r\n") < 90_001
@@ -571,7 +571,7 @@ def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
     asked = []
     monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
-    monkeypatch.setattr("chutecalc.cli.sweep.MEANT", 3)
+    monkeypatch.setattr("chutecalc.cli.sweep.CONFIRMED_ABOVE", 3)
     monkeypatch.setattr("typer.confirm", lambda text, **_: asked.append(text))
     assert main(["sweep", "phi=20:30:1", SPOON]) == 2
     assert "11 designs" in asked[0]

@@ -9,7 +9,7 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "core"},
+    {"errors", "runtime", "core"},
     {"physics"},
     {"design", "fields"},
     {"sections"},

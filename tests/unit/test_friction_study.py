@@ -9,9 +9,16 @@ import numpy as np
 import pytest
 
 from chutecalc.cli.friction import run_friction_study
+from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import OutputError, UsageError
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.study import CHAMFERS, INTERNAL_FRICTIONS, FrictionStudy
+
+
+def run_study(csv=None, json=None, plot=None, units="metric", **given):
+    """Run the study as the command does."""
+    return run_friction_study(Outputs(csv=csv, json=json, plot=plot, units=units), **given)
+
 
 TABLE = [  # equivalent friction at δ = 30, 40, 50, 55° for B or W = 0.5 m, A = 0.05 m², φ = 25°
     ("base", 45, (0.48509, 0.48346, 0.48226, 0.48180)),
@@ -172,7 +179,7 @@ def test_weak_materials_are_told():
 def test_what_is_refused_and_leaves_nothing(given, words, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(UsageError, match=words.replace("(", ".")):
-        run_friction_study(**{"json": "out.json"} | given)
+        run_study(**{"json": "out.json"} | given)
     assert list(tmp_path.iterdir()) == []
     assert capsys.readouterr().out == ""
 
@@ -185,33 +192,33 @@ def test_all_faults_at_once():
 
 def test_an_output_that_cannot_be_opened(tmp_path):
     with pytest.raises(OutputError):
-        run_friction_study(csv=str(tmp_path / "no" / "such.csv"))
+        run_study(csv=str(tmp_path / "no" / "such.csv"))
 
 
 def test_the_printed_table_leaves_out_what_cannot_be_and_says_so(capsys):
-    assert run_friction_study(keep="width") == 0
+    assert run_study(keep="width") == 0
     out = capsys.readouterr().out
     assert "left out: β = 0° to 35°, 8 of 19 angles" in out
     assert "0.53285" in out
     assert "as in Figure 7" in out
-    assert "δ 55°: best β inside the range 88.1° (μ_e 0.47549)\n" in out
-    assert run_friction_study(delta=[30]) == 0
-    assert "δ 30°: no best β inside the range, least at its end, 0.0°" in capsys.readouterr().out
-    assert run_friction_study(delta=[20]) == 0
+    assert "δ 55°: minimum inside the range at 88.1° (μ_e 0.47549)\n" in out
+    assert run_study(delta=[30]) == 0
+    assert "δ 30°: no minimum inside the range; lowest at its end, 0.0°" in capsys.readouterr().out
+    assert run_study(delta=[20]) == 0
     assert "more than atan(sin δ) for δ = 20°" in capsys.readouterr().out
 
 
 def test_us_units_are_for_people_only(capsys):
-    assert run_friction_study(units="us") == 0
+    assert run_study(units="us") == 0
     assert "19.69 in" in capsys.readouterr().out
-    assert run_friction_study(units="us", csv="-") == 0
+    assert run_study(units="us", csv="-") == 0
     american = capsys.readouterr().out
-    assert run_friction_study(csv="-") == 0
+    assert run_study(csv="-") == 0
     assert capsys.readouterr().out == american
 
 
 def test_csv_and_json_hold_every_row(tmp_path, capsys):
-    assert run_friction_study(keep="depth", csv=str(tmp_path / "a.csv"), json=str(tmp_path / "a.json")) == 0
+    assert run_study(keep="depth", csv=str(tmp_path / "a.csv"), json=str(tmp_path / "a.json")) == 0
     study = FrictionStudy(keep="depth")
     with open(tmp_path / "a.csv", encoding="utf-8", newline="") as stream:
         text = stream.read()

@@ -23,7 +23,7 @@ def test_as_rich_draws_it(seed):
     random = np.random.default_rng(seed)
     grid = Grid("a title" if seed % 3 == 0 else "", GAP if seed % 2 else "")
     for k in range(random.integers(1, 6)):
-        grid.column("x" * (8 if k == 0 else 0) + str(random.choice(WORDS)), to_left=bool(random.random() < 0.4))
+        grid.column("x" * (8 if k == 0 else 0) + str(random.choice(WORDS)), left=bool(random.random() < 0.4))
     for _ in range(random.integers(0, 5)):
         grid.row(
             str(random.choice(WORDS)).replace("\n", " ") for _ in range(random.integers(1, len(grid.headings) + 1))

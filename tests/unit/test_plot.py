@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.output.plots.run import ALONG, draw_run
-from chutecalc.output.plots.save import FORMATS, save
+from chutecalc.output.plots.run import PANELS, draw_run
+from chutecalc.output.plots.save import PICTURE_FORMATS, save
 from chutecalc.output.plots.side import STATIONS
 from chutecalc.output.plots.style import colours
 from chutecalc.results.columns import COLUMNS
@@ -61,7 +61,7 @@ FAILING = {
 def test_panels_show_the_solutions_numbers_in_their_units(name, units):
     _, axes, (solution,) = drawn(load(name), units=units)
     stations = solution.stations(points=STATIONS)
-    for column in ALONG:
+    for column in PANELS:
         (line,) = by_name(axes[column], column)
         x, y = (COLUMNS[key].converted(stations[key][0], units) for key in ("s_m", column))
         assert np.array_equal(line.get_xdata(), x)
@@ -100,7 +100,7 @@ def test_a_flight_is_a_path_and_no_band():
     assert np.allclose([segment[0] for segment in flight.get_segments()], path[:-1], rtol=0, atol=1e-12)
     assert len(by_name(axes["side"], "stream")) == 2
     legend = [text.get_text() for text in axes["side"].get_legend().get_texts()]
-    assert "in flight: path alone" in legend
+    assert "in flight (path only)" in legend
 
 
 def test_one_scale_both_ways_and_one_scale_of_colour():
@@ -183,9 +183,9 @@ def test_a_wide_chute_has_its_panels_below():
 def test_several_chutes_are_lines_to_compare():
     shapes = [load(f"paper/r{radius}_d30_{shape}") for radius in (1, 4) for shape in ("chamfered", "square")]
     figure, axes, solutions = drawn(*shapes)
-    assert len({axes[column].get_xlim() for column in ALONG}) == 1
+    assert len({axes[column].get_xlim() for column in PANELS}) == 1
     assert figure.get_suptitle() == "Paper, worked example, δ = 30°"
-    for column in ALONG:
+    for column in PANELS:
         for line, solution in zip(by_name(axes[column], column), solutions, strict=True):
             stations = solution.stations(points=STATIONS)
             assert np.array_equal(line.get_ydata(), stations[column][0], equal_nan=True)
@@ -213,7 +213,7 @@ def test_chutes_of_one_title_go_by_their_files_too():
     assert [text.get_text() for text in axes["notes"].get_legend().get_texts()] == ["a.toml", "b.toml"]
 
 
-@pytest.mark.parametrize("ending", FORMATS)
+@pytest.mark.parametrize("ending", PICTURE_FORMATS)
 def test_the_same_picture_is_the_same_file(ending):
     def file():
         stream = io.BytesIO()

@@ -1,1 +1,1 @@
-"""Pictures."""
+"""Pictures, by Matplotlib."""

@@ -1,4 +1,4 @@
-"""The picture of a run: the chute from the side, beside what the stream does along it."""
+"""The picture of a run: the chute from the side, beside columns of its stream along it."""
 
 import textwrap
 from collections.abc import Sequence
@@ -16,14 +16,20 @@ from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Finding
 from chutecalc.results.solved import SolvedChute
 
-ALONG = ("velocity_m_s", "depth_m", "pressure_kpa")
-"""The columns that are drawn along the stream."""
-WIDTH, SIDE, PANEL, NOTE = 10.0, 3.6, 2.0, 0.17  # inches: the picture's width; heights, NOTE of a line of text
-WIDE = 1.7  # a chute so many times as wide as high has the panels below it
-STEEP = 12.0  # what is more than so many times its median leaves its panel through the top
-MANY = 20  # more parts of the way than that are not marked along it
-CHARACTER = 0.6  # width of a character over its height
-LINE = 165  # characters of a note
+PANELS = ("velocity_m_s", "depth_m", "pressure_kpa")
+"""Columns that are drawn along the stream."""
+WIDTH, SIDE_HEIGHT, PANEL_HEIGHT, NOTE_HEIGHT = 10.0, 3.6, 2.0, 0.17
+"""Width of the picture; heights of the side view in a wide picture, of a panel, and of a line of notes; inches."""
+WIDE = 1.7
+"""Width over height from which a chute has its panels below it."""
+CUT_OFF = 12.0
+"""A panel ends at this multiple of the median of its values."""
+MOST_MARKED = 20
+"""With more segments and flights than this, their ends are not marked in the panels."""
+CHARACTER_WIDTH = 0.6
+"""Width of a character over its height, about."""
+NOTE_LENGTH = 165
+"""Characters in a line of notes."""
 
 
 def draw_run(solutions: Sequence[SolvedChute], units: str = "metric") -> Figure:
@@ -34,112 +40,117 @@ def draw_run(solutions: Sequence[SolvedChute], units: str = "metric") -> Figure:
         units: ``metric`` or ``us``.
 
     Returns:
-        The figure: axes ``side`` to scale, and one for each of ``ALONG`` over the distance along the stream.
+        The figure: axes ``side`` to scale, and one for each of ``PANELS`` over the distance along the stream.
     """
     with styled():
         return _one(solutions[0], units) if len(solutions) == 1 else _several(solutions, units)
 
 
 def _one(solution: SolvedChute, units: str) -> Figure:
-    """A chute with its stream at its depth."""
-    way = traces(solution)
-    notes, marks = _notes(solution, way, units)
-    figure, axes = _layout(len(notes), extent(solution, way), units)
+    """Draw a chute with its stream at its depth."""
+    stream = traces(solution)
+    notes, marks = _notes(solution, stream, units)
+    figure, axes = _layout(len(notes), extent(solution, stream), units)
     figure.suptitle(solution.spec.title or solution.source, x=0.01, ha="left")
-    draw_stream(axes["side"], solution, way, marks, units)
-    for name in ALONG:
+    draw_stream(axes["side"], solution, stream, marks, units)
+    for name in PANELS:
         panel = axes[name]
-        path = _joined(way, name, units)
+        path = _joined(stream, name, units)
         panel.plot(*path, color=INK, gid=name)
         _limit(panel, path[1])
         if solution.status[0] != "ok":
             panel.plot(path[0][-1:], path[1][-1:], **END)
-    _mark_segments([axes[name] for name in ALONG], way, units)
+    _mark_segments([axes[name] for name in PANELS], stream, units)
     axes["notes"].text(0.0, 1.0, "\n".join(notes), va="top", fontsize=SMALL, linespacing=1.5)
     return figure
 
 
 def _several(solutions: Sequence[SolvedChute], units: str) -> Figure:
-    """Chutes as lines: their paths from the side, and what their streams do along them."""
+    """Draw chutes as lines: their paths from the side, and columns of their streams."""
     titles = [solution.spec.title or solution.source for solution in solutions]
-    labels, shared = labels_of(
-        titles if len(set(titles)) == len(titles) else [solution.source for solution in solutions]
-    )
-    ways = [traces(solution) for solution in solutions]
-    size = np.max([extent(solution, way) for solution, way in zip(solutions, ways, strict=True)], axis=0)
+    distinct = len(set(titles)) == len(titles)
+    labels, shared = labels_of(titles if distinct else [solution.source for solution in solutions])
+    streams = [traces(solution) for solution in solutions]
+    size = np.max([extent(solution, stream) for solution, stream in zip(solutions, streams, strict=True)], axis=0)
     figure, axes = _layout(1 + -(-len(solutions) // 4), size, units)
     figure.suptitle(shared or "Comparison", x=0.01, ha="left")
     lines = []
-    for way, label, look in zip(ways, labels, looks(labels), strict=True):
-        x, z = (_joined(way, name, units)[1] for name in ("x_m", "z_m"))
+    for stream, label, look in zip(streams, labels, looks(labels), strict=True):
+        x, z = (_joined(stream, name, units)[1] for name in ("x_m", "z_m"))
         axes["side"].plot(x, z, **look, markevery=[-1], gid="path")
-        for name in ALONG:
-            path = _joined(way, name, units)
+        for name in PANELS:
+            path = _joined(stream, name, units)
             lines += axes[name].plot(*path, **look, markevery=[-1], gid=name, label=", ".join(label))
-    for name in ALONG:
+    for name in PANELS:
         _limit(axes[name], np.concatenate([np.asarray(line.get_ydata()) for line in axes[name].get_lines()]))
     axes["side"].set_aspect("equal", adjustable="datalim")
     axes["side"].set_title("paths of the streams, to scale")
     axes["notes"].legend(
-        handles=lines[:: len(ALONG)], ncols=min(len(solutions), 4), loc="upper left", borderaxespad=0.0
+        handles=lines[:: len(PANELS)], ncols=min(len(solutions), 4), loc="upper left", borderaxespad=0.0
     )
     return figure
 
 
 def _layout(notes: int, size: Array, units: str) -> tuple[Figure, dict[str, Axes]]:
-    """The figure and its axes: from the side; along the stream beside that or, of a wide chute, below it; notes."""
+    """Return the figure and its axes: side view, panels beside it or below a wide chute, and notes.
+
+    Args:
+        notes: number of lines of notes.
+        size: width and height of the chute, m.
+        units: ``metric`` or ``us``.
+    """
     wide = size[0] > WIDE * size[1]
-    rows: list[Any] = [["side"] * 3, list(ALONG)] if wide else [["side", name] for name in ALONG]
-    heights = [*([SIDE, PANEL] if wide else [PANEL] * 3), NOTE * notes]
+    rows: list[Any] = [["side"] * 3, list(PANELS)] if wide else [["side", name] for name in PANELS]
+    heights = [*([SIDE_HEIGHT, PANEL_HEIGHT] if wide else [PANEL_HEIGHT] * 3), NOTE_HEIGHT * notes]
     columns = len(rows[0])
     figure = Figure(figsize=(WIDTH, sum(heights)))
     axes = figure.subplot_mosaic([*rows, ["notes"] * columns], height_ratios=heights, width_ratios=[1.0] * columns)
     axes["notes"].set_axis_off()
     label_axes(axes["side"], COLUMNS["x_m"], COLUMNS["z_m"], units)
-    for name in ALONG[1:]:
-        axes[name].sharex(axes[ALONG[0]])
-    for name in ALONG:
+    for name in PANELS[1:]:
+        axes[name].sharex(axes[PANELS[0]])
+    for name in PANELS:
         label_axes(axes[name], COLUMNS["s_m"], COLUMNS[name], units)
     if not wide:
-        figure.align_ylabels([axes[name] for name in ALONG])
-        for name in ALONG[:-1]:
+        figure.align_ylabels([axes[name] for name in PANELS])
+        for name in PANELS[:-1]:
             axes[name].set_xlabel("")
             axes[name].tick_params(labelbottom=False)
     return figure, axes
 
 
-def _joined(way: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
-    """Distance along the stream and another column, all parts after each other; a gap where it does not exist."""
-    s, values = (np.concatenate([part.columns[column] for part in way]) for column in ("s_m", name))
+def _joined(stream: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
+    """Return the distance along the stream and another column, of all traces in order; NaN where it does not exist."""
+    s, values = (np.concatenate([part.columns[column] for part in stream]) for column in ("s_m", name))
     return COLUMNS["s_m"].converted(s, units), COLUMNS[name].converted(values, units)
 
 
 def _limit(panel: Axes, values: Array) -> None:
-    """From 0 to what is largest, but for the peaks of a stream at a crawl."""
+    """Limit a panel to its largest value, but cut off the peaks of a stream that nearly stops."""
     values = values[np.isfinite(values)]
-    top = min(1.06 * values.max(), STEEP * np.median(values)) if values.size else 0.0
+    top = min(1.06 * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
 
 
-def _mark_segments(panels: Sequence[Axes], way: Sequence[Trace], units: str) -> None:
-    """Lines where one part of the way ends and the next begins, and names above those that have room for them."""
-    ends = [COLUMNS["s_m"].converted(part.columns["s_m"][[0, -1]], units) for part in way]
+def _mark_segments(panels: Sequence[Axes], stream: Sequence[Trace], units: str) -> None:
+    """Mark the ends of segments and flights, and name those with room for their names."""
+    ends = [COLUMNS["s_m"].converted(part.columns["s_m"][[0, -1]], units) for part in stream]
     low, high = ends[0][0], ends[-1][1]
     if not high > low:
         return
     room = panels[0].get_position().width * WIDTH * 72.0
     for panel in panels:
         panel.set_xlim(low, high)
-        for _, end in ends[:-1] if len(ends) <= MANY else ():
+        for _, end in ends[:-1] if len(ends) <= MOST_MARKED else ():
             panel.axvline(end, color=PALE, linewidth=0.7, zorder=1)
-    for part, (first, last) in zip(way, ends, strict=True):
-        if (last - first) / (high - low) * room > CHARACTER * SMALL * len(part.name):
-            place: dict[str, Any] = {"transform": panels[0].get_xaxis_transform(), "ha": "center", "fontsize": SMALL}
-            panels[0].text(0.5 * (first + last), 1.03, part.name, **place)
+    for part, (first, last) in zip(stream, ends, strict=True):
+        if (last - first) / (high - low) * room > CHARACTER_WIDTH * SMALL * len(part.name):
+            text: dict[str, Any] = {"transform": panels[0].get_xaxis_transform(), "ha": "center", "fontsize": SMALL}
+            panels[0].text(0.5 * (first + last), 1.03, part.name, **text)
 
 
-def _notes(solution: SolvedChute, way: Sequence[Trace], units: str) -> tuple[list[str], list[Mark]]:
-    """How the stream ends and what to mind, a number for each kind of finding, with the places of that."""
+def _notes(solution: SolvedChute, stream: Sequence[Trace], units: str) -> tuple[list[str], list[Mark]]:
+    """Return the outcome and the findings as lines, numbered by kind, and marks with these numbers."""
     lines, marks = [outcome(solution, units)], []
     found: dict[str, list[Finding]] = {}
     for finding in solution.findings():
@@ -147,14 +158,14 @@ def _notes(solution: SolvedChute, way: Sequence[Trace], units: str) -> tuple[lis
     column = COLUMNS["s_m"]
     for number, (code, alike) in enumerate(found.items(), 1):
         first, more = alike[0], len(alike) - 1
-        place = f"{first.segment}, s = {column.shown(float(first.s_m[0]), units)} {column.unit_text(units)}"
+        location = f"{first.segment}, s = {column.shown(float(first.s_m[0]), units)} {column.unit_text(units)}"
         others = f" and {more} more" if more else ""
-        text = f"{number}  {first.severity} {code}: {place}{others}: {first.message(0, units)}"
-        lines += textwrap.wrap(text, LINE, subsequent_indent="    ")
+        text = f"{number}  {first.severity} {code}: {location}{others}: {first.message(0, units)}"
+        lines += textwrap.wrap(text, NOTE_LENGTH, subsequent_indent="    ")
         if np.isfinite(first.s_m[0]):
             marks.append(Mark(str(number), float(first.s_m[0])))
-    depths = _joined(way, "depth_m", "metric")[1]
-    depth, most = COLUMNS["depth_m"], deepest(solution, way)
+    depths = _joined(stream, "depth_m", "metric")[1]
+    depth, most = COLUMNS["depth_m"], deepest(solution, stream)
     if (depths > most).any():
         lines.append(f"the stream is drawn to a depth of {depth.shown(most, units)} {depth.unit_text(units)}")
     return lines, marks

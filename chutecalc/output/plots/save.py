@@ -4,38 +4,41 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import require_extra
+from chutecalc.output.extras import PLOT, require_extra
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-FORMATS = {"svg": {"Date": None}, "png": {}, "pdf": {"CreationDate": None}}
-"""Endings of files, each with the metadata that would differ from one day to the next."""
+PICTURE_FORMATS = {"svg": {"Date": None}, "png": {}, "pdf": {"CreationDate": None}}
+"""Metadata by file ending; None leaves out an entry that would differ from one day to the next."""
 
 
 def picture_format(file: str) -> str:
-    """The format that a file's ending names, once it is known that it can be drawn.
+    """Return the format that the ending of a file names, and check that Matplotlib is installed.
+
+    Args:
+        file: path of the picture.
 
     Raises:
-        UsageError: the ending names none.
+        UsageError: the ending names no format.
         ExtraMissingError: Matplotlib is not installed.
     """
     ending = Path(file).suffix.lower().removeprefix(".")
-    if ending not in FORMATS:
-        raise UsageError(f"--plot draws .svg, .png or .pdf, told by the file's ending: {file} has none of them")
-    require_extra("plot")
+    if ending not in PICTURE_FORMATS:
+        raise UsageError(f"--plot cannot draw {file}: the name has to end in .svg, .png or .pdf")
+    require_extra("--plot", PLOT)
     return ending
 
 
 def save(figure: "Figure", stream: IO[bytes], ending: str) -> None:
-    """Writes a figure, the same bytes each time.
+    """Write a figure, the same bytes each time.
 
     Args:
-        figure: to write.
-        stream: to write to.
-        ending: the format, as :func:`picture_format` tells it.
+        figure: the picture.
+        stream: where it goes.
+        ending: its format, from :func:`picture_format`.
     """
     from chutecalc.output.plots.style import styled
 
     with styled():
-        figure.savefig(stream, format=ending, metadata=FORMATS[ending])
+        figure.savefig(stream, format=ending, metadata=PICTURE_FORMATS[ending])

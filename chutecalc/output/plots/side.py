@@ -18,13 +18,13 @@ from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
 
 STATIONS = 101
-"""Along each part of the way."""
+"""Number of stations along each segment or flight."""
 DEEPEST = 0.25
-"""The stream is not drawn deeper than so many times the chute's greater side: at a crawl its depth knows no bounds."""
+"""Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
 SHORT = 0.08
-"""A part shorter than that share of the picture has no name in it; numbers closer than half of it stand together."""
+"""Share of the picture below which a segment has no name in it. Marks closer than half of it are drawn together."""
 ROOM = 0.09
-"""Around what is drawn, for names and numbers, as a share of its greater side."""
+"""Margin for names and numbers, over the greater side of the picture."""
 SURFACE: dict[str, Any] = {
     "color": STEEL,
     "linewidth": 3.0,
@@ -33,12 +33,12 @@ SURFACE: dict[str, Any] = {
     "gid": "surface",
 }
 END: dict[str, Any] = {"marker": "X", "color": INK, "markersize": 8, "linestyle": "", "clip_on": False, "gid": "end"}
-"""How the place is shown where a stream comes to its end before the chute does."""
+"""Look of the point where a stream ends before the chute does."""
 Lines = dict[str, Array]
 
 
 class Trace(NamedTuple):
-    """The stations of one part of the way that the stream reached."""
+    """The stations of one segment or flight that the stream reached."""
 
     name: str
     kind: str
@@ -48,16 +48,19 @@ class Trace(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A number at a place along the stream."""
+    """A number at a distance along the stream."""
 
     number: str
     s: float
 
 
 def traces(solution: SolvedChute) -> list[Trace]:
-    """The way of the first design, part by part; parts that it did not reach are left out.
+    """Return the stream of the first design, a trace for each segment and flight that it reached.
 
-    Where it reaches none at all the inlet is all there is of its way.
+    A stream that reaches none has the inlet as its only trace.
+
+    Args:
+        solution: solution of one design.
     """
     stations = solution.stations(points=STATIONS)
     found = []
@@ -73,38 +76,43 @@ def traces(solution: SolvedChute) -> list[Trace]:
 
 
 def _at_inlet(solution: SolvedChute) -> Trace:
-    """A way that is the inlet alone."""
+    """Return the inlet as a trace of one station."""
     inlet = {name: values[:1] for name, values in solution.inlet.items()}
     nowhere = {name: np.full(1, np.nan) for name in COLUMNS}
     return Trace("inlet", "inlet", 0.0, nowhere | inlet | {"s_m": np.zeros(1)})
 
 
-def extent(solution: SolvedChute, way: Sequence[Trace]) -> Array:
-    """Width and height of a chute from the side, m, with its stream's path."""
-    paths = [(part.columns["x_m"], part.columns["z_m"]) for part in way]
+def extent(solution: SolvedChute, stream: Sequence[Trace]) -> Array:
+    """Return width and height of a chute with its stream, seen from the side, m.
+
+    Args:
+        solution: solution of one design.
+        stream: traces of its stream.
+    """
+    paths = [(part.columns["x_m"], part.columns["z_m"]) for part in stream]
     points = np.concatenate([np.stack(line) for line in (*paths, *_surfaces(solution))], axis=1)
     size: Array = np.ptp(points, axis=1)
     return size
 
 
-def draw_stream(axes: Axes, solution: SolvedChute, way: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
-    """Draws the chute and the stream of its first design.
+def draw_stream(axes: Axes, solution: SolvedChute, stream: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
+    """Draw the chute and the stream of its first design.
 
     Args:
-        axes: to draw on.
-        solution: of one design.
-        way: its stations.
+        axes: axes to draw on.
+        solution: solution of one design.
+        stream: traces of its stream.
         marks: numbers to set beside the stream.
         units: ``metric`` or ``us``.
     """
-    velocity = np.concatenate([part.columns["velocity_m_s"] for part in way])
+    velocity = np.concatenate([part.columns["velocity_m_s"] for part in stream])
     column = COLUMNS["velocity_m_s"]
     shades = Normalize(*column.converted(np.array([velocity.min(), velocity.max()]), units))
     surfaces = list(_surfaces(solution))
-    for part in way:
+    for part in stream:
         values = column.converted(part.columns["velocity_m_s"], units)
         draw = _draw_flight if part.side == 0.0 else _draw_band
-        draw(axes, part, deepest(solution, way), units).set(
+        draw(axes, part, deepest(solution, stream), units).set(
             array=0.5 * (values[1:] + values[:-1]), cmap=MAP, norm=shades
         )
     for x, z in surfaces:
@@ -112,28 +120,33 @@ def draw_stream(axes: Axes, solution: SolvedChute, way: Sequence[Trace], marks: 
     for x, z in _lost_flights(solution, surfaces):
         axes.plot(_long(x, units), _long(z, units), color=INK, linestyle=":", gid="missed")
     _draw_pulley(axes, solution, units)
-    size = float(extent(solution, way).max())
-    _name_segments(axes, way, SHORT * size, units)
-    _draw_marks(axes, way, marks, SHORT * size, units)
+    size = float(extent(solution, stream).max())
+    _name_segments(axes, stream, SHORT * size, units)
+    _draw_marks(axes, stream, marks, SHORT * size, units)
     if solution.status[0] != "ok":
-        end = way[-1].columns
+        end = stream[-1].columns
         axes.plot(_long(end["x_m"][-1:], units), _long(end["z_m"][-1:], units), **END)
-    _frame(axes, shades, any(part.side == 0.0 for part in way), units)
+    _frame(axes, shades, any(part.side == 0.0 for part in stream), units)
 
 
-def deepest(solution: SolvedChute, way: Sequence[Trace]) -> float:
-    """The depth to which the stream is drawn, m."""
-    return DEEPEST * float(extent(solution, way).max())
+def deepest(solution: SolvedChute, stream: Sequence[Trace]) -> float:
+    """Return the greatest depth to which the stream is drawn, m.
+
+    Args:
+        solution: solution of one design.
+        stream: traces of its stream.
+    """
+    return DEEPEST * float(extent(solution, stream).max())
 
 
 def _long(metres: Array, units: str) -> Array:
-    """Lengths of the picture in its unit."""
+    """Return lengths in the unit of the picture."""
     converted: Array = COLUMNS["x_m"].converted(metres, units)
     return converted
 
 
 def _draw_band(axes: Axes, part: Trace, depth: float, units: str) -> PolyCollection:
-    """The stream on a surface, as deep as it is, normal to that."""
+    """Draw the stream on a surface, with its depth normal to it."""
     at = part.columns
     height = np.minimum(at["depth_m"], depth)  # none where the stream has come to rest
     slope = np.radians(at["slope_deg"])
@@ -149,7 +162,7 @@ def _draw_band(axes: Axes, part: Trace, depth: float, units: str) -> PolyCollect
 
 
 def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineCollection:
-    """The path of a stream in flight; how thick it is there the model does not know."""
+    """Draw the path of a stream in flight. The model has no depth there."""
     path = _long(np.stack([part.columns["x_m"], part.columns["z_m"]], axis=1), units)
     axes.plot(*path.T, color=INK, linewidth=3.0, solid_capstyle="butt", gid="path")
     line = LineCollection(
@@ -160,7 +173,7 @@ def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineColle
 
 
 def _surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
-    """The drawn line or arc of each contact segment that has its place."""
+    """Yield the line or arc of each contact segment that has a position."""
     for leg in {leg.number: leg for leg in reversed(solution.trajectory.legs)}.values():
         if leg.contact is not None:
             x, z, _ = point(leg.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
@@ -169,7 +182,7 @@ def _surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
 
 
 def _lost_flights(solution: SolvedChute, surfaces: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
-    """The paths of streams that miss what should catch them, until they are below all that is drawn."""
+    """Yield the paths of streams that miss the next segment, until they are below everything drawn."""
     lowest = min((float(z.min()) for _, z in surfaces), default=np.inf)
     further = max((float(np.ptp(z)) for _, z in surfaces), default=1.0)
     for leg in solution.trajectory.legs:
@@ -181,7 +194,7 @@ def _lost_flights(solution: SolvedChute, surfaces: Sequence[tuple[Array, Array]]
 
 
 def _draw_pulley(axes: Axes, solution: SolvedChute, units: str) -> None:
-    """The head pulley with its belt, and a piece of that."""
+    """Draw the head pulley and a piece of its belt."""
     belt = solution.design.belt
     if belt is None:
         return
@@ -193,18 +206,18 @@ def _draw_pulley(axes: Axes, solution: SolvedChute, units: str) -> None:
     axes.plot(*_long(np.stack([back, top]), units).T, color=STEEL, linewidth=1.2, gid="belt")
 
 
-def _name_segments(axes: Axes, way: Sequence[Trace], least: float, units: str) -> None:
-    """Names beside the middle of each part that is long enough, on the side where the stream is not."""
-    for part in way:
+def _name_segments(axes: Axes, stream: Sequence[Trace], least: float, units: str) -> None:
+    """Write names beside the middle of each trace that is long enough, on the side away from the stream."""
+    for part in stream:
         at = part.columns
         if np.ptp(at["s_m"]) > least:
             _set_beside(axes, at, len(at["s_m"]) // 2, -part.side or 1.0, part.name, units)
 
 
-def _draw_marks(axes: Axes, way: Sequence[Trace], marks: Sequence[Mark], least: float, units: str) -> None:
-    """The numbers, those of places close to each other together."""
-    at = {name: np.concatenate([part.columns[name] for part in way]) for name in ("s_m", "x_m", "z_m", "slope_deg")}
-    sides = np.concatenate([np.full(len(part.columns["s_m"]), part.side) for part in way])
+def _draw_marks(axes: Axes, stream: Sequence[Trace], marks: Sequence[Mark], least: float, units: str) -> None:
+    """Write the numbers, those of neighbours together."""
+    at = {name: np.concatenate([part.columns[name] for part in stream]) for name in ("s_m", "x_m", "z_m", "slope_deg")}
+    sides = np.concatenate([np.full(len(part.columns["s_m"]), part.side) for part in stream])
     groups: list[list[Mark]] = []
     for mark in sorted(marks, key=lambda mark: mark.s):
         if groups and mark.s - groups[-1][0].s < 0.5 * least:
@@ -213,20 +226,20 @@ def _draw_marks(axes: Axes, way: Sequence[Trace], marks: Sequence[Mark], least: 
             groups.append([mark])
     box = {"boxstyle": "round,pad=0.25", "facecolor": "white", "edgecolor": INK, "linewidth": 0.7}
     for group in groups:
-        place = int(np.abs(at["s_m"] - group[0].s).argmin())
+        station = int(np.abs(at["s_m"] - group[0].s).argmin())
         text = ", ".join(sorted(mark.number for mark in group))
-        _set_beside(axes, at, place, -sides[place] or 1.0, text, units, distance=21.0, bbox=box)
+        _set_beside(axes, at, station, -sides[station] or 1.0, text, units, distance=21.0, bbox=box)
 
 
 def _set_beside(
-    axes: Axes, at: Lines, place: int, side: float, text: str, units: str, distance: float = 9.0, **look: Any
+    axes: Axes, at: Lines, station: int, side: float, text: str, units: str, distance: float = 9.0, **look: Any
 ) -> None:
-    """Text at a distance, in points, from a place of the stream, along the normal there."""
-    slope = np.radians(at["slope_deg"][place])
+    """Write text at a distance, in points, from a station of the stream, along the normal there."""
+    slope = np.radians(at["slope_deg"][station])
     right, up = side * np.sin(slope), side * np.cos(slope)
     axes.annotate(
         text,
-        (_long(at["x_m"][place], units), _long(at["z_m"][place], units)),
+        (_long(at["x_m"][station], units), _long(at["z_m"][station], units)),
         xytext=(distance * right, distance * up),
         textcoords="offset points",
         ha="center" if abs(right) < 0.4 else "left" if right > 0.0 else "right",
@@ -238,7 +251,7 @@ def _set_beside(
 
 
 def _frame(axes: Axes, shades: Normalize, flies: bool, units: str) -> None:
-    """Scale, labels, and what is what."""
+    """Set the scale, and add colour bar and legend."""
     low, high = axes.dataLim.get_points()
     room = ROOM * (high - low).max()
     axes.update_datalim([low - room, high + room])
@@ -251,5 +264,5 @@ def _frame(axes: Axes, shades: Normalize, flies: bool, units: str) -> None:
     handles: list[Any] = [Line2D([], [], color=STEEL, linewidth=2.2, label="surface")]
     handles.append(Patch(facecolor=PALE, edgecolor=INK, linewidth=0.7, label="stream at its depth"))
     if flies:
-        handles.append(Line2D([], [], color=INK, linewidth=3.0, label="in flight: path alone"))
+        handles.append(Line2D([], [], color=INK, linewidth=3.0, label="in flight (path only)"))
     axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.2)

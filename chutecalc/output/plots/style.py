@@ -1,4 +1,4 @@
-"""How pictures look: in print, without colour, and to people who do not see all colours."""
+"""The style of pictures: readable in print, without colour, and by people with colour vision deficiency."""
 
 import re
 from collections.abc import Sequence
@@ -14,9 +14,9 @@ from matplotlib.colors import to_hex
 from chutecalc.results.column import Column
 
 MAP = "viridis"
-"""Perceptually uniform, lighter as values grow, and so the same in grey."""
+"""Colour map, perceptually uniform: lightness grows with the values, also in print without colour."""
 DARKEST, LIGHTEST = 0.0, 0.8
-"""The part of the map that stands out as a line on white paper."""
+"""Range of the colour map that stands out as a line on white paper."""
 INK, STEEL, PALE = "0.15", "0.35", "0.6"
 STROKES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (9, 2)))
 MARKS = ("o", "s", "^", "D", "v", "P", "X", "<")
@@ -47,12 +47,15 @@ _STYLE = {
 
 
 def styled() -> AbstractContextManager[None]:
-    """The style of all pictures, whatever a user's own settings are; figures are drawn and saved in it."""
+    """Return a context with the style of all pictures, whatever the settings of the user. Draw and save in it."""
     return style.context(["default", _STYLE])
 
 
 def colours(count: int) -> list[str]:
-    """So many colours that differ in lightness too.
+    """Return colours that differ in lightness too.
+
+    Args:
+        count: number of colours.
 
     >>> colours(2)
     ['#440154', '#7ad151']
@@ -62,7 +65,10 @@ def colours(count: int) -> list[str]:
 
 
 def mathematical(text: str) -> str:
-    r"""A label with its subscripts set as such.
+    r"""Return a label with its subscripts marked for Matplotlib.
+
+    Args:
+        text: a label, with subscripts after an underscore.
 
     >>> mathematical("equivalent friction μ_e")
     'equivalent friction μ$_{\\mathrm{e}}$'
@@ -71,13 +77,25 @@ def mathematical(text: str) -> str:
 
 
 def label_axes(axes: Axes, x: Column, y: Column, units: str) -> None:
-    """Names both axes with symbol and unit."""
+    """Label both axes with name, symbol and unit.
+
+    Args:
+        axes: axes to label.
+        x: column of the horizontal axis.
+        y: column of the vertical axis.
+        units: ``metric`` or ``us``.
+    """
     axes.set_xlabel(mathematical(x.label(units)))
     axes.set_ylabel(mathematical(y.label(units)))
 
 
 def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
-    """What sets titles apart, their parts between commas and colons without those that all have; and what all have.
+    """Return the parts in which titles differ, as labels, and the parts that all of them share, as text.
+
+    Parts are separated by commas, colons and semicolons.
+
+    Args:
+        titles: titles of several chutes.
 
     >>> labels_of(["Spoon: R = 1 m, square", "Spoon: R = 2 m, square"])
     ([('R = 1 m',), ('R = 2 m',)], 'Spoon, square')
@@ -91,9 +109,13 @@ def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
 
 
 def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
-    """How the lines of a family are drawn: the first part of a label sets colour and mark, the rest sets the stroke.
+    """Return the look of each line of a family, for Matplotlib.
 
-    Where the first part alone tells them apart it sets them all.
+    The first part of a label sets colour and marker, the rest sets the stroke. If no label has a rest, the first part
+    sets the stroke too.
+
+    Args:
+        labels: label of each line, in parts.
 
     >>> pairs = looks([("R = 1 m", "square"), ("R = 1 m", "chamfered"), ("R = 2 m", "square")])
     >>> [look["linestyle"] for look in pairs], pairs[0]["color"] == pairs[1]["color"]

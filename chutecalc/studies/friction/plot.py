@@ -1,4 +1,4 @@
-"""The picture of the friction study: the sections, and the equivalent friction over the chamfer angle."""
+"""The picture of the friction study: sections, and the equivalent friction over the chamfer angle."""
 
 from typing import Any
 
@@ -9,21 +9,22 @@ from matplotlib.figure import Figure
 from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, looks, styled
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
-from chutecalc.studies.friction.report import KEPT_TEXT, given_text
+from chutecalc.studies.friction.report import CONSTRAINT_TEXT, given_text
 from chutecalc.studies.friction.study import FrictionStudy
 
 FILL = "0.8"
+"""Shade of grey of the stream."""
 STAR: dict[str, Any] = {"marker": "*", "markersize": 11, "color": "white", "markeredgecolor": INK, "linestyle": ""}
 OUTLINES = 5
-"""Sections that are drawn, of all that there are."""
+"""Most sections drawn."""
 
 
 def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
-    """Draws a friction study, as Figures 4 and 5 (or 6 and 7, or 8 and 9) of the paper are.
+    """Draw a friction study as in Figures 4 and 5 (or 6 and 7, or 8 and 9) of the paper.
 
     Args:
-        study: to draw.
-        units: ``metric`` or ``us``, of the sections.
+        study: the study.
+        units: units of the sections, ``metric`` or ``us``.
 
     Returns:
         The figure: axes ``sections`` to scale, and ``friction`` with a line for each material.
@@ -31,7 +32,7 @@ def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
     with styled():
         figure = Figure(figsize=(10.0, 5.0))
         axes = figure.subplot_mosaic([["sections", "friction"]], width_ratios=[1.0, 1.7])
-        figure.suptitle(f"Equivalent friction over the chamfer angle, {KEPT_TEXT[study.keep]}", x=0.01, ha="left")
+        figure.suptitle(f"Equivalent friction over the chamfer angle, {CONSTRAINT_TEXT[study.keep]}", x=0.01, ha="left")
         _draw_sections(axes["sections"], study, units)
         _draw_friction(axes["friction"], study, units)
         figure.supxlabel(given_text(study, units), x=0.01, ha="left", fontsize=SMALL)
@@ -39,7 +40,7 @@ def draw_study(study: FrictionStudy, units: str = "metric") -> Figure:
 
 
 def _draw_sections(axes: Axes, study: FrictionStudy, units: str) -> None:
-    """The stream across the chute at some of the angles, one below the other."""
+    """Draw cross-sections of the stream at some of the angles, one below the other."""
     rows = study.line(float(study.internal_friction_deg[0]))
     drawn = np.flatnonzero(rows["chamfer_deg"] > 0.0)
     chosen = drawn[np.unique(np.linspace(0, len(drawn) - 1, OUTLINES).round().astype(int))] if drawn.size else drawn
@@ -64,14 +65,14 @@ def _draw_sections(axes: Axes, study: FrictionStudy, units: str) -> None:
 
 
 def _draw_friction(axes: Axes, study: FrictionStudy, units: str) -> None:
-    """A line for each material, with the best angle inside the range."""
+    """Draw a line for each material, with the best angle inside the range."""
     names = [f"δ = {delta:g}°" for delta in study.internal_friction_deg]
     for delta, name, look in zip(study.internal_friction_deg, names, looks([(name,) for name in names]), strict=True):
         rows = study.line(float(delta))
         axes.plot(rows["chamfer_deg"], rows["equivalent_friction"], **look, label=name, gid="friction")
     best = [(each.inside_deg, each.inside_friction) for each in study.best() if np.isfinite(each.inside_deg)]
     if best:
-        axes.plot(*np.transpose(best), **STAR, label="best β inside the range", gid="best")
+        axes.plot(*np.transpose(best), **STAR, label="minimum inside the range", gid="best")
     axes.axhline(np.tan(np.radians(study.wall_friction_deg)), color=PALE, linewidth=1.0, label="tan φ", gid="wall")
     label_axes(axes, FRICTION_COLUMNS["chamfer_deg"], FRICTION_COLUMNS["equivalent_friction"], units)
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))

@@ -16,6 +16,8 @@ CHAMFERS = tuple(float(angle) for angle in range(0, 91, 5))
 """Chamfer angles β of the paper's figures, deg."""
 INTERNAL_FRICTIONS = tuple(float(angle) for angle in range(30, 56, 5))
 """Angles of internal friction δ of the paper's figures, deg."""
+ANGLE_RANGES = {"beta": "0:90:5", "delta": "30:55:5"}
+"""Ranges of angles where a command line gives none, deg."""
 WALL_FRICTION, BASE, AREA = 25.0, 0.5, 0.05
 """Wall friction angle of the paper, deg; width, m, and flow area, m². Its text and figures agree with A/B² = 0.2."""
 FINE = 10_001

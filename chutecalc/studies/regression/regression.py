@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from chutecalc.api.chute import Chute, solve
 from chutecalc.errors import SpecError
+from chutecalc.runtime import cores, in_processes
 from chutecalc.studies.regression.baseline import (
     EXTREME_MARGIN,
     STATIONS,
@@ -23,7 +24,6 @@ from chutecalc.studies.regression.baseline import (
     read_baseline,
     spec_path,
 )
-from chutecalc.studies.regression.processes import cores, in_processes
 
 OK, DRIFTED, CHANGED, EDITED = "ok", "drifted", "changed", "edited"
 """Outcomes of a check: as the baseline; numbers differ by more than the tolerance; a segment, a status or a finding has

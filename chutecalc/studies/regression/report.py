@@ -1,37 +1,58 @@
-"""Verdicts on standard designs: for people, as JSON, and as JUnit's XML."""
+"""Verdicts on standard designs: for people, as a dataset for files, and as JUnit XML."""
 
-import json
 import math
 from collections import Counter
 from collections.abc import Sequence
 from typing import IO, Any
 from xml.etree import ElementTree
 
-from chutecalc import __version__
+from chutecalc.output.dataset import Dataset, block_of, document_head
 from chutecalc.output.grid import GAP, Grid
-from chutecalc.output.json import FORMAT
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.regression.regression import NO_BASELINE, OK, Drift, Verdict, first_and_largest
 
+ROW_COLUMNS: dict[str, type] = {
+    "spec": str,
+    "outcome": str,
+    "tolerance": float,
+    "segment": str,
+    "visit": int,
+    "row": str,
+    "column": str,
+    "s_m": float,
+    "was": float,
+    "is": float,
+    "off_by": float,
+}
+"""Columns of the rows, in order."""
+
 
 def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Sequence[str]) -> None:
-    """What is not as it was, with a table for each design; what was written; how many there are of each outcome."""
+    """Print the verdicts.
+
+    Args:
+        printer: where to print.
+        verdicts: one for each design. Those that do not pass are printed with a table of what drifted.
+        written: baselines that were written.
+    """
     for verdict in verdicts:
         if verdict.outcome != OK and not (verdict.outcome == NO_BASELINE and verdict.document):
             _print_failing(printer, verdict)
     notes = Counter(note for verdict in verdicts if verdict.outcome == OK for note in verdict.notes)
     for note, count in notes.items():
-        printer.text(f"{note}: {_designs(count)} as before")
+        printer.text(f"{note}: {_designs(count)} unchanged")
     for path in written:
         printer.text(f"wrote {path}")
     counts = Counter("written" if verdict.document else _words(verdict.outcome) for verdict in verdicts)
-    said = [f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != OK, word == "written", word))]
-    printer.text(f"{_designs(len(verdicts))}: {', '.join(said)}")
+    parts = [
+        f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != OK, word == "written", word))
+    ]
+    printer.text(f"{_designs(len(verdicts))}: {', '.join(parts)}")
 
 
 def _print_failing(printer: Printer, verdict: Verdict) -> None:
-    """One design that is not as it was."""
+    """Print a design that does not pass."""
     heading = f"{verdict.spec}: {_words(verdict.outcome)}"
     lines = [*(change.message for change in verdict.changes), *verdict.notes]
     if len(lines) == 1 and not verdict.drifts:
@@ -45,24 +66,24 @@ def _print_failing(printer: Printer, verdict: Verdict) -> None:
 
 
 def _drifts(verdict: Verdict) -> Grid:
-    """A row a column: from where on along the chute it is off, and where it is most."""
+    """Return a row for each column that drifted: its first drift along the chute, and its largest."""
     table = Grid(indent=GAP)
-    for heading in ("column", "off from", "s\nm", "most at", "s\nm", "was", "is", "off by"):
-        table.column(heading, to_left=heading in ("column", "off from", "most at"))
+    for heading in ("column", "first at", "s\nm", "largest at", "s\nm", "was", "is", "drift"):
+        table.column(heading, left=heading in ("column", "first at", "largest at"))
     for first, most in first_and_largest(verdict.drifts):
         table.row([most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}"])
     return table
 
 
 def _where(drift: Drift) -> tuple[str, str]:
-    """The segment, with the row where it is no station, and s."""
+    """Return the segment of a drift, with the row unless that is a station, and its distance s."""
     row = "" if drift.key.row.startswith("station") else drift.key.row
     s = "" if drift.s_m is None else COLUMNS["s_m"].shown(drift.s_m, "metric")
     return f"{drift.key.segment} {row}".rstrip(), s
 
 
 def _values(drift: Drift) -> tuple[str, str]:
-    """Both values, with the digits that show the difference."""
+    """Return both values, with enough digits to show the difference."""
     digits = min(max(2 - math.floor(math.log10(drift.off)), 4), 16)
     was, now = ("none" if value is None else f"{value:.{digits}g}" for value in (drift.was, drift.now))
     return was, now
@@ -77,10 +98,14 @@ def _designs(count: int) -> str:
 
 
 def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
-    """All verdicts as JSON's own types, with each number that drifted."""
+    """Return all verdicts as a document, with each number that drifted.
+
+    Args:
+        verdicts: one for each design.
+        rtol: relative tolerance that the designs were solved to.
+    """
     return {
-        "chutecalc": __version__,
-        "format": FORMAT,
+        **document_head(),
         "rtol": rtol,
         "designs": [
             {
@@ -97,7 +122,7 @@ def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
 
 
 def _drift(drift: Drift) -> dict[str, Any]:
-    """A drift as an object."""
+    """Return a drift as an object."""
     return drift.key._asdict() | {
         "column": drift.column,
         "s_m": drift.s_m,
@@ -107,14 +132,28 @@ def _drift(drift: Drift) -> dict[str, Any]:
     }
 
 
-def write_check(stream: IO[str], document: dict[str, Any]) -> None:
-    """Writes what :func:`check_document` gives."""
-    json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
-    stream.write("\n")
+def check_dataset(verdicts: Sequence[Verdict], rtol: float) -> Dataset:
+    """Return a row for each number that drifted, and one for each design without drift.
+
+    Args:
+        verdicts: one for each design.
+        rtol: relative tolerance that the designs were solved to, for the document.
+    """
+    rows = [
+        {"spec": verdict.spec, "outcome": verdict.outcome, "tolerance": verdict.tolerance} | drift
+        for verdict in verdicts
+        for drift in (map(_drift, verdict.drifts) if verdict.drifts else [{}])
+    ]
+    return Dataset(ROW_COLUMNS, [block_of(rows, ROW_COLUMNS)], document=lambda: check_document(verdicts, rtol))
 
 
 def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
-    """Writes the verdicts as CI systems read tests: a case a design, a failure with what is not as it was."""
+    """Write the verdicts as CI systems read tests: a case for each design, with a failure if it does not pass.
+
+    Args:
+        stream: where to write.
+        verdicts: one for each design.
+    """
     fails = sum(verdict.outcome != OK for verdict in verdicts)
     total = {"tests": str(len(verdicts)), "failures": str(fails), "errors": "0", "skipped": "0"}
     total["time"] = f"{sum(verdict.seconds for verdict in verdicts):.3f}"
@@ -126,8 +165,8 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
         if verdict.outcome != OK:
             lines = [*(change.message for change in verdict.changes), *verdict.notes]
             lines += [_line(*pair) for pair in first_and_largest(verdict.drifts)]
-            said = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
-            ElementTree.SubElement(element, "failure", said).text = "\n".join(lines)
+            failure = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
+            ElementTree.SubElement(element, "failure", failure).text = "\n".join(lines)
     ElementTree.indent(root)
     stream.write('<?xml version="1.0" encoding="utf-8"?>\n')
     stream.write(ElementTree.tostring(root, encoding="unicode"))
@@ -135,7 +174,7 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
 
 
 def _line(first: Drift, most: Drift) -> str:
-    """What a column is off by, in a line."""
+    """Return the first and the largest drift of a column, in a line."""
     begin, end = (f"{where}, s = {s} m" if s else where for where, s in (_where(first), _where(most)))
     was, now = _values(most)
-    return f"{most.column}: off from {begin} on; most at {end}: {now}, was {was} (off by {most.off:.1e})"
+    return f"{most.column}: first drift at {begin}; largest at {end}: {now}, was {was} (drift {most.off:.1e})"

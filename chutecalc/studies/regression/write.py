@@ -1,4 +1,4 @@
-"""Baselines as TOML, a number a line, so that a difference reads well."""
+"""Baselines as TOML, one number on a line, so that differences are easy to read."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -9,20 +9,23 @@ from chutecalc.studies.regression.baseline import baseline_path
 
 
 def write_baseline(spec: str, document: Mapping[str, Any]) -> Path:
-    """Writes a :meth:`~chutecalc.studies.regression.baseline.Baseline.document` beside its spec, whole or not at all.
+    """Write a baseline beside its spec, whole or not at all.
+
+    Args:
+        spec: path of the spec.
+        document: baseline, from :meth:`~chutecalc.studies.regression.baseline.Baseline.document`.
 
     Returns:
-        Its path.
+        The path of the baseline.
 
     Raises:
-        OutputError: it cannot be opened.
-        WriteError: it was opened, and then could not be written.
+        OutputError: the file cannot be opened.
+        WriteError: writing failed.
     """
     import tomli_w
 
     path = baseline_path(Path(spec))
     with open_whole(str(path)) as stream:
-        assert stream is not None
         stream.write(
             f"# What came out of {Path(spec).name}, by chutecalc check --update. The tolerance is yours to set.\n"
         )

@@ -1,14 +1,13 @@
 """A block of rows of a sweep, and the best rows of all blocks."""
 
-from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 
-Block = dict[str, Any]
-"""Arrays of one length by column name."""
 TEXT = ("status", "findings", "segment", "kind")
 """Columns of text; all others are numbers."""
 IMPOSSIBLE = "impossible"
@@ -78,3 +77,12 @@ def best_rows(blocks: Iterable[Block], top: Top) -> Iterator[Block]:
         best = select_rows(both, np.sort(top.best(both)))
     if best:
         yield select_rows(best, top.best(best))
+
+
+def joined(blocks: Sequence[Block]) -> Block:
+    """Return blocks as one, or an empty one for no blocks.
+
+    Args:
+        blocks: Blocks with the same columns, in order.
+    """
+    return {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]} if blocks else {}

@@ -1,4 +1,4 @@
-"""The blocks of a sweep on their way to a file: a folder beside it, each block whole or absent."""
+"""Blocks of a sweep, stored in a folder beside its data file until that is written. Each block is whole or absent."""
 
 import json
 import os
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import OutputError, UsageError, WriteError
-from chutecalc.studies.sweep.block import Block
+from chutecalc.output.dataset import Block
 
 IDENTITY = "sweep.json"
 
@@ -19,61 +19,69 @@ class BlockStore:
     """The folder ``FILE.part``."""
 
     def __init__(self, target: str, identity: Mapping[str, Any], resume: bool) -> None:
-        """Makes the folder, or takes up the one that there is.
+        """Create the folder, or open the one that exists.
 
         Args:
-            target: the file that the blocks become.
-            identity: what they follow from; see :meth:`chutecalc.studies.sweep.sweep.Sweep.identity`.
-            resume: go on from blocks of an earlier sweep, if there are any.
+            target: the data file.
+            identity: everything that the rows depend on; see :meth:`chutecalc.studies.sweep.sweep.Sweep.identity`.
+            resume: whether to use the blocks of an interrupted sweep.
 
         Raises:
-            UsageError: there is a folder of another sweep, or one that was not to be resumed.
-            OutputError: it cannot be made.
+            UsageError: the folder belongs to another sweep, or was not to be used.
+            OutputError: it cannot be created.
         """
         self.folder = Path(f"{os.path.realpath(target)}.part")
         self.name = f"{target}.part"
         try:
             if (self.folder / IDENTITY).exists():
-                self._take_up(json.loads((self.folder / IDENTITY).read_text(encoding="utf-8")), identity, resume)
+                self._open(json.loads((self.folder / IDENTITY).read_text(encoding="utf-8")), identity, resume)
                 return
             self.folder.mkdir(exist_ok=True)
             if any(self.folder.glob("[!.]*")):
-                raise UsageError(f"{self.name} is no sweep's: move it away")
-            self._place(IDENTITY, lambda file: Path(file).write_text(json.dumps(identity), encoding="utf-8"))
+                raise UsageError(f"{self.name} does not belong to a sweep: move or rename it")
+            self._put(IDENTITY, lambda file: Path(file).write_text(json.dumps(identity), encoding="utf-8"))
         except (OSError, WriteError) as error:
             raise OutputError(f"{self.name} cannot be written: {getattr(error, 'strerror', error)}") from None
         except ValueError:
-            raise UsageError(f"{self.name}/{IDENTITY} cannot be read: remove {self.name} and begin again") from None
+            raise UsageError(f"{self.name}/{IDENTITY} cannot be read: remove {self.name} and start again") from None
 
-    def _take_up(self, before: Mapping[str, Any], identity: Mapping[str, Any], resume: bool) -> None:
-        """Checks that blocks fit.
+    def _open(self, before: Mapping[str, Any], identity: Mapping[str, Any], resume: bool) -> None:
+        """Check that the blocks in the folder fit this sweep.
 
         Raises:
-            UsageError: they do not, or are not to be taken up.
+            UsageError: they do not, or are not to be used.
         """
         if not resume:
-            raise UsageError(f"{self.name} is left of a sweep that was ended: go on with --resume, or remove it")
+            raise UsageError(f"{self.name} is left from an interrupted sweep: add --resume to continue, or remove it")
         now = json.loads(json.dumps(identity))
         other = [name for name in {**now, **before} if now.get(name) != before.get(name)]
         if other:
             what = ", ".join(WORDS.get(name, f"--{name}") for name in other)
             raise UsageError(
-                f"{self.name} is of another sweep: it differs in {what}. Repeat that command, or remove it"
+                f"{self.name} belongs to another sweep, which differs in {what}. Repeat that command, or remove it"
             )
 
     def __contains__(self, number: int) -> bool:
         return self._file(number).exists()
 
     def save(self, number: int, block: Block) -> None:
-        """Keeps a block.
+        """Store a block.
+
+        Args:
+            number: number of the block.
+            block: its rows.
 
         Raises:
             WriteError: it could not be written.
         """
-        self._place(self._file(number).name, lambda file: np.savez(file, **block))
+        self._put(self._file(number).name, lambda file: np.savez(file, **block))
 
     def blocks(self, count: int) -> Iterator[Block]:
-        """The blocks from the first on, as far as they are there."""
+        """Yield the stored blocks in order, up to the first that is missing.
+
+        Args:
+            count: number of blocks of the sweep.
+        """
         for number in range(count):
             if number not in self:
                 return
@@ -81,14 +89,14 @@ class BlockStore:
                 yield dict(stored)
 
     def remove(self) -> None:
-        """Removes the folder."""
+        """Remove the folder."""
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def _file(self, number: int) -> Path:
         return self.folder / f"{number:08d}.npz"
 
-    def _place(self, name: str, write: Any) -> None:
-        """Writes a file of the folder whole or not at all."""
+    def _put(self, name: str, write: Any) -> None:
+        """Write a file of the folder, whole or not at all."""
         part = self.folder / f".{name}"
         try:
             write(str(part))
@@ -108,4 +116,4 @@ WORDS = {
     "top": "--top or --by",
     "block": "the size of its blocks",
 }
-"""What sets sweeps apart, in a user's words."""
+"""Names of the entries of an identity, for messages."""

@@ -9,28 +9,34 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from chutecalc.fields.units import TEXT as UNIT_TEXT
+from chutecalc.output.dataset import Block
 from chutecalc.output.plots.style import INK, MAP, SMALL, looks, mathematical, styled
 from chutecalc.results.column import Column
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of, parameter_label
 
 MOST_LINES = 8
-"""Values of a second parameter that are lines; more make contours."""
+"""Most values of a second parameter that are drawn as lines; more are drawn as contours."""
 MOST_PANELS = 6
 LEVELS = 10
-CROSSES = 0.02  # of a panel's height between the crosses of one line and the next
-WIDTH, HEIGHT = 4.6, 3.3  # inches of a panel
-FEW = 12  # points of a line that are marked
-STEEP = 4.0  # of designs on the way to a stall what is more than so many times the median is cut
+"""Number of contours, about."""
+CROSS_SPACING = 0.02
+"""Distance between the crosses of one line and the next, over the height of a panel."""
+WIDTH, HEIGHT = 4.6, 3.3
+"""Size of a panel, inches."""
+MARKERS = 12
+"""Number of markers on a line, about."""
+CUT_OFF = 4.0
+"""A panel with designs that fail ends at this multiple of the median: values grow without bound towards a stall."""
 
 
 def draw_sweep(sweep: Sweep, block: Block, units: str = "metric") -> Figure:
-    """Draws the columns of a sweep.
+    """Draw the columns of a sweep.
 
     Args:
-        sweep: over one or two parameters of several values, or parallel lists.
+        sweep: a sweep over one or two parameters of several values, or parallel lists.
         block: all its rows.
         units: ``metric`` or ``us``.
 
@@ -60,7 +66,7 @@ def draw_sweep(sweep: Sweep, block: Block, units: str = "metric") -> Figure:
 
 
 def _drawn(sweep: Sweep, block: Block) -> list[str]:
-    """The columns that have something to show: numbers that differ; the first one at least."""
+    """Return the columns to draw: numbers that vary, or else the first column."""
     numbers = [name for name in sweep.columns if name not in TEXT]
     differ = [name for name in numbers if np.ptp(_finite(block[name])) > 1e-9 * np.abs(_finite(block[name])).max()]
     shown: list[str] = []
@@ -71,21 +77,21 @@ def _drawn(sweep: Sweep, block: Block) -> list[str]:
 
 
 def _top(values: Any, well: Any) -> float:
-    """Where a panel ends: at the largest value, but for the peaks of streams about to stall."""
+    """Return where a panel ends: at the largest value, but below the peaks of streams that nearly stall."""
     finite = _finite(values)
-    return float(finite.max() if well.all() else min(finite.max(), STEEP * np.median(finite)))
+    return float(finite.max() if well.all() else min(finite.max(), CUT_OFF * np.median(finite)))
 
 
 def _finite(values: Any) -> Any:
-    """The numbers that there are, or a zero."""
+    """Return the finite values, or a zero if there are none."""
     found = values[np.isfinite(values)]
     return found if found.size else np.zeros(1)
 
 
 def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, column: Column, units: str) -> None:
-    """Lines over the parameter with the most values; a cross above the panel where a design fails."""
-    along = varied[0] if sweep.parallel else max(varied, key=lambda each: len(each.values))
-    second = None if sweep.parallel else next((each for each in varied if each is not along), None)
+    """Draw lines over the parameter with the most values, and a cross above the panel where a design fails."""
+    x_parameter = varied[0] if sweep.parallel else max(varied, key=lambda each: len(each.values))
+    second = None if sweep.parallel else next((each for each in varied if each is not x_parameter), None)
     chosen = [None] if second is None else np.unique(second.values).tolist()
     labels = [
         "" if second is None else f"{column_of(sweep, second.name).heading} = {value:g}{_unit(sweep, second)}"
@@ -94,41 +100,41 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
     fail = 0
     for value, label, look in zip(chosen, labels, looks([(label,) for label in labels]), strict=True):
         rows = np.ones(len(block["status"]), bool) if second is None else block[second.name] == value
-        x, y = block[along.name][rows], column.converted(block[column.name][rows], units)
+        x, y = block[x_parameter.name][rows], column.converted(block[column.name][rows], units)
         order = np.argsort(x, kind="stable")
-        every = max(1, len(x) // FEW)
+        every = max(1, len(x) // MARKERS)
         axes.plot(x[order], y[order], **look, markevery=every, label=label, gid="line")
         failed = (block["status"][rows] != "ok") & (block["status"][rows] != IMPOSSIBLE)
         if failed.any():
-            place: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "clip_on": False}
+            look_of_crosses: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "clip_on": False}
             axes.plot(
                 x[failed],
-                np.full(failed.sum(), 1.0 + CROSSES * fail),
+                np.full(failed.sum(), 1.0 + CROSS_SPACING * fail),
                 "x",
                 color=look["color"],
                 markersize=4,
                 gid="failed",
-                **place,
+                **look_of_crosses,
             )
             fail += 1
     whole = column.converted(block[column.name], units)
     if _top(whole, block["status"] == "ok") < _finite(whole).max():
         axes.set_ylim(top=_top(whole, block["status"] == "ok"))
-    axes.set_xlabel(mathematical(parameter_label(column_of(sweep, along.name))))
+    axes.set_xlabel(mathematical(parameter_label(column_of(sweep, x_parameter.name))))
     axes.set_ylabel(mathematical(column.label(units)))
 
 
 def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, column: Column, units: str) -> None:
-    """Filled contours over two parameters with their numbers; hatched where a design fails or cannot be."""
+    """Draw filled contours over two parameters, hatched where a design fails or is impossible."""
     first, second = varied
     shape = (len(first.values), len(second.values))
     rows, columns = np.argsort(first.values, kind="stable"), np.argsort(second.values, kind="stable")
 
-    def laid(values: Any) -> Any:
+    def on_grid(values: Any) -> Any:
         return values.reshape(shape)[rows][:, columns].T
 
     x, y = first.values[rows], second.values[columns]
-    values = np.ma.masked_invalid(laid(column.converted(block[column.name], units)))
+    values = np.ma.masked_invalid(on_grid(column.converted(block[column.name], units)))
     if values.count():
         top = float(column.converted(_top(block[column.name], block["status"] == "ok"), units))
         levels = np.asarray(MaxNLocator(LEVELS).tick_values(float(values.min()), top))
@@ -136,12 +142,12 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
             x, y, values, levels=levels, cmap=MAP, extend="max" if values.max() > levels[-1] else "neither"
         )
         drawn = axes.contour(x, y, values, levels=filled.levels, colors=INK, linewidths=0.6)
-        told = levels[levels <= (top if values.max() <= levels[-1] else 0.5 * top)]  # those of a peak are too close
-        for label in axes.clabel(drawn, told, fontsize=SMALL) if told.size else ():
+        labelled = levels[levels <= (top if values.max() <= levels[-1] else 0.5 * top)]  # lines on a peak are too close
+        for label in axes.clabel(drawn, labelled, fontsize=SMALL) if labelled.size else ():
             label.set_bbox({"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.75})
         bar = axes.figure.colorbar(filled, ax=axes)
         bar.outline.set_visible(False)
-    fails = laid((block["status"] != "ok").astype(float))
+    fails = on_grid((block["status"] != "ok").astype(float))
     if fails.any():
         axes.contourf(x, y, fails, levels=[0.5, 1.5], colors="none", hatches=["////"])
     axes.grid(False)
@@ -151,16 +157,16 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
 
 
 def _unit(sweep: Sweep, parameter: Parameter) -> str:
-    """Its unit behind a number."""
+    """Return the unit of a parameter, to follow a number."""
     unit = column_of(sweep, parameter.name).unit
     return "°" if unit == "deg" else f" {UNIT_TEXT.get(unit, unit)}".rstrip()
 
 
 def _note(sweep: Sweep, block: Block, lines: bool) -> str:
-    """What is varied, and what the marks mean."""
+    """Return how the designs end, and what the marks mean, as text."""
     words, counts = np.unique(block["status"], return_counts=True)
     ends = ", ".join(f"{count:,} {word.replace('_', ' ')}" for word, count in zip(words, counts, strict=True))
     single = [f"{each.name} = {each.values[0]:g}" for each in sweep.parameters if len(each.values) == 1]
-    kept = [f"{sweep.keep} kept"] if sweep.adjustment.names else []
+    constant = [f"constant {sweep.keep}"] if sweep.adjustment.names else []
     marks = f" ({'crosses' if lines else 'hatched'}: no stream leaves)" if (words != "ok").any() else ""
-    return "; ".join([f"{sweep.count:,} designs: {ends}{marks}", *kept, *single])
+    return "; ".join([f"{sweep.count:,} designs: {ends}{marks}", *constant, *single])

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 from collections import deque
 from collections.abc import Generator, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -17,12 +16,14 @@ from chutecalc.api.batch import CHUNK, exits
 from chutecalc.api.chute import Chute, check_tolerance, solve
 from chutecalc.api.solution import Solution
 from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import AT_EXIT, COLUMNS
 from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
+from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, Top, select_rows
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, select_rows
 from chutecalc.studies.sweep.columns import WAYS, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
@@ -148,7 +149,7 @@ class Sweep:
         Yields:
             Number and rows of each block, in the order of ``numbers``.
         """
-        threads = jobs or os.cpu_count() or 1
+        threads = jobs or cores()
         waiting: deque[tuple[int, Future[Block]]] = deque()
         with ThreadPoolExecutor(threads) as pool:
             try:

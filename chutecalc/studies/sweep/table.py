@@ -1,4 +1,4 @@
-"""The rows of a sweep for people."""
+"""The rows of a sweep as a table for people."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -8,17 +8,17 @@ import numpy as np
 
 from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.fields.units import UNITS
+from chutecalc.output.dataset import Block
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Block, select_rows
+from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, joined, select_rows
 from chutecalc.studies.sweep.columns import row_columns
-from chutecalc.studies.sweep.rows import joined
 from chutecalc.studies.sweep.sweep import Sweep
 
 MOST_SHOWN, SHOWN_WITH_FILE = 1000, 40
-"""Rows that are printed where nothing, or a file too, has them all."""
+"""Most rows of a table, without a data file and with one."""
 
 ANGLES = {
     "chamfer": ("chamfer angle", "β"),
@@ -29,7 +29,12 @@ VARIED = "varied"
 
 
 def column_of(sweep: Sweep, name: str) -> Column:
-    """How people read a column of a sweep's rows."""
+    """Return how people read a column of the rows of a sweep.
+
+    Args:
+        sweep: the sweep.
+        name: name of the column: of a parameter, or of the catalogue.
+    """
     known = COLUMNS if sweep.profiles else row_columns()
     if name == "status":
         return row_columns()[name]
@@ -37,14 +42,17 @@ def column_of(sweep: Sweep, name: str) -> Column:
         return known[name]
     units = sorted((unit for table in UNITS.values() for unit in table if unit and name.endswith(f"_{unit}")), key=len)
     unit = units[-1] if units else ""
-    *place, key = name.removesuffix(f"_{unit}").split(".")
+    *path, key = name.removesuffix(f"_{unit}").split(".")
     words, symbol = ANGLES.get(key, (key.replace("_", " "), ""))
-    heading = " ".join([*place[1:], symbol or words])
+    heading = " ".join([*path[1:], symbol or words])
     return Column(name, heading, symbol, VARIED, words, unit)
 
 
 def parameter_label(column: Column) -> str:
-    """A parameter as an axis is labelled.
+    """Return the label of an axis for a parameter.
+
+    Args:
+        column: column of the parameter, from :func:`column_of`.
 
     >>> parameter_label(Column("friction_deg", "φ", "φ", VARIED, "wall friction", "deg"))
     'wall friction φ, °'
@@ -53,33 +61,47 @@ def parameter_label(column: Column) -> str:
     return ", ".join(part for part in (words, UNIT_TEXT.get(column.unit, column.unit)) if part)
 
 
-class ShownRows:
-    """The first rows, and how all designs end."""
+class FirstRows:
+    """The first rows of a sweep for a table, and the number of designs that end in each way.
+
+    Args:
+        sweep: the sweep.
+        most: largest number of rows to keep.
+    """
 
     def __init__(self, sweep: Sweep, most: int) -> None:
         self.sweep, self.most = sweep, most
-        self.kept: list[Block] = []
+        self.blocks: list[Block] = []
         self.count = self.rows = 0
         self.ends: Counter[str] = Counter()
 
     def write(self, block: Block) -> None:
-        """Takes a block."""
+        """Count a block, and keep its first rows while there is room.
+
+        Args:
+            block: the block.
+        """
         status = block["status"]
         self.rows += len(status)
         self.ends.update(status.tolist())
         possible = np.flatnonzero(status != IMPOSSIBLE)[: self.most - self.count]
         if possible.size:
-            self.kept.append(select_rows(block, possible))
+            self.blocks.append(select_rows(block, possible))
             self.count += len(possible)
 
     def close(self) -> None:
-        """Nothing follows."""
+        """Do nothing."""
 
     def show(self, printer: Printer, files: list[str]) -> None:
-        """Prints them."""
+        """Print the title, the rows, and how the designs end.
+
+        Args:
+            printer: where to print, and in which units.
+            files: data files that have all rows.
+        """
         sweep = self.sweep
         printer.text(sweep.chute.spec.title or sweep.chute.source)
-        printer.text(f"{sweep.chute.source}: {_designs(sweep.count)}, {self._kept_text()}")
+        printer.text(f"{sweep.chute.source}: {_designs(sweep.count)}, {self._parameters_text()}")
         printer.text()
         if self.count:
             printer.table(self._table(printer.units))
@@ -87,39 +109,38 @@ class ShownRows:
         for line in self._notes(files):
             printer.text(line)
 
-    def _kept_text(self) -> str:
-        """What is varied, and how."""
+    def _parameters_text(self) -> str:
+        """Return the parameters, what stays constant, and which rows are chosen, as text."""
         sweep = self.sweep
         lists = [f"{parameter.name} ({len(parameter.values):,})" for parameter in sweep.parameters]
-        how = f", {sweep.keep} kept" if sweep.adjustment.names else ""
-        top = (
-            sweep.top and f", the {sweep.top.rows} of {'largest' if sweep.top.largest else 'least'} {sweep.top.column}"
-        )
-        return (" with " if sweep.parallel else " by ").join(lists) + how + (top or "")
+        how = f", constant {sweep.keep}" if sweep.adjustment.names else ""
+        top = sweep.top
+        best = f", the {top.rows} of {'largest' if top.largest else 'smallest'} {top.column}" if top else ""
+        return (" with " if sweep.parallel else " by ").join(lists) + how + best
 
     def _table(self, units: str) -> Grid:
-        """The rows."""
+        """Return the table of the rows."""
         table = Grid()
-        block = joined(self.kept)
+        block = joined(self.blocks)
         shown = {name: column_of(self.sweep, name) for name in self.sweep.header}
         for name, column in shown.items():
             unit = UNIT_TEXT.get(column.unit, column.unit) if column.meaning == VARIED else column.unit_text(units)
-            table.column(f"{column.heading}\n{unit}", to_left=name in TEXT)
+            table.column(f"{column.heading}\n{unit}", left=name in TEXT)
         cells = [_texts(column, block[name], units) for name, column in shown.items()]
         for row in zip(*cells, strict=True):
             table.row(row)
         return table
 
     def _notes(self, files: list[str]) -> Iterator[str]:
-        """How the designs end, and what is not shown."""
+        """Yield lines on how the designs end, and on rows that are not shown."""
         impossible = self.ends[IMPOSSIBLE]
         if not (self.sweep.profiles or self.sweep.top):
             yield f"{_designs(self.rows)}: " + ", ".join(f"{number:,} {end}" for end, number in self.ends.most_common())
         if impossible:
-            yield f"left out: {impossible:,} impossible, whose section or chute cannot be"
+            yield f"left out: {impossible:,} impossible designs, whose geometry does not fit together"
         rest = self.rows - impossible - self.count
         if rest:
-            where = f"all are in {', '.join(files)}" if files else "--csv or --parquet writes all, --top picks the best"
+            where = f"all are in {', '.join(files)}" if files else "write all with --csv, or pick the best with --top"
             yield f"{rest:,} more rows are not shown: {where}"
 
 
@@ -128,7 +149,7 @@ def _designs(count: int) -> str:
 
 
 def _texts(column: Column, values: Any, units: str) -> list[str]:
-    """A column's cells."""
+    """Return the cells of a column."""
     if values.dtype.kind != "f":
         return [str(value).replace("_", " ") if column.name == "status" else str(value) for value in values.tolist()]
     if column.meaning == VARIED:

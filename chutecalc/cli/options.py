@@ -1,0 +1,94 @@
+"""Options that several commands share, or that one command takes as one object.
+
+A group of options is a class. A command has it as the type of a parameter, and :func:`with_groups` shows Typer the
+options instead.
+"""
+
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from enum import StrEnum
+from typing import Any, get_type_hints
+
+import typer
+
+from chutecalc.errors import UsageError
+
+RTOL = typer.Option(1e-10, metavar="R", help="Relative tolerance of the velocity, 1e-13 to 1e-3.")
+JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Default: one for each processor.")
+
+
+class Units(StrEnum):
+    """Units of what people read. Data files are always in SI units and degrees."""
+
+    METRIC = "metric"
+    US = "us"
+
+
+def option(name: str, kind: Any, default: Any) -> inspect.Parameter:
+    """Return a parameter that Typer makes an option or an argument of.
+
+    Args:
+        name: of the parameter.
+        kind: its type.
+        default: its default, a ``typer.Option`` or ``typer.Argument``.
+    """
+    return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=kind)
+
+
+class OptionGroup:
+    """Base of groups: a dataclass, each of whose fields has an option as its default."""
+
+    @classmethod
+    def parameters(cls) -> list[inspect.Parameter]:
+        """Return the options as parameters of a function."""
+        hints = get_type_hints(cls)
+        return [
+            option(each.name, hints[each.name], each.default)
+            for each in fields(cls)  # type: ignore[arg-type]  # every subclass is a dataclass, or has its own method
+        ]
+
+
+@dataclass(frozen=True)
+class StationOptions(OptionGroup):
+    """Stations along the stream that a user asks for."""
+
+    points: int | None = typer.Option(None, min=2, metavar="N", help="Report N stations along each segment.")
+    stations: float | None = typer.Option(None, metavar="D", help="Report stations every D metres along each segment.")
+
+    def __post_init__(self) -> None:
+        if self.points is not None and self.stations is not None:
+            raise UsageError("--points and --stations exclude each other: give one of them")
+
+    @property
+    def given(self) -> bool:
+        """Whether there are any."""
+        return self.points is not None or self.stations is not None
+
+
+def with_groups(command: Callable[..., int]) -> Callable[..., int]:
+    """Return a command for Typer that takes the options of groups instead of the groups.
+
+    Args:
+        command: function whose parameters are arguments and options of Typer, or typed as an :class:`OptionGroup`.
+    """
+    hints = get_type_hints(command)
+    groups: dict[str, tuple[type[OptionGroup], list[str]]] = {}
+    parameters: list[inspect.Parameter] = []
+    for parameter in inspect.signature(command).parameters.values():
+        kind = hints[parameter.name]
+        if isinstance(kind, type) and issubclass(kind, OptionGroup):
+            options = kind.parameters()
+            groups[parameter.name] = kind, [option.name for option in options]
+            parameters += options
+        else:
+            parameters.append(option(parameter.name, kind, parameter.default))
+
+    def called(**values: Any) -> int:
+        taken = {name: kind(**{key: values.pop(key) for key in keys}) for name, (kind, keys) in groups.items()}
+        return command(**values, **taken)
+
+    called.__name__, called.__doc__ = command.__name__, command.__doc__
+    called.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    called.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]  # Typer reads it
+    return called

@@ -1,0 +1,78 @@
+"""Chutes of the specs that a command line names."""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from chutecalc.errors import AllSpecsError, SpecError, UsageError
+
+if TYPE_CHECKING:
+    from chutecalc.api.chute import Chute
+
+STANDARD_INPUT = "standard input"
+
+
+def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
+    """Return the chute of a spec.
+
+    Args:
+        spec: path of its file, or ``-`` for standard input.
+        changes: values by key path that replace those of the spec.
+    """
+    from chutecalc.api.chute import load, parse
+    from chutecalc.spec.parse import decode
+
+    if spec == "-":
+        return parse(decode(sys.stdin.buffer.read(), STANDARD_INPUT), STANDARD_INPUT, changes)
+    return load(spec, changes)
+
+
+def read_chutes(specs: Sequence[str], settings: Sequence[str]) -> list[Chute]:
+    """Return the chutes of several specs.
+
+    Args:
+        specs: paths of their files. Baselines among them are left out, since a glob such as ``specs/*.toml`` matches
+            them too.
+        settings: changes in all of them, as ``PATH=VALUE``.
+
+    Raises:
+        AllSpecsError: the faults of all specs.
+        UsageError: a setting that is not ``PATH=VALUE``.
+    """
+    from chutecalc.spec.parse import BASELINE_SUFFIX
+
+    changes = dict(map(read_setting, settings))
+    chutes: list[Chute] = []
+    errors: list[SpecError] = []
+    for spec in [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs:
+        try:
+            chutes.append(read_chute(spec, changes))
+        except SpecError as error:
+            errors.append(error)
+    if errors:
+        raise AllSpecsError(errors)
+    return chutes
+
+
+def read_setting(text: str) -> tuple[str, Any]:
+    """Return key path and value of a setting.
+
+    Args:
+        text: ``PATH=VALUE``, with a value of TOML, or else text without quotes.
+
+    Raises:
+        UsageError: it has no path, or no equals sign.
+
+    >>> read_setting("segments.1.drop_m=2"), read_setting("title=Coal")
+    (('segments.1.drop_m', 2), ('title', 'Coal'))
+    """
+    path, equals, value = text.partition("=")
+    if not (path and equals):
+        raise UsageError(f"--set takes PATH=VALUE, such as segments.1.drop_m=2, not {text!r}")
+    try:
+        return path.strip(), tomllib.loads(f"value = {value}")["value"]
+    except tomllib.TOMLDecodeError:
+        return path.strip(), value.strip()

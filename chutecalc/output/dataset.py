@@ -1,0 +1,98 @@
+"""The one thing that commands hand over to output formats: rows in blocks and, where there is one, a document."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from chutecalc import __version__
+from chutecalc.results.column import Column
+
+Block = dict[str, Any]
+"""Some rows: arrays of one length by column name."""
+DOCUMENT_FORMAT = 1
+"""Version of the layout of JSON documents."""
+
+
+@dataclass(frozen=True)
+class Dataset:
+    """The results of a command.
+
+    Attributes:
+        columns: type of each column by name, in order: ``str``, ``float`` or ``int``.
+        blocks: the rows, a block at a time. They are iterated over at most once, and only if a format takes rows.
+        head: what was asked for, for formats that write it before the rows.
+        document: returns the results as nested mappings and lists, for formats that write those instead of rows.
+    """
+
+    columns: Mapping[str, type]
+    blocks: Iterable[Block]
+    head: Mapping[str, Any] = field(default_factory=dict)
+    document: Callable[[], Any] | None = None
+
+
+def column_types(columns: Iterable[Column]) -> dict[str, type]:
+    """Return the types of columns of the catalogue: text where a column has no dimension, else floating-point.
+
+    Args:
+        columns: columns of the catalogue.
+    """
+    return {column.name: float if column.dimension else str for column in columns}
+
+
+def block_of(rows: Sequence[Mapping[str, Any]], columns: Mapping[str, type]) -> Block:
+    """Return rows as a block.
+
+    Args:
+        rows: values by column name. A value that is None or left out does not exist: it becomes empty text, NaN or 0.
+        columns: types of the columns.
+
+    >>> block_of([{"x_m": 1.5}, {}], {"x_m": float})["x_m"].tolist()
+    [1.5, nan]
+    """
+    import numpy as np  # not before: --help loads this module
+
+    missing = {str: "", float: math.nan, int: 0}
+
+    def values(name: str, kind: type) -> list[Any]:
+        given = (row.get(name) for row in rows)
+        return [missing[kind] if value is None else value for value in given]
+
+    return {name: np.array(values(name, kind), dtype=kind) for name, kind in columns.items()}
+
+
+def document_head() -> dict[str, Any]:
+    """Return the entries that every document begins with: the version of chutecalc and of the layout."""
+    return {"chutecalc": __version__, "format": DOCUMENT_FORMAT}
+
+
+def number(value: float) -> float | None:
+    """Return a number as a document holds it: None where it is infinite or does not exist.
+
+    Args:
+        value: a number, in any unit.
+
+    >>> number(2), number(float("nan"))
+    (2.0, None)
+    """
+    return float(value) if math.isfinite(value) else None
+
+
+def numbers(values: Any) -> list[Any]:
+    """Return an array as a document holds it: None for numbers that are infinite or do not exist.
+
+    Args:
+        values: array of numbers or text, of one dimension.
+    """
+    if values.dtype.kind != "f":
+        return list(values.tolist())
+    return [value if math.isfinite(value) else None for value in values.tolist()]
+
+
+def first(columns: Mapping[str, Any]) -> dict[str, float | None]:
+    """Return the numbers of the first design, as a document holds them.
+
+    Args:
+        columns: arrays by column name, one entry for each design.
+    """
+    return {name: number(values[0]) for name, values in columns.items()}

@@ -1,0 +1,55 @@
+"""JSON: full double precision, and null where a quantity does not exist or is infinite."""
+
+from typing import IO, Any
+
+from chutecalc.output.dataset import Block, Dataset, document_head, numbers
+from chutecalc.output.formats import OutputFormat
+
+
+class JsonRows:
+    """Writes rows as objects, each on a line of its own, after what was asked for.
+
+    Args:
+        stream: where to write.
+        dataset: the dataset, for its head and the names of its columns.
+    """
+
+    def __init__(self, stream: IO[str], dataset: Dataset) -> None:
+        import json
+
+        self._stream, self._names, self._comma = stream, list(dataset.columns), ""
+        self._encode = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
+        head = document_head() | dict(dataset.head)
+        text = json.dumps(head, indent=2, allow_nan=False, ensure_ascii=False).removesuffix("\n}")
+        stream.write(f'{text},\n  "rows": [')
+
+    def write(self, block: Block) -> None:
+        """Write the next block.
+
+        Args:
+            block: the block, with all columns of the dataset.
+        """
+        for row in zip(*(numbers(block[name]) for name in self._names), strict=True):
+            text = self._encode(dict(zip(self._names, row, strict=True)))
+            self._stream.write(f"{self._comma}\n    {text}")
+            self._comma = ","
+
+    def close(self) -> None:
+        """Close the list and the object."""
+        self._stream.write("\n  ]\n}\n")
+
+
+def write_document(stream: IO[str], document: Any) -> None:
+    """Write nested mappings and lists, indented.
+
+    Args:
+        stream: where to write.
+        document: mappings, lists, text and numbers.
+    """
+    import json
+
+    json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
+    stream.write("\n")
+
+
+FORMAT = OutputFormat("json", "Write all results as JSON; - for standard output.", JsonRows, write_document)

@@ -1,0 +1,105 @@
+"""The results of a run as rows, a station each, and as a document."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.segments import SegmentResult
+from chutecalc.results.solved import SolvedChute
+
+
+def run_dataset(solutions: Sequence[SolvedChute], stations: Sequence[Mapping[str, Any]] | None) -> Dataset:
+    """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
+
+    Args:
+        solutions: solutions of one design each.
+        stations: stations of each solution, if a user asked for some. The document holds them then. Without them the
+            rows are the default stations, and the document has none.
+    """
+
+    def blocks() -> Iterator[Block]:
+        tables = stations or (solution.stations() for solution in solutions)
+        for solution, table in zip(solutions, tables, strict=True):
+            yield _station_rows(solution.source, table)
+
+    def document() -> Any:
+        documents = [
+            run_document(solution, stations[number] if stations else None) for number, solution in enumerate(solutions)
+        ]
+        return documents[0] if len(documents) == 1 else documents
+
+    return Dataset(column_types(COLUMNS.values()), blocks(), document=document)
+
+
+def _station_rows(source: str, table: Mapping[str, Any]) -> Block:
+    """Return the stations that the stream reached, with the spec that they belong to."""
+    reached = np.isfinite(table["s_m"][0])
+    spec = np.full(np.count_nonzero(reached), source)
+    return {name: spec if name == "spec" else table[name][0][reached] for name in COLUMNS}
+
+
+def run_document(solution: SolvedChute, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Return the results of one chute as a document.
+
+    Args:
+        solution: solution of one design.
+        stations: its stations, from :meth:`chutecalc.Solution.stations`, to include.
+    """
+    segments = []
+    for segment, flights in zip(solution.segments, solution.flights, strict=True):
+        entry = _segment(segment, stations)
+        if segment.impact:
+            entry["impact"] = first(segment.impact)
+        if flights:
+            entry["flight"], *again = (_segment(flight, stations) for flight in flights)
+            entry |= {"flights_again": again} if again else {}
+        segments.append(entry)
+    return {
+        **document_head(),
+        "source": solution.source,
+        "spec": solution.data,
+        "tolerance": solution.rtol,
+        "error_estimate": number(solution.error_estimate[0]),
+        "status": str(solution.status[0]),
+        "inlet": first(solution.inlet),
+        "exit": first(solution.exit),
+        "segments": segments,
+        "receiver": first(solution.receiver) or None,
+        "findings": [
+            {
+                "code": finding.code,
+                "severity": finding.severity,
+                "segment": finding.segment,
+                "s_m": number(finding.s_m[0]),
+                "message": finding.message(),
+                "numbers": first(finding.numbers),
+            }
+            for finding in solution.findings()
+        ],
+    }
+
+
+def _segment(result: SegmentResult, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Return a segment or a flight."""
+    entry = {
+        "name": result.name,
+        "kind": result.kind,
+        "status": str(result.status[0]),
+        "entry": first(result.entry),
+        "exit": first(result.exit),
+        "minimum": first(result.minimum),
+        "maximum": first(result.maximum),
+        "duration_s": number(result.duration[0]),
+    }
+    return entry if stations is None else entry | {"stations": _rows(stations, result.name)}
+
+
+def _rows(stations: Mapping[str, Any], segment: str) -> list[dict[str, Any]]:
+    """Return the stations of one segment or flight that the stream reached, an object each."""
+    names = [name for name in COLUMNS if name in stations and name not in {"segment", "kind"}]
+    chosen = (stations["segment"][0] == segment) & np.isfinite(stations["s_m"][0])
+    columns = [numbers(stations[name][0][chosen]) for name in names]
+    return [dict(zip(names, row, strict=True)) for row in zip(*columns, strict=True)]

@@ -1,0 +1,92 @@
+"""What chutecalc asks of the process it runs in, and what it changes there: processors, processes, start-up settings.
+
+Nothing else in the package touches the state of the host program. Importing this module changes nothing.
+"""
+
+import gc
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TypeVar
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+COLLECTOR_THRESHOLD = 1_000_000
+"""Objects allocated between two runs of Python's garbage collector in a command."""
+
+
+def cores() -> int:
+    """Return the number of processors that this process may use, which an affinity mask can limit.
+
+    >>> cores() >= 1
+    True
+    """
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def prepare_command() -> None:
+    """Speed up the start of a command. Call it before pydantic is imported, and only in a process that is ours.
+
+    Modules and classes loaded at the start live until the end. Searching them for garbage takes a few per cent of a
+    short run, and solving creates no reference cycles that would have to be found. Looking for pydantic plugins reads
+    the metadata of every installed package.
+    """
+    gc.set_threshold(COLLECTOR_THRESHOLD)
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+
+
+def in_processes(work: Callable[[Item], Result], items: Sequence[Item], processes: int) -> Iterator[Result]:
+    """Return the results of a function for each item, in the order of the items.
+
+    Use processes where a function spends its time in many short NumPy calls: these hold the interpreter lock, so
+    threads would wait for each other.
+
+    Args:
+        work: function that another process can import, or a ``partial`` of one.
+        items: arguments of ``work``. They and the results are pickled.
+        processes: number of processes. With fewer than 2, this process does the work itself.
+    """
+    if processes < 2:
+        yield from map(work, items)
+        return
+    import multiprocessing
+    from concurrent.futures import ProcessPoolExecutor
+
+    context = multiprocessing.get_context("spawn")  # available on all systems, and safe beside threads
+    pool = ProcessPoolExecutor(processes, context, _begin)
+    try:
+        with _interrupts_ignored():
+            results = pool.map(work, items)
+        yield from results
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+@contextmanager
+def _interrupts_ignored() -> Iterator[None]:
+    """Ignore Ctrl-C while processes start. They inherit that, and the first process ends them."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _begin() -> None:
+    """Tie a new process to the one that started it, even where that one is killed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    import multiprocessing
+
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)

@@ -1,0 +1,124 @@
+"""Every output format is an option of every command with results, and means the same in each of them."""
+
+import csv
+import io
+import json
+import math
+
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.cli import main
+from chutecalc.errors import ExitStatus
+from chutecalc.output.dataset import Dataset, block_of
+from chutecalc.output.formats import output_formats
+from tests.conftest import ROOT
+
+SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
+STALL = str(ROOT / "specs/fails/stall.toml")
+COMMANDS = {
+    "run": ["run", SPOON, "--points", "4"],
+    "sweep": ["sweep", "phi=20,25,44", SPOON],
+    "profiles": ["sweep", "phi=20,44", SPOON, "--points", "3"],
+    "friction study": ["sweep", "beta=0,45,90", "delta=30,50", "--keep", "width"],
+    "check": ["check", str(ROOT / "specs/fails")],
+}
+
+
+@pytest.mark.parametrize("command", ["run", "sweep", "check", "dem"])
+def test_help_lists_every_format(command, capsys):
+    assert main([command, "--help"]) == 0
+    shown = capsys.readouterr().out
+    for name, form in output_formats().items():
+        assert f"--{name} FILE" in shown
+        assert form.help.split(";")[0].split(" (")[0] in shown
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
+def test_csv_and_parquet_have_the_same_rows(command, tmp_path, capsys):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    files = [str(tmp_path / f"rows.{name}") for name in ("csv", "parquet")]
+    assert main([*command, "--csv", files[0], "--parquet", files[1]]) == 0
+    assert capsys.readouterr().out
+    with open(files[0], encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    typed = parquet.read_table(files[1]).to_pylist()
+    assert len(rows) == len(typed) > 0
+    for row, values in zip(rows, typed, strict=True):
+        assert row == {name: "" if value is None else str(value) for name, value in values.items()}
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
+@pytest.mark.parametrize("name", [name for name, form in output_formats().items() if form.standard_output])
+def test_data_on_standard_output_stand_there_alone(command, name, tmp_path, capsys):
+    target = tmp_path / f"data.{name}"
+    assert main([*command, f"--{name}", str(target)]) == 0
+    capsys.readouterr()
+    assert main([*command, f"--{name}", "-"]) == 0
+    assert capsys.readouterr().out == target.read_bytes().decode()
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
+def test_what_cannot_go_to_standard_output_is_refused(command, capsys):
+    assert main([*command, "--parquet", "-"]) == ExitStatus.USAGE
+    shown = capsys.readouterr()
+    assert "cannot go to standard output: name a file, or use --csv or --json" in shown.err
+    assert shown.out == ""
+
+
+def test_each_drift_of_a_check_is_a_row(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "spoon.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    assert main(["check", "--update"]) == 0
+    text = (tmp_path / "spoon.baseline.toml").read_text(encoding="utf-8")
+    (tmp_path / "spoon.baseline.toml").write_text(text.replace("velocity_m_s = 6.", "velocity_m_s = 6.1", 1))
+    assert main(["check", "--json", "check.json", "--csv", "check.csv"]) == 1
+    (design,) = json.loads((tmp_path / "check.json").read_text(encoding="utf-8"))["designs"]
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "check.csv").read_bytes().decode())))
+    assert len(rows) == len(design["drifts"]) > 0
+    for row, drift in zip(rows, design["drifts"], strict=True):
+        assert (row["spec"], row["outcome"]) == ("spoon.toml", "drifted")
+        assert {name: row[name] for name in drift} == {
+            name: "" if value is None else str(value) for name, value in drift.items()
+        }
+
+
+TYPES = {"name": str, "count": int, "x_m": float}
+
+
+@pytest.mark.parametrize("form", output_formats().values(), ids=output_formats())
+@pytest.mark.parametrize("rows", [[], [{}], [{"name": 'μ, "e"\n', "count": 2, "x_m": math.inf}, {"x_m": 0.1}]])
+def test_every_format_takes_every_kind_of_column_and_no_rows_too(form, rows):
+    if form.extra:
+        pytest.importorskip(form.extra.library.lower())
+    stream = io.BytesIO() if form.binary else io.StringIO()
+    writer = form.rows(stream, Dataset(TYPES, []))
+    for row in rows:
+        writer.write(block_of([row], TYPES))
+    writer.close()
+    assert stream.getvalue()
+
+
+def test_missing_values_of_a_block():
+    block = block_of([{"x_m": None}, {"name": "a", "count": 3, "x_m": 2.5}], TYPES)
+    assert [values.dtype.kind for values in block.values()] == ["U", "i", "f"]
+    assert block["name"].tolist() == ["", "a"]
+    assert block["count"].tolist() == [0, 3]
+    assert np.array_equal(block["x_m"], [math.nan, 2.5], equal_nan=True)
+
+
+def test_help_says_what_each_exit_status_means(capsys):
+    assert main(["--help"]) == 0
+    shown = capsys.readouterr().out
+    for status in ExitStatus:
+        assert f"{status.value}  {status.meaning}\n" in shown
+    assert all(len(line) <= 80 for line in shown.splitlines())
+
+
+@pytest.mark.parametrize("command", ["run", "sweep", "check", "dem", "new", "schema", "columns"])
+def test_help_has_examples(command, capsys):
+    assert main([command, "--help"]) == 0
+    examples = capsys.readouterr().out.partition("Examples:")[2].strip().splitlines()
+    assert all(line.strip().startswith(f"chutecalc {command}") for line in examples)
+    assert examples
