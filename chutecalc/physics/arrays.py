@@ -9,6 +9,9 @@ Array = NDArray[np.float64]
 Values = Array | float
 """Argument of a formula: an array or one number."""
 
+Numbers = dict[str, Array]
+"""Arrays by column name."""
+
 Mask = NDArray[np.bool_]
 """True or false for each design."""
 

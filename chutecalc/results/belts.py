@@ -5,9 +5,9 @@ from functools import cached_property
 import numpy as np
 
 from chutecalc.design import Design, Receiver
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.physics.belt import Loading, discharge, loading
-from chutecalc.results.column import FormulaColumn, Numbers
+from chutecalc.results.column import FormulaColumn
 
 NORMAL_COSINE = 1e-9
 """The cosine of the angle between stream and belt below which the stream has no velocity along the belt."""

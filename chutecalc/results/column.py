@@ -1,16 +1,17 @@
 """A column of a table: its name, its unit, and how people read its numbers."""
 
+from __future__ import annotations
+
 import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import TEXT, convert
-from chutecalc.physics.arrays import Array
 
-Numbers = dict[str, Array]
-"""Arrays by column name."""
+if TYPE_CHECKING:
+    from chutecalc.physics.arrays import Array
 
 
 @dataclass(frozen=True)

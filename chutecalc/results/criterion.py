@@ -6,8 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from chutecalc.design import Contact, Design
-from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.column import Numbers
+from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.extremes import Extreme, ExtremeOf
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from chutecalc.design import Design, Status, stretched
-from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import RECEIVER_NEEDS, receiver_numbers
-from chutecalc.results.column import Numbers
 from chutecalc.results.described import outcomes, status_text
 from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.results.trajectory import Trajectory

@@ -6,8 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Index, Mask
-from chutecalc.results.column import Numbers
+from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.part import Part
 
 HALVING_ROUNDS, SIDE_SHARES = 2, np.linspace(0.0, 1.0, 9)

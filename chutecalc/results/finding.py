@@ -5,8 +5,8 @@ from enum import StrEnum
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.column import Numbers, quantity_text
+from chutecalc.physics.arrays import Array, Mask, Numbers
+from chutecalc.results.column import quantity_text
 
 
 class Severity(StrEnum):

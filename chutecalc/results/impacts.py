@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.results.column import FormulaColumn, Numbers
+from chutecalc.physics.arrays import Numbers
+from chutecalc.results.column import FormulaColumn
 
 # fmt: off
 IMPACT_COLUMNS = {

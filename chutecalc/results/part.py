@@ -10,9 +10,8 @@ import numpy as np
 
 from chutecalc.core.profile import flown
 from chutecalc.design import Contact, Design, Segment, Status, stretched
-from chutecalc.physics.arrays import Array, Index
+from chutecalc.physics.arrays import Array, Index, Numbers
 from chutecalc.physics.section import Polygon
-from chutecalc.results.column import Numbers
 from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
 from chutecalc.results.impacts import impact_of
 from chutecalc.solver.leg import ContactLeg, Ends, Leg

@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from chutecalc.physics.arrays import Array
-from chutecalc.results.column import Numbers
+from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.extremes import Extreme, ExtremeOf, extremes
 from chutecalc.results.part import Part
 

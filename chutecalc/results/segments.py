@@ -7,8 +7,7 @@ from typing import Any, overload
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array
-from chutecalc.results.column import Numbers
+from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.described import outcomes
 
 

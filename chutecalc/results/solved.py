@@ -7,9 +7,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from chutecalc.design import Design, Status, stretched
-from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
-from chutecalc.results.column import Numbers
 from chutecalc.results.columns import COLUMNS, NUMERIC
 from chutecalc.results.described import status_text
 from chutecalc.results.finding import Finding

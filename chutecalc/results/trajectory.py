@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Design, Status, stretched
-from chutecalc.physics.arrays import Array, Index
-from chutecalc.results.column import Numbers
+from chutecalc.physics.arrays import Array, Index, Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
 from chutecalc.results.described import status_text
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes

@@ -11,8 +11,7 @@ from pkgutil import iter_modules
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array
-from chutecalc.results.column import Numbers
+from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.criterion import CRITERIA, Scene
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.sampled import SampledPart
