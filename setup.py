@@ -85,7 +85,7 @@ def extensions() -> list[Extension]:
 
     if needs_zig():
         os.environ["CC"], os.environ["LDSHARED"] = ZIG, f"{ZIG} -shared"
-    modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats", "unlocked"}]
+    modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats", "without_gil"}]
     found = [
         Extension(
             ".".join(path.with_suffix("").parts),

@@ -264,7 +264,7 @@ def stalls(report: Report) -> list[Row]:
     name = "chutecalc exits"
     ours = partial(exits, parsed, spoons, 1e-10)
     spent = in_turn({name: ours, f"solve_ivp looped, {few}": theirs}, 1 if report.quick else 5)
-    ends = run_chain(parsed.vary(changes(spoons)).design, 1e-10, complete=False)[1]
+    ends = run_chain(parsed.vary(changes(spoons)).design, 1e-10, dense_output=False)[1]
     share = float(np.mean(ends.status == Status.STALL))
     places = np.where(ends.status == Status.STALL, ends.distance / spoons["radius_m"], turn(BASE))
     error = float(np.abs(places[:few] - theirs()).max())

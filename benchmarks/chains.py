@@ -39,15 +39,15 @@ SPEC: dict[str, Any] = {
 
 def singles(chain: chutecalc.Chute, rate: np.ndarray) -> list[chutecalc.Chute]:
     """Each contact segment as a chute of its own, with the streams that the chain brings to it."""
-    legs, _ = run_chain(chain.design, 1e-10, complete=False)
+    segment_solutions, _ = run_chain(chain.design, 1e-10, dense_output=False)
     chutes = []
-    for leg in legs:
-        if leg.contact is not None:
-            segment = {"from_slope_deg": 50.0} | SPEC["segments"][leg.number]
+    for solved in segment_solutions:
+        if solved.contact is not None:
+            segment = {"from_slope_deg": 50.0} | SPEC["segments"][solved.number]
             segment = {key: value for key, value in segment.items() if key != "from_slope_deg" or "radius_m" in segment}
             alone = chutecalc.parse(SPEC | {"segments": [segment]})
-            slope = np.degrees(leg.contact.surface.slope)
-            varied = {"flow.rate_t_h": rate, "inlet.velocity_m_s": leg.entry.velocity, "inlet.slope_deg": slope}
+            slope = np.degrees(solved.contact.surface.slope)
+            varied = {"flow.rate_t_h": rate, "inlet.velocity_m_s": solved.entry.velocity, "inlet.slope_deg": slope}
             if "radius_m" in segment:
                 varied["segments.1.from_slope_deg"] = slope
             chutes.append(alone.vary(varied))
@@ -56,7 +56,7 @@ def singles(chain: chutecalc.Chute, rate: np.ndarray) -> list[chutecalc.Chute]:
 
 def ends(chute: chutecalc.Chute) -> Any:
     """The exits of a batch on one core."""
-    return run_chain(chute.design, 1e-10, complete=False)
+    return run_chain(chute.design, 1e-10, dense_output=False)
 
 
 def main() -> None:
@@ -77,7 +77,7 @@ def main() -> None:
         "last arc alone": partial(ends, arcs[-1]),
         "chain, last segment varies": partial(ends, varied["last segment"]),
         "chain, receiver varies": partial(ends, varied["receiver"]),
-        "chain, whole way": lambda: run_chain(chain.design, 1e-10, complete=True),
+        "chain, whole way": lambda: run_chain(chain.design, 1e-10, dense_output=True),
     }
     spent, rivals = in_turn(tasks, rounds), ("single arcs", "last arc alone")
     rows = [

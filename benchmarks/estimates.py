@@ -21,7 +21,7 @@ from measure import Report
 
 from chutecalc.design import Design, Status
 from chutecalc.solver.chain import Chain, run_chain
-from chutecalc.solver.effort import effort_with
+from chutecalc.solver.options import options_with
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from tests.robustness.test_edges import CASES
@@ -46,13 +46,13 @@ class Told(NamedTuple):
 
 def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
     """Each pair of rules on the first segment of a chute that a stream enters in contact."""
-    legs, _ = run_chain(design, 1e-13)
-    leg = next(leg for leg in legs if leg.contact)
-    known = (leg.status == Status.OK) & (leg.exit.error < KNOWN)
+    segment_solutions, _ = run_chain(design, 1e-13)
+    solved = next(solved for solved in segment_solutions if solved.contact)
+    known = (solved.status == Status.OK) & (solved.exit.error < KNOWN)
     for pair in PAIRS:
-        found = Chain(design, effort_with(pair, (16, 24), ANYHOW, False)).legs()[leg.number]
-        one = known & (found.contact.stretch.tried == 1) & (found.contact.stretch.place == 1.0)
-        error = np.abs((found.exit.velocity[one] / leg.exit.velocity[one]) ** 2 - 1.0)
+        found = Chain(design, options_with(pair, (16, 24), ANYHOW, False)).segment_solutions()[solved.number]
+        one = known & (found.contact.end.attempts == 1) & (found.contact.end.share == 1.0)
+        error = np.abs((found.exit.velocity[one] / solved.exit.velocity[one]) ** 2 - 1.0)
         yield pair, Told(error, 2.0 * found.exit.error[one])
 
 

@@ -168,8 +168,8 @@ def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc
         solution = chutecalc.solve(chutecalc.parse(spec(case)), rtol)
     else:
         design = build(checked.spec)
-        legs, final = run_chain(design, rtol, complete=len(grid) > 2)
-        solution = Solution(design, tuple(legs), final, rtol, 1)
+        segment_solutions, final = run_chain(design, rtol, dense_output=len(grid) > 2)
+        solution = Solution(design, tuple(segment_solutions), final, rtol, 1)
     if len(grid) == 2:
         return np.array([entry(case), solution.exit_velocity[0]])
     return solution.stations(points=len(grid), columns=("velocity_m_s", "depth_m"))["velocity_m_s"][0]

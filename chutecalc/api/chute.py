@@ -170,11 +170,11 @@ class Chute:
         known = {number: slope for number, slope in slopes.items() if slope is not None}
         if len(known) == len(slopes):
             return known
-        legs, _ = run_chain(self.design, 1e-10, complete=False)
+        segment_solutions, _ = run_chain(self.design, 1e-10, dense_output=False)
         return {
-            leg.number: leg.contact.surface.slope
-            for leg in legs
-            if leg.number in slopes and leg.contact and np.isfinite(leg.contact.surface.slope).all()
+            solved.number: solved.contact.surface.slope
+            for solved in segment_solutions
+            if solved.number in slopes and solved.contact and np.isfinite(solved.contact.surface.slope).all()
         }
 
 
@@ -257,10 +257,10 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
         raise UsageError(f"solve takes a chute from chutecalc.load or chutecalc.parse, not {chute!r}")
     check_tolerance(rtol)
     try:
-        legs, ends = run_chain(chute.design, rtol)
+        segment_solutions, ends = run_chain(chute.design, rtol)
     except SpecError as error:
         raise SpecError(error.faults, chute.source, error.designs) from None
-    return Solution(chute, legs, ends, rtol)
+    return Solution(chute, segment_solutions, ends, rtol)
 
 
 def check_tolerance(rtol: float) -> None:

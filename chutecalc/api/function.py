@@ -8,8 +8,8 @@ import numpy as np
 
 from chutecalc.api.parameter import Limits, check_distinct, check_names, parameter_at
 from chutecalc.api.tape import Tape, Traced, run_recipe
-from chutecalc.core.answer import OUTPUTS, Answer, ask
 from chutecalc.core.replay import Recipe
+from chutecalc.core.single_design import OUTPUTS, SingleDesignSolver, solve_single
 from chutecalc.design import Design, Status
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.physics.arrays import Array, Mask
@@ -17,10 +17,10 @@ from chutecalc.results.belts import RECEIVER_COLUMNS, receiver_numbers
 from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import columns_needed, output_numbers, solve_exits
 from chutecalc.results.part import at_exit, exit_needs
-from chutecalc.solver.chain import answer_of, run_ends
-from chutecalc.solver.course import Numbers, again_at, columns_of, kinds_of
-from chutecalc.solver.effort import effort
-from chutecalc.solver.leg import Ends
+from chutecalc.solver.chain import run_ends, single_design_solver
+from chutecalc.solver.chain_input import DesignRows, first_varied_segment, layout_of, row_columns
+from chutecalc.solver.options import solver_options
+from chutecalc.solver.segment_solution import Ends
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 
@@ -105,7 +105,7 @@ class Function:
             )
         if self._answer is not None and (not self._limited or self._within_limits(values)):
             with self._lock:
-                known = ask(self._answer, values)
+                known = solve_single(self._answer, values)
             if known is not None:
                 return known[self._indices[0]] if len(self._indices) == 1 else tuple(known[k] for k in self._indices)
         rows = _rows(values)
@@ -138,7 +138,7 @@ class Function:
         if known is None:
             return None
         try:
-            ends = run_ends(self._kinds, Numbers(known, [], self._restart), self.rtol, *self._exit_needs)
+            ends = run_ends(self._layout, DesignRows(known, [], self._restart), self.rtol, *self._exit_needs)
         except SpecError:
             return None
         return self._outputs_of(_filled(self._design, known, self._leaves), ends)
@@ -166,7 +166,7 @@ class Function:
     def _outputs_of(self, design: Design, ends: Ends) -> list[Array]:
         """The outputs of designs from their ends."""
         if self._direct:
-            depth = ends.lying[0][0] if ends.lying.size else np.full(1, np.nan)
+            depth = ends.stream_section[0][0] if ends.stream_section.size else np.full(1, np.nan)
             numbers = (ends.velocity, ends.error, ends.distance, ends.x, ends.z, np.degrees(ends.slope), depth)
             known = dict(zip(OUTPUTS, numbers, strict=True))
         else:
@@ -191,10 +191,10 @@ class Function:
     def _trace(self, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
         """Build the chute once and record what follows from the parameters."""
         base = build(spec, drawn_slopes)
-        self._kinds, self._restart = kinds_of(base), 0
+        self._layout, self._restart = layout_of(base), 0
         self._exit_needs = exit_needs(self._exit_columns)
         self._recipe: Recipe | None = None
-        self._answer: Answer | None = None
+        self._answer: SingleDesignSolver | None = None
         self._design, self._leaves = base, dict[int, int]()
         if base.segments[-1].deflects:  # where the stream is as the impact on it leaves it
             return
@@ -216,16 +216,18 @@ class Function:
                 raise ValueError("no value for the spec")
             parameter.set_value(converted)
         design = build(spec, drawn_slopes)
-        columns, _, begins = columns_of(design)
+        columns, _, begins = row_columns(design)
         varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
-        self._restart = again_at(design, begins, varied[0]) if varied else 0
+        self._restart = first_varied_segment(design, begins, varied[0]) if varied else 0
         leaves = {} if self._direct else {leaf.slot: leaf for leaf in _leaves(design)}
         self._leaves = {slot: len(columns) + number for number, slot in enumerate(leaves)}
         self._recipe = tape.recipe([*columns, *leaves.values()])
         self._design = self._design if self._direct else design
         if self._direct:
             alone = tape.recipe(columns, width=1)
-            self._answer = answer_of(self._kinds, alone, effort(self.rtol, complete=False), *self._exit_needs)
+            self._answer = single_design_solver(
+                self._layout, alone, solver_options(self.rtol, dense_output=False), *self._exit_needs
+            )
 
 
 def _rows(values: Sequence[Any]) -> Array:

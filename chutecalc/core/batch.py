@@ -1,70 +1,70 @@
-"""Many chutes, one after the other: rows of numbers in, legs out."""
+"""Solve many chutes one after the other: rows of numbers in, solutions out."""
 
 from typing import Any
 
-from chutecalc.core import chain, floats, records, section, slide, state, walls
+from chutecalc.core import chain, floats, guide_surface, records, section, state, wall_loads
 
-HEAD = 8
-"""How many numbers of a row come before those of the segments."""
+HEADER = 8
+"""Number of entries of a row before those of the segments."""
 
 
-def solve_rows(course: "records.Course", effort: "state.Effort", numbers: Any, first: int, last: int) -> int:
-    """Solves rows from the first up to the last, and tells the row it has come to: less than the last for want of room.
+def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numbers: Any, first: int, last: int) -> int:
+    """Solve rows from the first up to the last; return the row it has come to.
 
-    Or because there it gave up. Legs, and panels where they are
-    kept, are those of the rows done.
+    That is less than the last where there is no more room, or where the solver failed. The solutions and panels are
+    those of the rows that are done.
 
     Args:
-        course: of this chute's kind; the numbers of what comes before its segment ``again`` are those of all rows.
-        effort: how hard to work.
-        numbers: a row each: density, gravity, volume rate, K_v; place, velocity and slope of the stream at the inlet;
-            and the segments: of a fall its drop and run; else where it starts, entry and exit slope, radius, length,
-            the pieces of the wall's friction law, the section where it starts, and where it ends.
+        chute: state of a chute of this layout; rows agree in all that comes before its segment ``first_varied``.
+        options: tolerances and rules.
+        numbers: a row each: density, gravity, volume rate, K_v; position, velocity and slope of the stream at the
+            inlet; then the segments: drop and run of a fall; else start, entry and exit slope, radius, length, the
+            pieces of the wall's friction law, the section at the start, and at the end of a taper.
         first, last: rows.
     """
     row = first
     while row < last:
-        legs, panels = course.count, course.first.own.log.count
-        course.row = row
-        load(course, course.first, numbers, row, HEAD)
-        if row == first or course.again.number == 0:
-            chain.start(course)
-            chain.run(course, effort, course.first)
+        solution_count, panel_count = chute.count, chute.first.stream.store.count
+        chute.row = row
+        read_segments(chute, chute.first, numbers, row, HEADER)
+        if row == first or chute.first_varied.number == 0:
+            chain.start_at_inlet(chute)
+            chain.solve_from(chute, options, chute.first)
         else:
-            chain.restore(course)
-            chain.run(course, effort, course.again)
-        if course.full or course.first.own.log.full:
-            course.count, course.first.own.log.count = legs, panels
+            chain.restore_start(chute)
+            chain.solve_from(chute, options, chute.first_varied)
+        if chute.full or chute.first.stream.store.full:
+            chute.count, chute.first.stream.store.count = solution_count, panel_count
             return row
-        tell(course, course.last, course.last.own)
-        if course.status == state.UNSOLVED:
+        write_ends(chute, chute.last, chute.last.stream)
+        if chute.status == state.UNSOLVED:
             return row
         row += 1
     return row
 
 
-def tell(course: "records.Course", last: "records.Segment", own: "state.Stream") -> None:
-    """Writes down how a design ends."""
-    row = course.row
-    course.ends[0, row], course.ends[1, row], course.ends[2, row] = course.status, course.here.velocity, course.error
-    course.ends[3, row], course.ends[4, row] = course.here.distance, course.here.x
-    course.ends[5, row], course.ends[6, row] = course.here.z, course.here.slope
-    if course.status == state.FAULT:
-        course.faults += 1
-        course.ends[4, row], course.ends[6, row] = course.fault_number, course.fault_slope
-    y = floats.NAN if course.status != state.OK or last.fall else own.y
-    if course.tells_lying:
-        walls.lie(own.way, own.place, y, 0, row, course.lying)
-    if course.tells_pressing:
-        walls.press(own.way, own.place, y, 0, row, course.pressing)
+def write_ends(chute: "records.ChuteState", last: "records.Segment", stream: "state.Stream") -> None:
+    """Write how a design ends."""
+    row = chute.row
+    chute.ends[0, row], chute.ends[1, row], chute.ends[2, row] = chute.status, chute.current.velocity, chute.error
+    chute.ends[3, row], chute.ends[4, row] = chute.current.distance, chute.current.x
+    chute.ends[5, row], chute.ends[6, row] = chute.current.z, chute.current.slope
+    if chute.status == state.FAULT:
+        chute.faults += 1
+        chute.ends[4, row], chute.ends[6, row] = chute.fault_number, chute.fault_slope
+    y = floats.NAN if chute.status != state.OK or last.fall else stream.y
+    if chute.with_stream_section:
+        wall_loads.write_stream_section(stream.guide, stream.share, y, 0, row, chute.stream_section)
+    if chute.with_wall_loads:
+        wall_loads.write_wall_loads(stream.guide, stream.share, y, 0, row, chute.wall_loads)
 
 
-def load(course: "records.Course", segment: "records.Segment", numbers: Any, row: int, at: int) -> None:
-    """Reads a segment, and all that follow it, from a row; with the first of them the inlet."""
-    if at == HEAD:
-        course.gravity = float(numbers[row, 1])
-        course.inlet.x, course.inlet.z = float(numbers[row, 4]), float(numbers[row, 5])
-        course.inlet.velocity, course.inlet.slope = float(numbers[row, 6]), float(numbers[row, 7])
+def read_segments(chute: "records.ChuteState", segment: "records.Segment", numbers: Any, row: int, at: int) -> None:
+    """Read a segment and all that follow it from a row; with the first of them the inlet."""
+    if at == HEADER:
+        chute.gravity = float(numbers[row, 1])
+        chute.inlet.x, chute.inlet.z = float(numbers[row, 4]), float(numbers[row, 5])
+        chute.inlet.velocity, chute.inlet.slope = float(numbers[row, 6]), float(numbers[row, 7])
     if segment.fall:
         segment.drop, segment.run = float(numbers[row, at]), float(numbers[row, at + 1])
         at += 2
@@ -72,39 +72,41 @@ def load(course: "records.Course", segment: "records.Segment", numbers: Any, row
         segment.start_x, segment.start_z = float(numbers[row, at]), float(numbers[row, at + 1])
         segment.entry_slope, segment.exit_slope = float(numbers[row, at + 2]), float(numbers[row, at + 3])
         segment.radius, segment.length = float(numbers[row, at + 4]), float(numbers[row, at + 5])
-        at = load_way(segment.own.way, numbers, row, at + 6)
+        at = read_guide(segment.stream.guide, numbers, row, at + 6)
     if not segment.final:
-        load(course, segment.next, numbers, row, at)
+        read_segments(chute, segment.next, numbers, row, at)
 
 
-def load_way(way: "slide.Slide", numbers: Any, row: int, at: int) -> int:
-    """Reads the flow, the wall and the sections, and tells where the next number stands."""
-    way.density, way.gravity = float(numbers[row, 0]), float(numbers[row, 1])
-    way.flow, way.vertical_ratio = float(numbers[row, 2]), float(numbers[row, 3])
-    for k in range(way.pieces):
-        way.starts[k], way.intercepts[k] = float(numbers[row, at]), float(numbers[row, at + 1])
-        way.slopes[k] = float(numbers[row, at + 2])
+def read_guide(guide: "guide_surface.Guide", numbers: Any, row: int, at: int) -> int:
+    """Read the flow, the wall and the sections; return the offset of the next number."""
+    guide.density, guide.gravity = float(numbers[row, 0]), float(numbers[row, 1])
+    guide.flow, guide.vertical_ratio = float(numbers[row, 2]), float(numbers[row, 3])
+    for k in range(guide.pieces):
+        guide.starts[k], guide.intercepts[k] = float(numbers[row, at]), float(numbers[row, at + 1])
+        guide.slopes[k] = float(numbers[row, at + 2])
         at += 3
-    at = read(way.first, numbers, row, at)
-    return read(way.last, numbers, row, at) if way.taper else at
+    at = read_section(guide.first, numbers, row, at)
+    return read_section(guide.last, numbers, row, at) if guide.taper else at
 
 
-def put_back(way: "slide.Slide", numbers: Any, row: int, at: int, slope: float, turn: float, length: float) -> None:
-    """Makes a segment what it was when it was solved."""
-    load_way(way, numbers, row, at)
-    way.entry_slope, way.turn, way.length = slope, turn, length
-    slide.begin(way)
+def restore_guide(
+    guide: "guide_surface.Guide", numbers: Any, row: int, at: int, slope: float, turn: float, length: float
+) -> None:
+    """Set a segment to what it was when it was solved."""
+    read_guide(guide, numbers, row, at)
+    guide.entry_slope, guide.turn, guide.length = slope, turn, length
+    guide_surface.set_constants(guide)
 
 
-def read(own: "section.Section", numbers: Any, row: int, at: int) -> int:
-    """Reads a section from a row, and tells where the next number stands."""
-    own.wall_height = float(numbers[row, at])
-    if own.circle:
-        own.radius = float(numbers[row, at + 1])
+def read_section(cross_section: "section.Section", numbers: Any, row: int, at: int) -> int:
+    """Read a section from a row; return the offset of the next number."""
+    cross_section.wall_height = float(numbers[row, at])
+    if cross_section.circle:
+        cross_section.radius = float(numbers[row, at + 1])
         return at + 2
-    own.base = float(numbers[row, at + 1])
+    cross_section.base = float(numbers[row, at + 1])
     at += 2
-    for k in range(own.walls):
-        own.lengths[k], own.inclinations[k] = float(numbers[row, at]), float(numbers[row, at + 1])
+    for k in range(cross_section.walls):
+        cross_section.lengths[k], cross_section.inclinations[k] = float(numbers[row, at]), float(numbers[row, at + 1])
         at += 2
     return at

@@ -1,18 +1,21 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, friction, gauss, matrix, panel, section, slide
+from chutecalc.core cimport floats, friction, gauss, guide_surface, matrix, panel, section
 
-cdef double ENOUGH
+cdef double NEWTON_FRACTION
 
-@cython.locals(sound=bint)
-cdef void by_place(panel.Panel own, slide.Slide way, double start, double width, double y0, gauss.Pair pair, int kind, double tolerance) noexcept nogil
-cdef double stopped(panel.Panel own, gauss.Rule rule) noexcept nogil
-cdef void forces(panel.Panel own, slide.Slide way, gauss.Rule rule, panel.Angles angles) noexcept nogil
-cdef void freeze(panel.Panel own, slide.Slide way, gauss.Rule rule, double first, double flow, double bend) noexcept nogil
-cdef void linearise(panel.Panel own, slide.Slide way, gauss.Rule rule, gauss.Curve iterate, double flow, double bend) noexcept nogil
-cdef void insert(panel.Panel own, section.Loads at, gauss.Equation equation, gauss.Curve iterate, int nodes, double bend, double turned) noexcept nogil
-cdef void step(panel.Panel own, gauss.Rule rule, double first, int kind, gauss.Curve curve) noexcept nogil
-@cython.locals(sound=bint)
-cdef void by_root(panel.Panel own, slide.Slide way, double start, double width, double place, gauss.Pair pair) noexcept nogil
-cdef void resist_in_r(panel.Panel own, slide.Slide way, gauss.Rule rule) noexcept nogil
-cdef double rates(panel.Panel own, slide.Slide way, gauss.Rule rule, gauss.Curve iterate) noexcept nogil
+@cython.locals(valid=bint)
+cdef void solve_in_share(panel.Panel trial, guide_surface.Guide guide, double start, double width, double y0, gauss.RulePair pair, int kind, double tolerance) noexcept nogil
+cdef bint solve_coarse(panel.Panel trial, guide_surface.Guide guide, gauss.RulePair pair, int kind, double initial, double flow, double centrifugal) noexcept nogil
+cdef (double, double, double) solve_fine(panel.Panel trial, guide_surface.Guide guide, gauss.RulePair pair, int kind, double initial, double flow, double centrifugal, double tolerance) noexcept nogil
+cdef (double, double) stiff_errors(panel.Panel trial, gauss.RulePair pair) noexcept nogil
+cdef double first_stop(panel.Panel trial, gauss.Rule rule) noexcept nogil
+cdef void set_forces(panel.Panel trial, guide_surface.Guide guide, gauss.Rule rule, panel.Angles angles) noexcept nogil
+cdef void freeze_friction(panel.Panel trial, guide_surface.Guide guide, gauss.Rule rule, double initial, double flow, double centrifugal) noexcept nogil
+cdef void linearise(panel.Panel trial, guide_surface.Guide guide, gauss.Rule rule, gauss.Iterate iterate, double flow, double centrifugal) noexcept nogil
+cdef void insert_resistance(panel.Panel trial, section.Loads at, gauss.Equation equation, gauss.Iterate iterate, int nodes, double centrifugal, double centrifugal_weight) noexcept nogil
+cdef void solve_linearised(panel.Panel trial, gauss.Rule rule, double initial, int kind, gauss.Iterate curve) noexcept nogil
+@cython.locals(valid=bint)
+cdef void solve_in_r(panel.Panel trial, guide_surface.Guide guide, double start, double width, double share, gauss.RulePair pair) noexcept nogil
+cdef void set_resistance_in_r(panel.Panel trial, guide_surface.Guide guide, gauss.Rule rule) noexcept nogil
+cdef double linearise_in_r(panel.Panel trial, guide_surface.Guide guide, gauss.Rule rule, gauss.Iterate iterate) noexcept nogil

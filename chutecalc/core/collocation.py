@@ -1,97 +1,134 @@
-"""Gauss collocation of the equation of motion over one panel, in v² over the place or in the place over √v."""
+"""Solve the equation of motion over one panel by Gauss collocation: v² over the share c, or c over r = √v."""
 
 import math
 
-from chutecalc.core import floats, friction, gauss, matrix, panel, section, slide
+from chutecalc.core import floats, friction, gauss, guide_surface, matrix, panel, section
 
-ENOUGH = 0.1
-"""Of the tolerance: what Newton may leave without being asked again."""
+NEWTON_FRACTION = 0.1
+"""Fraction of the tolerance that Newton's method may leave without another iteration."""
 
 
-def by_place(
-    own: "panel.Panel",
-    way: "slide.Slide",
+def solve_in_share(
+    trial: "panel.Panel",
+    guide: "guide_surface.Guide",
     start: float,
     width: float,
     y0: float,
-    pair: "gauss.Pair",
+    pair: "gauss.RulePair",
     kind: int,
     tolerance: float,
 ) -> None:
-    """Solves y = v² over a panel in c, in one of three ways: ``panel.WHOLE``, ``panel.PLACE`` or ``panel.CLINGING``."""
-    own.start, own.width, own.by_root = start, width, False
-    unit = 2.0 * width * way.length * way.gravity
-    flow = way.flow / math.sqrt(unit)
-    bend = -2.0 * way.side * width * way.turn * way.slopes[own.piece]
-    first = y0 / unit
-    iterations, refinements = 1, 1
-    forces(own, way, pair.coarse, own.coarse_angles)
-    if kind == panel.CLINGING:  # from a balance that clings, freezing friction leads far astray
+    """Solve y = v² over a panel in c, of the kind ``FULL_SEGMENT``, ``IN_SHARE`` or ``IN_SHARE_STIFF`` of ``panel``."""
+    trial.start, trial.width, trial.in_r = start, width, False
+    unit = 2.0 * width * guide.length * guide.gravity
+    flow = guide.flow / math.sqrt(unit)
+    centrifugal = -2.0 * guide.side * width * guide.turn * guide.slopes[trial.piece]
+    initial = y0 / unit
+    if not solve_coarse(trial, guide, pair, kind, initial, flow, centrifugal):
+        trial.error = trial.inner_error = floats.INFINITY
+        return
+    latest, update, newton = solve_fine(trial, guide, pair, kind, initial, flow, centrifugal, tolerance)
+    last, offset, cancellation = pair.fine.last, 0.0, 0.0
+    end = trial.solution[last]
+    valid = latest < 1.0 and end > 0.0  # then it is positive throughout, as the guess is
+    if kind == panel.IN_SHARE_STIFF:
+        offset, cancellation = stiff_errors(trial, pair)
+    for j in range(last + 1):
+        trial.solution[j] *= unit
+    trial.solution[0] = y0
+    rho = panel.ellipse_rho_in_share(trial, guide, pair.fine)
+    panel.estimate(trial, valid, update, newton, rho, floats.quotient(panel.ROUNDING, end), pair, kind)
+    if kind == panel.IN_SHARE_STIFF:
+        trial.error += max(offset - cancellation, 0.0)
+        trial.rounding += cancellation
+
+
+def solve_coarse(
+    trial: "panel.Panel",
+    guide: "guide_surface.Guide",
+    pair: "gauss.RulePair",
+    kind: int,
+    initial: float,
+    flow: float,
+    centrifugal: float,
+) -> bool:
+    """Solve the panel by the coarse rule as a guess for the fine one; return whether the stream gets to its end."""
+    iterations = 2 if kind == panel.IN_SHARE else 1
+    set_forces(trial, guide, pair.coarse, trial.coarse_angles)
+    if kind == panel.IN_SHARE_STIFF:  # near an equilibrium, frozen friction would lead far astray
         iterations = 3
         for j in range(pair.coarse.count):
-            own.coarse.knots[j + 1] = first
-        linearise(own, way, pair.coarse, own.coarse, flow, bend)
+            trial.coarse.solution[j + 1] = initial
+        linearise(trial, guide, pair.coarse, trial.coarse, flow, centrifugal)
     else:
-        if kind == panel.PLACE:
-            iterations, refinements = 2, 2
-        freeze(own, way, pair.coarse, first, flow, bend)
-    step(own, pair.coarse, first, kind, own.coarse)
-    own.stop = stopped(own, pair.coarse)
-    if own.stop < 1.0:  # no iterate comes back from there
-        own.error = own.inner_error = floats.INFINITY
-        return
+        freeze_friction(trial, guide, pair.coarse, initial, flow, centrifugal)
+    solve_linearised(trial, pair.coarse, initial, kind, trial.coarse)
+    trial.stop_share = first_stop(trial, pair.coarse)
+    if trial.stop_share < 1.0:  # no iterate recovers from there
+        return False
     for _ in range(iterations):
-        linearise(own, way, pair.coarse, own.coarse, flow, bend)
-        step(own, pair.coarse, first, kind, own.coarse)
-    matrix.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
-    forces(own, way, pair.fine, own.angles)
+        linearise(trial, guide, pair.coarse, trial.coarse, flow, centrifugal)
+        solve_linearised(trial, pair.coarse, initial, kind, trial.coarse)
+    matrix.multiply(pair.transfer, trial.coarse.solution, trial.guess.solution, 1)
+    return True
+
+
+def solve_fine(
+    trial: "panel.Panel",
+    guide: "guide_surface.Guide",
+    pair: "gauss.RulePair",
+    kind: int,
+    initial: float,
+    flow: float,
+    centrifugal: float,
+    tolerance: float,
+) -> tuple[float, float, float]:
+    """Solve the panel by the fine rule; return the last and the first relative update, and what Newton leaves."""
+    set_forces(trial, guide, pair.fine, trial.angles)
     update, latest, newton, last = 0.0, 0.0, 0.0, pair.fine.last
-    for number in range(refinements):
-        linearise(own, way, pair.fine, own.guess, flow, bend)
-        step(own, pair.fine, first, kind, own.fine)
+    for number in range(2 if kind == panel.IN_SHARE else 1):
+        linearise(trial, guide, pair.fine, trial.guess, flow, centrifugal)
+        solve_linearised(trial, pair.fine, initial, kind, trial.fine)
         latest = 0.0
         for j in range(pair.fine.count):
-            latest = max(latest, math.fabs(floats.quotient(own.guess.knots[j + 1], own.knots[j + 1]) - 1.0))
-            own.guess.knots[j + 1] = own.knots[j + 1]
-        end = own.knots[last]
-        # What is small at the last node may not be so at a slow end.
-        latest *= max(floats.quotient(own.knots[last - 1], end), 1.0)
-        newton = panel.NEWTON_SAFETY * latest * latest * own.left
+            latest = max(latest, math.fabs(floats.quotient(trial.guess.solution[j + 1], trial.solution[j + 1]) - 1.0))
+            trial.guess.solution[j + 1] = trial.solution[j + 1]
+        # What is small at the last node may not be small at a slow end.
+        latest *= max(floats.quotient(trial.solution[last - 1], trial.solution[last]), 1.0)
+        newton = panel.NEWTON_SAFETY * latest * latest * trial.newton_factor
         if number == 0:
             update = latest
-        if newton <= ENOUGH * tolerance:
+        if newton <= NEWTON_FRACTION * tolerance:
             break
-    end = own.knots[last]
-    sound = latest < 1.0 and end > 0.0  # then it is positive all along, as what it was worked out from
-    noise = 0.0
-    if kind == panel.CLINGING:  # slope and friction nearly cancel: their rounding moves the balance the more, the less
-        noise = floats.quotient(
-            panel.CANCELLED, math.fabs(own.equation.rate[pair.fine.count - 1] * own.knots[last - 1])
-        )  # friction varies
-    for j in range(last + 1):
-        own.knots[j] *= unit
-    own.knots[0] = y0
-    smooth = panel.smoothness_by_place(own, way, pair.fine)
-    panel.estimate(own, sound, update, newton, smooth, floats.quotient(panel.ROUNDING, end), pair, kind)
-    if kind == panel.CLINGING:
-        # Gauss collocation keeps an offset from the balance that decays too fast to be seen, each rule its own share.
-        share = floats.quotient(own.growth[pair.fine.count], own.coarse.growth[pair.coarse.count])
-        kept = math.fabs(floats.quotient(own.coarse.knots[pair.coarse.last], end) - 1.0) * min(math.fabs(share), 1.0)
-        own.error += max(kept - noise, 0.0)
-        own.rounding += noise
+    return latest, update, newton
 
 
-def stopped(own: "panel.Panel", rule: "gauss.Rule") -> float:
-    """The first knot at which the stream would have stopped by now, as a share of the panel; 1 where there is none."""
+def stiff_errors(trial: "panel.Panel", pair: "gauss.RulePair") -> tuple[float, float]:
+    """Return two relative errors of the end that a stiff equation adds: an offset kept, and what rounding does.
+
+    Gauss collocation keeps an offset from the equilibrium that decays too fast to be resolved; the rules differ in it.
+    Slope and friction nearly cancel: the less friction varies, the more their rounding moves the equilibrium.
+    """
+    last = pair.fine.last
+    cancellation = floats.quotient(
+        panel.CANCELLATION, math.fabs(trial.equation.jacobian[pair.fine.count - 1] * trial.solution[last - 1])
+    )
+    ratio = floats.quotient(trial.sensitivity[pair.fine.count], trial.coarse.sensitivity[pair.coarse.count])
+    change = math.fabs(floats.quotient(trial.coarse.solution[pair.coarse.last], trial.solution[last]) - 1.0)
+    return change * min(math.fabs(ratio), 1.0), cancellation
+
+
+def first_stop(trial: "panel.Panel", rule: "gauss.Rule") -> float:
+    """Return the first knot at which the coarse solution is at rest, as a share of the panel; 1 where there is none."""
     for j in range(rule.last):
-        if own.coarse.knots[j + 1] <= 0.0:
+        if trial.coarse.solution[j + 1] <= 0.0:
             return float(rule.knots[j + 1])
     return 1.0
 
 
-def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", angles: "panel.Angles") -> None:
-    """Gravity's shares along the surface and on the wall, sin a and μ σ cos a, at the nodes."""
-    start, turn = way.entry_slope + way.turn * own.start, way.turn * own.width
+def set_forces(trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule", angles: "panel.Angles") -> None:
+    """Write the driving force and the wall friction of gravity over weight at the nodes: sin a and μ σ cos a."""
+    start, turn = guide.entry_slope + guide.turn * trial.start, guide.turn * trial.width
     if angles.count != rule.count or angles.start != start or angles.turn != turn:
         angles.count, angles.start, angles.turn = rule.count, start, turn
         for j in range(rule.count):
@@ -100,150 +137,169 @@ def forces(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", angles: "
             else:
                 slope = start + turn * rule.knots[j + 1]
                 angles.sine[j], angles.cosine[j] = math.sin(slope), math.cos(slope)
-    slope_of_wall = way.slopes[own.piece] * way.side
+    slope_of_wall = guide.slopes[trial.piece] * guide.side
     for j in range(rule.count):
-        own.sine[j], own.press[j] = angles.sine[j], slope_of_wall * angles.cosine[j]
+        trial.sine[j], trial.wall_drag[j] = angles.sine[j], slope_of_wall * angles.cosine[j]
 
 
-def freeze(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", first: float, flow: float, bend: float) -> None:
-    """The equation with μ_e as at the panel's start: near enough to start from, right where friction is constant."""
-    way.facets.loads.area[0] = floats.quotient(flow, math.sqrt(first))
-    drag, stuck = 1.0, 0.0
+def freeze_friction(
+    trial: "panel.Panel",
+    guide: "guide_surface.Guide",
+    rule: "gauss.Rule",
+    initial: float,
+    flow: float,
+    centrifugal: float,
+) -> None:
+    """Write the equation with μ_e as at the panel's start: a close first guess, exact where friction is constant."""
+    guide.facets.loads.area[0] = floats.quotient(flow, math.sqrt(initial))
+    drag, adhesion = 1.0, 0.0
     for j in range(rule.count):
-        if j == 0 or way.taper:
-            slide.draw(way, own.start + own.width * rule.knots[j + 1])
-            friction.resist(way, own.facet, own.piece, 0, 1)
-            drag, stuck = 1.0 + way.facets.loads.excess[0], way.facets.loads.stuck[0]
-        own.equation.forcing[j] = own.sine[j] - drag * own.press[j] - stuck
-        own.equation.rate[j] = -drag * bend
+        if j == 0 or guide.taper:
+            guide_surface.set_section(guide, trial.start + trial.width * rule.knots[j + 1])
+            friction.set_resistance(guide, trial.facet, trial.piece, 0, 1)
+            drag, adhesion = 1.0 + guide.facets.loads.excess[0], guide.facets.loads.adhesion[0]
+        trial.equation.forcing[j] = trial.sine[j] - drag * trial.wall_drag[j] - adhesion
+        trial.equation.jacobian[j] = -drag * centrifugal
 
 
 def linearise(
-    own: "panel.Panel",
-    way: "slide.Slide",
+    trial: "panel.Panel",
+    guide: "guide_surface.Guide",
     rule: "gauss.Rule",
-    iterate: "gauss.Curve",
+    iterate: "gauss.Iterate",
     flow: float,
-    bend: float,
+    centrifugal: float,
 ) -> None:
-    """The equation near an iterate at the nodes, and what Newton leaves of an update of 1: half of Y ∂²f/∂Y² at most.
+    """Write the equation linearised at an iterate, and what Newton leaves of an update of 1: half of Y ∂²f/∂Y² at most.
 
-    That is at most A χ'/Y times 3/8 of the load from gravity and 1/4 of that from the bend; on a crest and under a hood
-    the two may cancel in f, which is why there (1 + χ) b less b, χ b, is added.
+    That is at most A χ'/Y times 3/8 of gravity's load and 1/4 of the centrifugal load. On a crest and under a hood the
+    two may cancel in f, so (1 + χ) b less b, χ b, is added there.
     """
     for j in range(rule.count):
-        way.facets.loads.area[j] = floats.quotient(flow, floats.root(iterate.knots[j + 1]))
-    if way.taper:
+        guide.facets.loads.area[j] = floats.quotient(flow, floats.root(iterate.solution[j + 1]))
+    if guide.taper:
         for j in range(rule.count):
-            slide.draw(way, own.start + own.width * rule.knots[j + 1])
-            friction.resist(way, own.facet, own.piece, j, j + 1)
+            guide_surface.set_section(guide, trial.start + trial.width * rule.knots[j + 1])
+            friction.set_resistance(guide, trial.facet, trial.piece, j, j + 1)
     else:
-        friction.resist(way, own.facet, own.piece, 0, rule.count)
-    insert(own, way.facets.loads, own.equation, iterate, rule.count, bend, 2.0 if way.turn > 0.0 else 0.0)
-    own.left = 0.0
+        friction.set_resistance(guide, trial.facet, trial.piece, 0, rule.count)
+    insert_resistance(
+        trial, guide.facets.loads, trial.equation, iterate, rule.count, centrifugal, 2.0 if guide.turn > 0.0 else 0.0
+    )
+    trial.newton_factor = 0.0
     for j in range(rule.count):
-        own.left = max(own.left, own.values[j])
+        trial.newton_factor = max(trial.newton_factor, trial.work[j])
 
 
-def insert(
-    own: "panel.Panel",
+def insert_resistance(
+    trial: "panel.Panel",
     at: "section.Loads",
     equation: "gauss.Equation",
-    iterate: "gauss.Curve",
+    iterate: "gauss.Iterate",
     nodes: int,
-    bend: float,
-    turned: float,
+    centrifugal: float,
+    centrifugal_weight: float,
 ) -> None:
-    """Puts resistance into the equation in Y, the unit 2 g h of v²; Newton's weights at the nodes go to ``own.values``.
+    """Insert resistance into the equation in Y, v² over 2 g h; write Newton's weights at the nodes to ``trial.work``.
 
-    With f = sin a - (1 + χ) (p + b Y) the derivative to Y is h/Y - (1 + χ) b, where h = A χ' (p + b Y)/2, and what it
-    leaves of f is sin a - (1 + χ) p - h. What adhesion holds back is taken off f too, and changes h by its own change.
-    Arrays are named by their records here, so that compilers see which they are.
+    With f = sin a - (1 + χ) (p + b Y) the derivative by Y is h/Y - (1 + χ) b, where h = A χ' (p + b Y)/2, and
+    linearising leaves sin a - (1 + χ) p - h. Adhesion is subtracted from f too, and changes h by its own change. Arrays
+    are passed by their records so that compilers see which they are.
 
     Args:
-        own, at, equation: sine and pressing force, resistance, and where the equation stands.
+        trial, at, equation: sine and wall friction, loads, and the equation to write.
         iterate: Y at the knots.
-        nodes: how many.
-        bend: b, 2 h μ σ κ.
-        turned: 2 where (1 + χ) b less b counts among the weights, else 0.
+        nodes: number of nodes.
+        centrifugal: b, 2 h μ σ κ.
+        centrifugal_weight: 2 where (1 + χ) b less b counts among the weights, else 0.
     """
     for j in range(nodes):
-        y, drag, press = iterate.knots[j + 1], 1.0 + at.excess[j], own.press[j]
-        bending = at.growth[j] * (press + bend * y) + (at.climb[j] - at.fall[j])
-        equation.forcing[j] = own.sine[j] - drag * press - at.stuck[j] - bending
-        bending = floats.quotient(bending, y)
-        held = floats.quotient(at.fall[j] - 0.5 * (at.climb[j] - math.fabs(at.climb[j])), y)
-        equation.rate[j] = bending - drag * bend
-        own.values[j] = math.fabs(bending) + 2.0 * math.fabs(held) + turned * (math.fabs(drag * bend) - math.fabs(bend))
+        y, drag, wall_drag = iterate.solution[j + 1], 1.0 + at.excess[j], trial.wall_drag[j]
+        load_change = at.excess_growth[j] * (wall_drag + centrifugal * y) + (at.adhesion_rise[j] - at.adhesion_fall[j])
+        equation.forcing[j] = trial.sine[j] - drag * wall_drag - at.adhesion[j] - load_change
+        load_change = floats.quotient(load_change, y)
+        adhesion_change = floats.quotient(
+            at.adhesion_fall[j] - 0.5 * (at.adhesion_rise[j] - math.fabs(at.adhesion_rise[j])), y
+        )
+        equation.jacobian[j] = load_change - drag * centrifugal
+        trial.work[j] = (
+            math.fabs(load_change)
+            + 2.0 * math.fabs(adhesion_change)
+            + centrifugal_weight * (math.fabs(drag * centrifugal) - math.fabs(centrifugal))
+        )
 
 
-def step(own: "panel.Panel", rule: "gauss.Rule", first: float, kind: int, curve: "gauss.Curve") -> None:
-    """Solves the linear equation over the panel."""
-    if kind == panel.CLINGING:
-        gauss.integrate_stiff(rule, own.equation, first, curve)
-    else:
-        gauss.integrate(rule, own.equation, first, curve)
-
-
-def by_root(
-    own: "panel.Panel", way: "slide.Slide", start: float, width: float, place: float, pair: "gauss.Pair"
+def solve_linearised(
+    trial: "panel.Panel", rule: "gauss.Rule", initial: float, kind: int, curve: "gauss.Iterate"
 ) -> None:
-    """Solves c over a panel in r = √v, from a place. Only where v rises or falls throughout."""
-    own.start, own.width, own.by_root = start, width, True
-    facet, piece = own.facet, own.piece
-    first, _, pulled = friction.place_rate(way, facet, piece, start, width, place)
+    """Solve the linear equation over the panel."""
+    if kind == panel.IN_SHARE_STIFF:
+        gauss.integrate_stiff(rule, trial.equation, initial, curve)
+    else:
+        gauss.integrate(rule, trial.equation, initial, curve)
+
+
+def solve_in_r(
+    trial: "panel.Panel", guide: "guide_surface.Guide", start: float, width: float, share: float, pair: "gauss.RulePair"
+) -> None:
+    """Solve c over a panel in r = √v from a share; valid only where v rises or falls throughout."""
+    trial.start, trial.width, trial.in_r = start, width, True
+    facet, piece = trial.facet, trial.piece
+    start_rate, _, change = friction.rhs_in_r(guide, facet, piece, start, width, share)
     for j in range(pair.coarse.count):
         r = start + width * pair.coarse.knots[j + 1]
-        own.coarse.knots[j + 1] = place + floats.quotient(r * r * r * r - start * start * start * start, pulled)
-    resist_in_r(own, way, pair.coarse)
+        trial.coarse.solution[j + 1] = share + floats.quotient(r * r * r * r - start * start * start * start, change)
+    set_resistance_in_r(trial, guide, pair.coarse)
     for _iteration in range(4):
         for j in range(pair.coarse.count):
-            own.guess.knots[j + 1] = own.coarse.knots[j + 1]
-        rates(own, way, pair.coarse, own.coarse)
-        gauss.integrate(pair.coarse, own.equation, place, own.coarse)
-        moved = 0.0
+            trial.guess.solution[j + 1] = trial.coarse.solution[j + 1]
+        linearise_in_r(trial, guide, pair.coarse, trial.coarse)
+        gauss.integrate(pair.coarse, trial.equation, share, trial.coarse)
+        correction = 0.0
         for j in range(pair.coarse.count):
-            moved = max(moved, math.fabs(own.coarse.knots[j + 1] - own.guess.knots[j + 1]))
-        if moved <= panel.SETTLED * math.fabs(own.coarse.knots[pair.coarse.last] - place):
+            correction = max(correction, math.fabs(trial.coarse.solution[j + 1] - trial.guess.solution[j + 1]))
+        if correction <= panel.CONVERGED * math.fabs(trial.coarse.solution[pair.coarse.last] - share):
             break
-    matrix.multiply(pair.transfer, own.coarse.knots, own.guess.knots, 1)
-    resist_in_r(own, way, pair.fine)
-    least = rates(own, way, pair.fine, own.guess)
-    gauss.integrate(pair.fine, own.equation, place, own.fine)
-    # Where v turns inside, r is no measure of the way; and far beyond the segment there is nothing to solve for.
-    sound, noise, last = least > 0.0, 0.0, pair.fine.last
+    matrix.multiply(pair.transfer, trial.coarse.solution, trial.guess.solution, 1)
+    set_resistance_in_r(trial, guide, pair.fine)
+    least = linearise_in_r(trial, guide, pair.fine, trial.guess)
+    gauss.integrate(pair.fine, trial.equation, share, trial.fine)
+    # Where v has an extreme inside, r is not monotone; and far beyond the segment there is nothing to solve for.
+    valid, noise, last = least > 0.0, 0.0, pair.fine.last
     for j in range(last + 1):
-        sound = sound and own.knots[j] >= place and own.knots[j] < 2.0
+        valid = valid and trial.solution[j] >= share and trial.solution[j] < 2.0
     for j in range(pair.fine.count):
-        noise = max(noise, math.fabs(own.knots[j + 1] - own.guess.knots[j + 1]))
-    update = max(noise - panel.PLACE_ROUNDING, 0.0) / max(math.fabs(own.knots[last] - place), panel.PLACE_ROUNDING)
-    smooth = panel.smoothness_by_root(own, way, pair.fine, first, place)
-    panel.estimate(own, sound, update, panel.NEWTON_SAFETY * update * update, smooth, 0.0, pair, panel.ROOT)
+        noise = max(noise, math.fabs(trial.solution[j + 1] - trial.guess.solution[j + 1]))
+    update = max(noise - panel.SHARE_ROUNDING, 0.0) / max(math.fabs(trial.solution[last] - share), panel.SHARE_ROUNDING)
+    rho = panel.ellipse_rho_in_r(trial, guide, pair.fine, start_rate, share)
+    panel.estimate(trial, valid, update, panel.NEWTON_SAFETY * update * update, rho, 0.0, pair, panel.IN_R)
 
 
-def resist_in_r(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule") -> None:
-    """What resists the streams at the nodes of a panel in r, and v² there; not of a taper, where place counts too."""
-    if way.taper:
+def set_resistance_in_r(trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule") -> None:
+    """Write v² and the loads at the nodes of a panel in r, which do not depend on the iterate unless it tapers."""
+    if guide.taper:
         return
     for j in range(rule.count):
-        r = own.start + own.width * rule.knots[j + 1]
-        own.values[j] = r * r * r * r
-        way.facets.loads.area[j] = floats.quotient(way.flow, r * r)
-    friction.resist(way, own.facet, own.piece, 0, rule.count)
+        r = trial.start + trial.width * rule.knots[j + 1]
+        trial.work[j] = r * r * r * r
+        guide.facets.loads.area[j] = floats.quotient(guide.flow, r * r)
+    friction.set_resistance(guide, trial.facet, trial.piece, 0, rule.count)
 
 
-def rates(own: "panel.Panel", way: "slide.Slide", rule: "gauss.Rule", iterate: "gauss.Curve") -> float:
-    """The equation in r, linearised at the nodes, with dc/dr in ``sine``; the least of that."""
+def linearise_in_r(
+    trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule", iterate: "gauss.Iterate"
+) -> float:
+    """Write the equation in r linearised at an iterate, with dc/dr in ``sine``; return the least dc/dr."""
     least = floats.INFINITY
     for j in range(rule.count):
-        r, c = own.start + own.width * rule.knots[j + 1], iterate.knots[j + 1]
-        if way.taper:
-            rate, growth, _ = friction.place_rate(way, own.facet, own.piece, r, own.width, c)
+        r, c = trial.start + trial.width * rule.knots[j + 1], iterate.solution[j + 1]
+        if guide.taper:
+            rate, jacobian, _ = friction.rhs_in_r(guide, trial.facet, trial.piece, r, trial.width, c)
         else:
-            change, bent = friction.pull(way, own.piece, c, own.values[j], j)
-            rate = floats.quotient(4.0 * own.width * r * r * r, change)
-            growth = floats.quotient(-rate * bent, change)
-        own.sine[j], own.equation.forcing[j], own.equation.rate[j] = rate, rate - growth * c, growth
+            change, change_in_share = friction.rhs_at_node(guide, trial.piece, c, trial.work[j], j)
+            rate = floats.quotient(4.0 * trial.width * r * r * r, change)
+            jacobian = floats.quotient(-rate * change_in_share, change)
+        trial.sine[j], trial.equation.forcing[j], trial.equation.jacobian[j] = rate, rate - jacobian * c, jacobian
         if not rate >= least:
             least = rate
     return least

@@ -1,13 +1,13 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, friction, gauss, section, slide
+from chutecalc.core cimport floats, friction, gauss, guide_surface, section
 
-cdef int CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END
-cdef double LEVEL, ASIDE
+cdef int CONTACT_LOSS, CHOKE, FACET_UP, FACET_DOWN, PIECE_UP, PIECE_DOWN, SEGMENT_END
+cdef double EVENT_TOLERANCE, DIFFERENCE_STEP
 
-cdef double margin(slide.Slide way, int facet, int piece, int event, double place, double y, double limit) noexcept nogil
-cdef double balance(double more, double less) noexcept nogil
-cdef double closeness(double value, double limit) noexcept nogil
-cdef double first_crossing(gauss.Rule rule, double[::1] margins) noexcept nogil
+cdef double event_function(guide_surface.Guide guide, int facet, int piece, int event, double share, double y, double next_breakpoint) noexcept nogil
+cdef double relative_difference(double more, double less) noexcept nogil
+cdef double relative_excess(double value, double limit) noexcept nogil
+cdef double first_crossing(gauss.Rule rule, double[::1] event_values) noexcept nogil
 @cython.locals(near=bint)
-cdef double dip(gauss.Rule rule, double[::1] margins) noexcept nogil
+cdef double near_minimum(gauss.Rule rule, double[::1] event_values) noexcept nogil

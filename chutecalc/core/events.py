@@ -1,92 +1,96 @@
-"""Where something happens to a stream inside a panel: a margin, known at the panel's knots, falls below zero."""
+"""Locate events inside a panel: event functions, known at the panel's knots, that fall below 0."""
 
 from array import array
 
-from chutecalc.core import floats, friction, gauss, slide
+from chutecalc.core import floats, friction, gauss, guide_surface
 
-CONTACT, CHOKE, DEEPER, SHALLOWER, FIRMER, LOOSER, END = range(7)
-"""What can happen; of two at once the first counts."""
+CONTACT_LOSS, CHOKE, FACET_UP, FACET_DOWN, PIECE_UP, PIECE_DOWN, SEGMENT_END = range(7)
+"""Events; where two occur at once the first counts."""
 
-LEVEL = 1e-13
-"""A margin within this of 0 is at its event: rounding in it is a few 1e-16."""
-ASIDE = 1e-3
-"""Of a panel: over which a margin's slope and bend are taken near its lowest place."""
+EVENT_TOLERANCE = 1e-13
+"""An event function within this of 0 is at its event; its rounding is a few 1e-16."""
+DIFFERENCE_STEP = 1e-3
+"""Share of a panel over which an event function is differenced near its minimum."""
 
 
-def margin(way: "slide.Slide", facet: int, piece: int, event: int, place: float, y: float, limit: float) -> float:
-    """How far an event is, 0 at it and else of order 1, at a place c and a v² there."""
-    if event == END:
-        return limit - place
-    if event == CONTACT:
-        return slide.normal(way, place, y) / way.gravity
+def event_function(
+    guide: "guide_surface.Guide", facet: int, piece: int, event: int, share: float, y: float, next_breakpoint: float
+) -> float:
+    """Return the value of an event function at a share and a y: 0 at the event, else of order 1."""
+    if event == SEGMENT_END:
+        return next_breakpoint - share
+    if event == CONTACT_LOSS:
+        return guide_surface.normal_acceleration(guide, share, y) / guide.gravity
     if event == CHOKE:
-        return closeness(floats.root(y) * slide.choke_area(way, place), way.flow)
-    if event == DEEPER:
-        if facet + 1 >= way.facets.count:
+        return relative_excess(floats.root(y) * guide_surface.choke_area(guide, share), guide.flow)
+    if event == FACET_UP:
+        if facet + 1 >= guide.facets.count:
             return 1.0
-        slide.draw(way, place)
-        return closeness(floats.root(y) * way.facets.area[facet + 1], way.flow)
-    if event == SHALLOWER:
-        slide.draw(way, place)
-        return 1.0 - floats.root(y) * way.facets.area[facet] / way.flow
-    stress = friction.stress(way, facet, place, y)
-    press, pull = max(stress, 0.0), min(stress, 0.0)  # pull: beyond a loss of contact
-    if event == FIRMER:
-        if piece + 1 >= way.pieces:
+        guide_surface.set_section(guide, share)
+        return relative_excess(floats.root(y) * guide.facets.area[facet + 1], guide.flow)
+    if event == FACET_DOWN:
+        guide_surface.set_section(guide, share)
+        return 1.0 - floats.root(y) * guide.facets.area[facet] / guide.flow
+    stress = friction.wall_stress(guide, facet, share, y)
+    compression, tension = max(stress, 0.0), min(stress, 0.0)  # tension: beyond a loss of contact
+    if event == PIECE_UP:
+        if piece + 1 >= guide.pieces:
             return 1.0
-        return balance(way.starts[piece + 1], press) - floats.quotient(2.0 * pull, way.starts[piece + 1])
-    least = way.starts[piece]
-    return balance(press, least) + 2.0 * pull / least if least > 0.0 else 1.0
+        return relative_difference(guide.starts[piece + 1], compression) - floats.quotient(
+            2.0 * tension, guide.starts[piece + 1]
+        )
+    least = guide.starts[piece]
+    return relative_difference(compression, least) + 2.0 * tension / least if least > 0.0 else 1.0
 
 
-def balance(more: float, less: float) -> float:
-    """(more - less)/(more + less), with its limits where one of the two is infinite."""
+def relative_difference(more: float, less: float) -> float:
+    """Return (more - less)/(more + less), with its limits where one of the two is infinite."""
     if more == floats.INFINITY:
         return 1.0
     return -1.0 if less == floats.INFINITY else floats.quotient(more - less, more + less)
 
 
-def closeness(value: float, limit: float) -> float:
-    """Value over limit less 1; 1 where there is no limit to come near."""
+def relative_excess(value: float, limit: float) -> float:
+    """Return value over limit less 1; 1 where the value is infinite."""
     return value / limit - 1.0 if value < floats.INFINITY else 1.0
 
 
-def first_crossing(rule: "gauss.Rule", margins: "array[float]") -> float:
-    """The place in (0, 1) where margins first fall below zero, or should be cut to see whether they do.
+def first_crossing(rule: "gauss.Rule", event_values: "array[float]") -> float:
+    """Return the first point in (0, 1) where event values fall below 0, or where to cut to find out whether they do.
 
-    Infinite where they stay positive; 0 where they start at zero and go below at once. Margins that dip towards zero
-    between two knots give the bottom of the dip: cut there, the two parts are monotone and nothing hides between knots.
+    Infinite where they stay positive; 0 where they start at 0 and fall at once. Values that dip towards 0 between two
+    knots give the bottom of the dip: cut there, both parts are monotone and no root hides between knots.
     """
     for k in range(1, rule.last + 1):
-        if margins[k] < -LEVEL:
-            if k == 1 and margins[0] <= LEVEL:
+        if event_values[k] < -EVENT_TOLERANCE:
+            if k == 1 and event_values[0] <= EVENT_TOLERANCE:
                 return 0.0
-            return gauss.solve(rule, margins, 0, 0.0, rule.knots[k - 1], rule.knots[k])
-    return dip(rule, margins)
+            return gauss.find_value(rule, event_values, 0, 0.0, rule.knots[k - 1], rule.knots[k])
+    return near_minimum(rule, event_values)
 
 
-def dip(rule: "gauss.Rule", margins: "array[float]") -> float:
-    """The bottom of an inner minimum near zero: of the parabola through the lowest knot and its neighbours, refined."""
+def near_minimum(rule: "gauss.Rule", event_values: "array[float]") -> float:
+    """Return the bottom of an inner minimum near 0, refined from the parabola through the lowest three knots."""
     low = 1
     for k in range(2, rule.last):
-        if margins[k] < margins[low]:
+        if event_values[k] < event_values[low]:
             low = k
-    left = (margins[low] - margins[low - 1]) / (rule.knots[low] - rule.knots[low - 1])
-    right = (margins[low + 1] - margins[low]) / (rule.knots[low + 1] - rule.knots[low])
+    left = (event_values[low] - event_values[low - 1]) / (rule.knots[low] - rule.knots[low - 1])
+    right = (event_values[low + 1] - event_values[low]) / (rule.knots[low + 1] - rule.knots[low])
     if not (left < 0.0 and right > 0.0):
         return floats.INFINITY
     start, end = rule.knots[low - 1], rule.knots[low + 1]
     bend = (right - left) / (end - start)
     vertex = 0.5 * (start + rule.knots[low]) - 0.5 * left / bend
-    bottom = margins[low] - bend * (rule.knots[low] - vertex) * (rule.knots[low] - vertex)
-    near = bottom < 0.2 * (max(margins[low - 1], margins[low + 1]) - margins[low])
+    bottom = event_values[low] - bend * (rule.knots[low] - vertex) * (rule.knots[low] - vertex)
+    near = bottom < 0.2 * (max(event_values[low - 1], event_values[low + 1]) - event_values[low])
     if not near or vertex <= rule.knots[1] or vertex >= rule.knots[rule.last - 1]:
         return floats.INFINITY
     for _ in range(3):  # Newton's method with differences
-        before = gauss.evaluate(rule, margins, 0, vertex - ASIDE)
-        here = gauss.evaluate(rule, margins, 0, vertex)
-        after = gauss.evaluate(rule, margins, 0, vertex + ASIDE)
+        before = gauss.evaluate(rule, event_values, 0, vertex - DIFFERENCE_STEP)
+        here = gauss.evaluate(rule, event_values, 0, vertex)
+        after = gauss.evaluate(rule, event_values, 0, vertex + DIFFERENCE_STEP)
         bend = after - 2.0 * here + before
         if bend > 0.0:
-            vertex = min(max(vertex + 0.5 * ASIDE * (before - after) / bend, start), end)
+            vertex = min(max(vertex + 0.5 * DIFFERENCE_STEP * (before - after) / bend, start), end)
     return vertex

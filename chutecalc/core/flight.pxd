@@ -1,7 +1,7 @@
 from libc cimport math
 from chutecalc.core cimport floats, records
 
-cdef double LEVEL_AHEAD
+cdef double LEAST_COSINE
 
 cdef void launch(records.Flight flight, records.Point point, double gravity) noexcept nogil
 cdef double velocity_at(records.Flight flight, double time) noexcept nogil
@@ -11,6 +11,6 @@ cdef double z_at(records.Flight flight, double time) noexcept nogil
 cpdef double time_to_drop(records.Flight flight, double drop) noexcept nogil
 cdef double time_to_run(records.Flight flight, double run) noexcept nogil
 cdef double path_length(records.Flight flight, double time) noexcept nogil
-cdef void spread_error(records.Flight flight, records.Point point, double time) noexcept nogil
-cdef void error_later(records.Flight flight, double later, records.Point point) noexcept nogil
-cdef double share(double over, double under) noexcept nogil
+cdef void propagate_error(records.Flight flight, records.Point point, double time) noexcept nogil
+cdef void shift_error(records.Flight flight, double later, records.Point point) noexcept nogil
+cdef double safe_quotient(double over, double under) noexcept nogil

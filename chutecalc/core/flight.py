@@ -1,46 +1,46 @@
-"""Free flight without drag, and what a small error of the stream that begins it becomes: first order, exact."""
+"""Compute free flight without drag, and to first order what a small error at its start becomes."""
 
 import math
 
 from chutecalc.core import floats, records
 
-LEVEL_AHEAD = 1e-15
-"""What is vertical has no forward velocity, though π/2 in doubles has a cosine of 6e-17."""
+LEAST_COSINE = 1e-15
+"""A vertical stream has no forward velocity, although π/2 in doubles has a cosine of 6e-17."""
 
 
 def launch(flight: "records.Flight", point: "records.Point", gravity: float) -> None:
-    """The flight of a stream that leaves a point along its slope."""
+    """Set the flight of a stream that leaves a point along its slope."""
     ahead = math.cos(point.slope)
     flight.x, flight.z, flight.gravity = point.x, point.z, gravity
-    flight.forward = point.velocity * ahead if ahead > LEVEL_AHEAD else 0.0
+    flight.forward = point.velocity * ahead if ahead > LEAST_COSINE else 0.0
     flight.downward = point.velocity * math.sin(point.slope)
 
 
 def velocity_at(flight: "records.Flight", time: float) -> float:
-    """M/s."""
+    """Return the velocity at a time, m/s."""
     down = flight.downward + flight.gravity * time
     return floats.root(flight.forward * flight.forward + down * down)
 
 
 def slope_at(flight: "records.Flight", time: float) -> float:
-    """Rad below horizontal. A stream at rest points straight down."""
+    """Return the slope at a time, rad below horizontal; a stream at rest points straight down."""
     if not velocity_at(flight, time) > 0.0:
         return 0.5 * math.pi
     return math.atan2(flight.downward + flight.gravity * time, flight.forward)
 
 
 def x_at(flight: "records.Flight", time: float) -> float:
-    """M."""
+    """Return x at a time, m."""
     return flight.x + flight.forward * time
 
 
 def z_at(flight: "records.Flight", time: float) -> float:
-    """M."""
+    """Return z at a time, m."""
     return flight.z - (flight.downward + 0.5 * flight.gravity * time) * time
 
 
 def time_to_drop(flight: "records.Flight", drop: float) -> float:
-    """Time until the stream is a height h below its start, for the last time; not a number where it never is.
+    """Return the last time at which the stream is a height h below its start, s; NaN where it never is.
 
     t = (-w + √(w² + 2 g h))/g with w downward, in the form that does not cancel.
     """
@@ -52,15 +52,15 @@ def time_to_drop(flight: "records.Flight", drop: float) -> float:
 
 
 def time_to_run(flight: "records.Flight", run: float) -> float:
-    """Time until the stream is a horizontal distance, m, from its start; not a number where it never is."""
+    """Return the time at which the stream is a horizontal distance from its start, s; NaN where it never is."""
     return run / flight.forward if flight.forward > 0.0 and run >= 0.0 else floats.NAN
 
 
 def path_length(flight: "records.Flight", time: float) -> float:
-    """Length of the parabola flown in a time.
+    """Return the length of the parabola flown in a time, m.
 
-    s = [u w + c² asinh(u/c)]/(2 g) between the ends, with u downward, c forward and w = √(c² + u²); the differences are
-    written as products where the stream only falls, so that short flights keep their digits.
+    s = [u w + c² asinh(u/c)]/(2 g) between the ends, with u downward, c forward and w = √(c² + u²); where the stream
+    only falls, the differences are written as products so that short flights keep their digits.
     """
     if time != time:
         return floats.NAN
@@ -78,29 +78,29 @@ def path_length(flight: "records.Flight", time: float) -> float:
     return (product + c * c * bend) / (2.0 * g)
 
 
-def spread_error(flight: "records.Flight", point: "records.Point", time: float) -> None:
-    """How the flight differs at a time, from the errors of the stream at the point where it began."""
+def propagate_error(flight: "records.Flight", point: "records.Point", time: float) -> None:
+    """Write the errors of the flight at a time, from those of the stream where it began."""
     slope = slope_at(flight, 0.0)
     faster = point.error * velocity_at(flight, 0.0)
-    flight.off_forward = faster * math.cos(slope) - flight.downward * point.slope_error
-    flight.off_downward = faster * math.sin(slope) + flight.forward * point.slope_error
-    flight.off_x = point.x_error + flight.off_forward * time
-    flight.off_z = point.z_error - flight.off_downward * time
-    flight.down = flight.downward + flight.gravity * time
+    flight.forward_error = faster * math.cos(slope) - flight.downward * point.slope_error
+    flight.downward_error = faster * math.sin(slope) + flight.forward * point.slope_error
+    flight.x_error = point.x_error + flight.forward_error * time
+    flight.z_error = point.z_error - flight.downward_error * time
+    flight.downward_now = flight.downward + flight.gravity * time
 
 
-def error_later(flight: "records.Flight", later: float, point: "records.Point") -> None:
-    """The errors of the stream at a time that is later by a first-order amount, s, go to a point."""
-    fall = flight.off_downward + flight.gravity * later
-    square = flight.forward * flight.forward + flight.down * flight.down
+def shift_error(flight: "records.Flight", later: float, point: "records.Point") -> None:
+    """Write the errors of the stream at a time later by a first-order amount, s, to a point."""
+    fall = flight.downward_error + flight.gravity * later
+    square = flight.forward * flight.forward + flight.downward_now * flight.downward_now
     if not square > 0.0:
         square = floats.INFINITY
-    point.error = (flight.forward * flight.off_forward + flight.down * fall) / square
-    point.x_error = flight.off_x + flight.forward * later
-    point.z_error = flight.off_z - flight.down * later
-    point.slope_error = (flight.forward * fall - flight.down * flight.off_forward) / square
+    point.error = (flight.forward * flight.forward_error + flight.downward_now * fall) / square
+    point.x_error = flight.x_error + flight.forward * later
+    point.z_error = flight.z_error - flight.downward_now * later
+    point.slope_error = (flight.forward * fall - flight.downward_now * flight.forward_error) / square
 
 
-def share(over: float, under: float) -> float:
-    """0 where there is nothing to divide, also by nothing."""
+def safe_quotient(over: float, under: float) -> float:
+    """Return the quotient; 0 where the numerator is 0, whatever the denominator."""
     return 0.0 if over == 0.0 else floats.quotient(over, under)

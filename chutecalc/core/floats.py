@@ -1,4 +1,4 @@
-"""C's arithmetic, in which nothing raises: what has no value is not a number. ``floats.pxd`` is the compiled form."""
+"""C arithmetic, in which nothing raises: undefined results are NaN. ``floats.pxd`` is the compiled form."""
 
 import math
 from array import array
@@ -7,7 +7,7 @@ NAN, INFINITY = float("nan"), float("inf")
 
 
 def quotient(over: float, under: float) -> float:
-    """Over through under; infinite or not a number where that is 0."""
+    """Return over divided by under; infinite or NaN where that is 0."""
     if under != 0.0:
         return over / under
     if over > 0.0:
@@ -16,20 +16,20 @@ def quotient(over: float, under: float) -> float:
 
 
 def root(x: float) -> float:
-    """Square root; not a number below 0."""
+    """Return the square root; NaN below 0."""
     return math.sqrt(x) if x >= 0.0 else NAN
 
 
 def power(x: float) -> float:
-    """e^x; infinite where that overflows."""
+    """Return e^x; infinite where it overflows."""
     return math.exp(x) if x < 709.0 else (INFINITY if x >= 709.0 else NAN)
 
 
 def numbers(values: list[float]) -> "array[float]":
-    """Room that holds these."""
+    """Return an array that holds these values."""
     return array("d", values)
 
 
 def zeros(count: int) -> "array[float]":
-    """Room for so many numbers."""
+    """Return an array of zeros."""
     return array("d", bytes(8 * count))

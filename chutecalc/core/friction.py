@@ -1,85 +1,93 @@
-"""The friction law, what walls bear of streams of some flow areas, and the equation of motion that it makes.
+"""Evaluate the friction law, the loads that it reads, and the right-hand side of the equation of motion.
 
-Along a segment the independent variable is the place c, 0 at its drawn start and 1 at its drawn end, and the unknown
-y = v². Near rest that form is singular, so there r = √v is the independent variable and c the unknown.
+Along a segment the independent variable is the share c, 0 at its drawn start and 1 at its drawn end, and the unknown is
+y = v². Near rest this form is singular, so there r = √v is the independent variable and c the unknown.
 
-Several streams go through it at once: those at the nodes of a panel, on one facet of a section and one piece of the
-wall's yield locus. They stand in the section's :class:`chutecalc.core.section.Loads`.
+Several streams are evaluated at once: those at the nodes of a panel, on one facet of a section and one piece of the
+wall's yield locus. They are held in the section's :class:`chutecalc.core.section.Loads`.
 """
 
 import math
 
-from chutecalc.core import floats, section, slide
+from chutecalc.core import floats, guide_surface, section
 
-BEYOND = 1e6
-"""Segments' lengths: places further off are none."""
+FARTHEST_SHARE = 1e6
+"""Shares beyond this are not evaluated."""
 TAPER_STEP = 1e-6
-"""Of the segment's length: over which a taper's own change is taken, for Newton's derivative alone."""
+"""Share over which a taper's change is differenced; it enters Newton's derivative only."""
 
 
-def loads(facets: "section.Facets", k: int, at: "section.Loads", first: int, last: int) -> None:
-    """The hydrostatic χ and the missing m of flow areas, each with half its logarithmic growth with the area.
+def hydrostatic_loads(facets: "section.Facets", k: int, at: "section.Loads", first: int, last: int) -> None:
+    """Write the hydrostatic χ and missing load m of flow areas, and half the logarithmic derivatives by the area.
 
-    On a facet that begins at the area A_k under the width B_k, with its wetted length C: χ A and m A are there what
-    they are at its foot, and grow by C sin β (rise + own C), with C = 2 (A - A_k)/(sin β (B + B_k)) and B the width of
-    the free surface. The innermost stands on none: all that is 0.
+    On a facet that begins at the area A_k below the width B_k, with wetted length C, χ A and m A are what they are at
+    its foot plus C sin β (rise + own C), where C = 2 (A - A_k)/(sin β (B + B_k)) and B is the width of the free
+    surface. At the innermost facet's foot all of this is 0.
     """
     if facets.circle and k == 0:
         for j in range(first, last):
-            _, excess, growth, missing, missing_growth = section.arc(facets, at.area[j])
-            at.excess[j], at.growth[j] = excess, 0.5 * growth
+            _, excess, excess_growth, missing, missing_growth = section.arc(facets, at.area[j])
+            at.excess[j], at.excess_growth[j] = excess, 0.5 * excess_growth
             at.missing[j], at.missing_growth[j] = missing, 0.5 * missing_growth
         return
-    foot, wide, sine = facets.area[k], facets.width[k], facets.sine[k]
-    twice, spread, apex = facets.twice[k], facets.spread[k], facets.apex[k]
-    own, own_lack = facets.bend_excess[k], facets.bend_shortfall[k]
+    foot, foot_width, sine = facets.area[k], facets.width[k], facets.sine[k]
+    two_over_sine, four_cot, apex_width_squared = (
+        facets.two_over_sine[k],
+        facets.four_cot[k],
+        facets.apex_width_squared[k],
+    )
+    own_excess, own_shortfall = facets.sine_own_excess[k], facets.sine_own_shortfall[k]
     below, rise = facets.excess[k], facets.excess_rise[k]
-    lack, lack_rise = facets.shortfall[k], facets.shortfall_rise[k]
-    per_width = 2.0 / wide if wide > 0.0 else 1.0
+    shortfall, shortfall_rise = facets.shortfall[k], facets.shortfall_rise[k]
+    per_width = 2.0 / foot_width if foot_width > 0.0 else 1.0
     for j in range(first, last):
         area = at.area[j]
-        width = floats.root(spread * area + apex)
-        climb = floats.quotient(twice, width + wide)
-        narrow = floats.quotient(0.5 * wide, width)
-        wetted = climb * (area - foot)
-        square = climb * wetted
-        thin = floats.quotient(1.0, area)
-        hollow = foot * thin
-        share, stands = square * own, (below + sine * rise * wetted) * thin
-        at.excess[j] = share * (1.0 - hollow) + stands
-        at.growth[j] = share * narrow + 0.5 * (share * hollow + (narrow * rise * per_width - stands))
-        share, stands = square * own_lack, (lack + sine * lack_rise * wetted) * thin
-        at.missing[j] = share * (1.0 - hollow) + stands
-        at.missing_growth[j] = share * narrow + 0.5 * (share * hollow + (narrow * lack_rise * per_width - stands))
+        width = floats.root(four_cot * area + apex_width_squared)
+        wetted_per_area = floats.quotient(two_over_sine, width + foot_width)
+        width_ratio = floats.quotient(0.5 * foot_width, width)
+        wetted = wetted_per_area * (area - foot)
+        square = wetted_per_area * wetted
+        per_area = floats.quotient(1.0, area)
+        foot_ratio = foot * per_area
+        own_part, foot_part = square * own_excess, (below + sine * rise * wetted) * per_area
+        at.excess[j] = own_part * (1.0 - foot_ratio) + foot_part
+        at.excess_growth[j] = own_part * width_ratio + 0.5 * (
+            own_part * foot_ratio + (width_ratio * rise * per_width - foot_part)
+        )
+        own_part, foot_part = square * own_shortfall, (shortfall + sine * shortfall_rise * wetted) * per_area
+        at.missing[j] = own_part * (1.0 - foot_ratio) + foot_part
+        at.missing_growth[j] = own_part * width_ratio + 0.5 * (
+            own_part * foot_ratio + (width_ratio * shortfall_rise * per_width - foot_part)
+        )
 
 
-def loads_at(facets: "section.Facets", k: int, area: float) -> None:
-    """The same of one flow area, which then stands first."""
+def hydrostatic_loads_at(facets: "section.Facets", k: int, area: float) -> None:
+    """Write the hydrostatic loads of one flow area, as the first entry."""
     facets.loads.area[0] = area
-    loads(facets, k, facets.loads, 0, 1)
+    hydrostatic_loads(facets, k, facets.loads, 0, 1)
 
 
-def law(equilibrium: bool, at: "section.Loads", first: int, last: int) -> None:
-    """Makes χ, and its growth, those of the friction law."""
+def apply_friction_law(equilibrium: bool, at: "section.Loads", first: int, last: int) -> None:
+    """Replace the hydrostatic χ and its derivative by those of the friction law."""
     if equilibrium:
         for j in range(first, last):
             carried = 1.0 - at.missing[j]
             at.excess[j] = floats.quotient(at.excess[j], carried)
-            at.growth[j] = floats.quotient(at.growth[j] + at.excess[j] * at.missing_growth[j], carried)
+            at.excess_growth[j] = floats.quotient(at.excess_growth[j] + at.excess[j] * at.missing_growth[j], carried)
 
 
-def law_and_factor(way: "slide.Slide", facet: int, area: float) -> tuple[float, float]:
-    """χ of the friction law, and by how much that raises the hydrostatic pressures of all walls, f."""
-    loads_at(way.facets, facet, area)
-    return raised(way.equilibrium, way.facets.loads)
+def friction_law_at(guide: "guide_surface.Guide", facet: int, area: float) -> tuple[float, float]:
+    """Return χ of the friction law, and the factor f by which it raises the hydrostatic pressures of all walls."""
+    hydrostatic_loads_at(guide.facets, facet, area)
+    return friction_law(guide.equilibrium, guide.facets.loads)
 
 
-def raised(equilibrium: bool, at: "section.Loads") -> tuple[float, float]:
-    """The same of the flow area whose hydrostatic loads stand first, and stay there.
+def friction_law(equilibrium: bool, at: "section.Loads") -> tuple[float, float]:
+    """Return χ and f of the first entry, whose hydrostatic loads stay as they are.
 
-    Hydrostatic normal forces add up to (1 + χ - m) N where N = ρ n A is the weight, and the law's friction takes
-    (1 + χ) N of them. One factor for all walls closes the books: f = (1 + χ)/(1 + χ - m) with the paper's law, and
-    1/(1 - m) with the equilibrium law, whose χ is already divided by 1 - m.
+    Hydrostatic normal forces add up to (1 + χ - m) N, where N = ρ n A is the weight, and the law's friction takes (1 +
+    χ) N of them. One factor for all walls balances the two: f = (1 + χ)/(1 + χ - m) with the paper's law, and 1/(1 - m)
+    with the equilibrium law, whose χ is already divided by 1 - m.
     """
     excess, missing = at.excess[0], at.missing[0]
     if equilibrium:
@@ -87,92 +95,99 @@ def raised(equilibrium: bool, at: "section.Loads") -> tuple[float, float]:
     return excess, floats.quotient(1.0 + excess, 1.0 + excess - missing)
 
 
-def stress(way: "slide.Slide", facet: int, place: float, y: float) -> float:
-    """Pressure on the centre section that decides the wall friction, f ρ n H, Pa."""
+def wall_stress(guide: "guide_surface.Guide", facet: int, share: float, y: float) -> float:
+    """Return the pressure on the centre section at which wall friction is read, f ρ n H, Pa; infinite at rest."""
     if y <= 0.0:
         return floats.INFINITY
-    slide.draw(way, place)
-    area = slide.flow_area(way, y)
-    _, factor = law_and_factor(way, facet, area)
-    depth, _ = section.depth_and_width(way.facets, facet, area)
-    return way.density * slide.normal(way, place, y) * factor * depth
+    guide_surface.set_section(guide, share)
+    area = guide_surface.flow_area(guide, y)
+    _, factor = friction_law_at(guide, facet, area)
+    depth, _ = section.depth_and_width(guide.facets, facet, area)
+    return guide.density * guide_surface.normal_acceleration(guide, share, y) * factor * depth
 
 
-def resist(way: "slide.Slide", facet: int, piece: int, first: int, last: int) -> None:
-    """χ of the friction law and what adhesion adds, of the flow areas that stand there."""
-    loads(way.facets, facet, way.facets.loads, first, last)
-    stick(way, facet, piece, way.facets.loads, first, last)
-    law(way.equilibrium, way.facets.loads, first, last)
+def set_resistance(guide: "guide_surface.Guide", facet: int, piece: int, first: int, last: int) -> None:
+    """Write χ of the friction law and the adhesion of the flow areas in the section's loads."""
+    hydrostatic_loads(guide.facets, facet, guide.facets.loads, first, last)
+    set_adhesion(guide, facet, piece, guide.facets.loads, first, last)
+    apply_friction_law(guide.equilibrium, guide.facets.loads, first, last)
 
 
-def stick(way: "slide.Slide", facet: int, piece: int, at: "section.Loads", first: int, last: int) -> None:
-    """What adhesion adds to friction, over g, and half of its fall and of its rise with the logarithm of the area.
+def set_adhesion(
+    guide: "guide_surface.Guide", facet: int, piece: int, at: "section.Loads", first: int, last: int
+) -> None:
+    """Write what adhesion adds to friction, over g, and half of its fall and rise with the logarithm of the area.
 
     As friction is (slope + τ(0)/σ)(1 + χ) n with σ = f ρ n H, adhesion holds the stream by (1 + χ)/f τ(0)/(ρ H), where
     (1 + χ)/f = 1 + χ - m, hydrostatic, is what the walls bear.
     """
-    if not way.sticky:
+    if not guide.adhesive:
         for j in range(first, last):
-            at.stuck[j] = at.fall[j] = at.climb[j] = 0.0
+            at.adhesion[j] = at.adhesion_fall[j] = at.adhesion_rise[j] = 0.0
         return
     for j in range(first, last):
-        depth, width = section.depth_and_width(way.facets, facet, at.area[j])
-        stuck = floats.quotient(way.intercepts[piece], way.density * way.gravity * depth)
-        at.stuck[j] = stuck * (1.0 + at.excess[j] - at.missing[j])
-        at.fall[j] = floats.quotient(0.5 * at.stuck[j] * at.area[j], width * depth)
-        at.climb[j] = (at.growth[j] - at.missing_growth[j]) * stuck
+        depth, width = section.depth_and_width(guide.facets, facet, at.area[j])
+        adhesion = floats.quotient(guide.intercepts[piece], guide.density * guide.gravity * depth)
+        at.adhesion[j] = adhesion * (1.0 + at.excess[j] - at.missing[j])
+        at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
+        at.adhesion_rise[j] = (at.excess_growth[j] - at.missing_growth[j]) * adhesion
 
 
-def pull(way: "slide.Slide", piece: int, place: float, y: float, number: int) -> tuple[float, float]:
-    """dy/dc of the stream of that number at a place, and its derivative to c where the section stays the same."""
-    if not (place > -BEYOND and place < BEYOND):  # an iterate that leads nowhere
+def rhs_at_node(guide: "guide_surface.Guide", piece: int, share: float, y: float, number: int) -> tuple[float, float]:
+    """Return dy/dc of an entry of the loads at a share, and its derivative by c for a constant section."""
+    if not (share > -FARTHEST_SHARE and share < FARTHEST_SHARE):  # a diverged iterate
         return floats.NAN, floats.NAN
-    slope = way.entry_slope + way.turn * place
-    resistance = way.slopes[piece] * (1.0 + way.facets.loads.excess[number])  # μ_e
+    slope = guide.entry_slope + guide.turn * share
+    resistance = guide.slopes[piece] * (1.0 + guide.facets.loads.excess[number])  # μ_e
     sine, cosine = math.sin(slope), math.cos(slope)
-    doubled = 2.0 * way.length * way.gravity
-    press = way.side * cosine + way.bend / way.gravity * y
-    change = doubled * (sine - resistance * press - way.facets.loads.stuck[number])
-    return change, doubled * way.turn * (cosine + resistance * way.side * sine)
+    scale = 2.0 * guide.length * guide.gravity
+    normal_share = guide.side * cosine + guide.signed_curvature / guide.gravity * y
+    change = scale * (sine - resistance * normal_share - guide.facets.loads.adhesion[number])
+    return change, scale * guide.turn * (cosine + resistance * guide.side * sine)
 
 
-def pull_there(way: "slide.Slide", facet: int, piece: int, place: float, y: float) -> tuple[float, float]:
-    """The same of a stream of that y."""
-    slide.draw(way, place)
-    way.facets.loads.area[0] = slide.flow_area(way, y)
-    resist(way, facet, piece, 0, 1)
-    return pull(way, piece, place, y, 0)
+def rhs(guide: "guide_surface.Guide", facet: int, piece: int, share: float, y: float) -> tuple[float, float]:
+    """Return dy/dc at a share and a y, and its derivative by c for a constant section."""
+    guide_surface.set_section(guide, share)
+    guide.facets.loads.area[0] = guide_surface.flow_area(guide, y)
+    set_resistance(guide, facet, piece, 0, 1)
+    return rhs_at_node(guide, piece, share, y, 0)
 
 
-def pull_and_growth(way: "slide.Slide", facet: int, piece: int, place: float, y: float) -> tuple[float, float]:
-    """dy/dc there, and its derivative to y."""
-    change, _ = pull_there(way, facet, piece, place, y)
-    drag, pressed = 1.0 + way.facets.loads.excess[0], slide.normal(way, place, y) / way.gravity
-    bending = way.slopes[piece] * way.facets.loads.growth[0] * pressed
-    bending += way.facets.loads.climb[0] - way.facets.loads.fall[0]
-    loosened = way.slopes[piece] * drag * way.bend / way.gravity
-    return change, 2.0 * way.length * way.gravity * (floats.quotient(bending, y) - loosened)
+def rhs_and_jacobian(
+    guide: "guide_surface.Guide", facet: int, piece: int, share: float, y: float
+) -> tuple[float, float]:
+    """Return dy/dc at a share and a y, and its derivative by y."""
+    change, _ = rhs(guide, facet, piece, share, y)
+    drag, pressed = (
+        1.0 + guide.facets.loads.excess[0],
+        guide_surface.normal_acceleration(guide, share, y) / guide.gravity,
+    )
+    load_change = guide.slopes[piece] * guide.facets.loads.excess_growth[0] * pressed
+    load_change += guide.facets.loads.adhesion_rise[0] - guide.facets.loads.adhesion_fall[0]
+    centrifugal = guide.slopes[piece] * drag * guide.signed_curvature / guide.gravity
+    return change, 2.0 * guide.length * guide.gravity * (floats.quotient(load_change, y) - centrifugal)
 
 
-def pull_at(way: "slide.Slide", place: float, y: float) -> float:
-    """Dy/dc at a place, whatever the facet and the piece there."""
-    slide.draw(way, place)
-    facet, piece = section.facet_of(way.facets, slide.flow_area(way, y)), 0
-    if way.pieces > 1:
-        piece = slide.piece_of(way, stress(way, facet, place, y))
-    change, _ = pull_there(way, facet, piece, place, y)
+def rhs_any_branch(guide: "guide_surface.Guide", share: float, y: float) -> float:
+    """Return dy/dc at a share and a y, on whatever facet and piece hold there."""
+    guide_surface.set_section(guide, share)
+    facet, piece = section.facet_of(guide.facets, guide_surface.flow_area(guide, y)), 0
+    if guide.pieces > 1:
+        piece = guide_surface.piece_of(guide, wall_stress(guide, facet, share, y))
+    change, _ = rhs(guide, facet, piece, share, y)
     return change
 
 
-def place_rate(
-    way: "slide.Slide", facet: int, piece: int, r: float, width: float, place: float
+def rhs_in_r(
+    guide: "guide_surface.Guide", facet: int, piece: int, r: float, width: float, share: float
 ) -> tuple[float, float, float]:
-    """Dc over a panel in r = √v of a width, its derivative to c, and dy/dc: dc/dr = 4 r³/(dy/dc)."""
+    """Return dc over a panel of a given width in r = √v, its derivative by c, and dy/dc: dc/dr = 4 r³/(dy/dc)."""
     y = r * r * r * r
-    change, growth = pull_there(way, facet, piece, place, y)
-    if way.taper:
-        ahead, _ = pull_there(way, facet, piece, place + TAPER_STEP, y)
-        behind, _ = pull_there(way, facet, piece, place - TAPER_STEP, y)
-        growth = (ahead - behind) / (2.0 * TAPER_STEP)
+    change, slope_in_share = rhs(guide, facet, piece, share, y)
+    if guide.taper:
+        ahead, _ = rhs(guide, facet, piece, share + TAPER_STEP, y)
+        behind, _ = rhs(guide, facet, piece, share - TAPER_STEP, y)
+        slope_in_share = (ahead - behind) / (2.0 * TAPER_STEP)
     rate = floats.quotient(4.0 * width * r * r * r, change)
-    return rate, floats.quotient(-rate * growth, change), change
+    return rate, floats.quotient(-rate * slope_in_share, change), change

@@ -1,4 +1,4 @@
-"""Gauss-Legendre rules on a panel (0, 1), as the compiled solver holds them, and polynomials through their knots.
+"""Gauss-Legendre rules on a panel (0, 1) for the compiled solver, and polynomials through their knots.
 
 The numbers come from :mod:`chutecalc.solver.collocation`.
 """
@@ -10,103 +10,103 @@ from chutecalc.core import floats, matrix
 
 
 class Rule:
-    """A rule of N nodes: knots are the panel's start, its nodes and its end."""
+    """A rule of N nodes; its knots are the panel's start, its nodes and its end."""
 
     def __init__(self, count: int, knots: list[float], weights: list[float], integral: list[list[float]]) -> None:
-        if count + 5 > matrix.MOST:
+        if count + 5 > matrix.ROOM:
             raise ValueError(f"there is no room for a rule of {count} nodes")
         self.count = count
         self.last = count + 1
-        """The number of the last knot."""
+        """Index of the last knot."""
         self.knots = array("d", knots)
         self.weights = array("d", weights)
-        """Barycentric, of the knots."""
+        """Barycentric weights of the knots."""
         self.integral = matrix.Matrix(integral)
-        """From values at the nodes to integrals up to each node and the end."""
+        """Matrix from values at the nodes to integrals up to each node and to the end."""
         half = [0, 1, *range(3, count // 2 + 1, 2)]
         chords = sorted({*half, *(count + 1 - number for number in half)})
         self.chords = len(chords)
         self.chord = array("i", chords)
-        """The knots between which chords are laid to see where a solution may end to be smooth: every second will do,
-        and at the ends, where layers hide, each."""
+        """Knots between which chords show where a solution ceases to be smooth: every second one, and all at the ends,
+        where layers hide."""
 
 
-class Pair:
-    """Two rules, the coarser for the start and the error of the finer."""
+class RulePair:
+    """Two nested rules; the coarse one gives the first iterate and the error estimate of the fine one."""
 
     def __init__(self, coarse: Rule, fine: Rule, transfer: list[list[float]]) -> None:
         self.coarse, self.fine = coarse, fine
         self.transfer = matrix.Matrix(transfer)
-        """From values at the coarse knots to those at the fine nodes."""
+        """Matrix from values at the coarse knots to those at the fine nodes."""
 
 
 class Equation:
-    """A linear equation u' = forcing + rate u over a panel of width 1, at the nodes of a rule; and room to solve it."""
+    """A linear equation u' = forcing + jacobian u over a panel of width 1, at the nodes of a rule; and work arrays."""
 
     def __init__(self) -> None:
-        self.forcing, self.rate = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
-        self.rises, self.system = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST * matrix.MOST)
+        self.forcing, self.jacobian = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
+        self.derivative, self.system = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM * matrix.ROOM)
 
 
-class Curve:
+class Iterate:
     """A solution over a panel."""
 
     def __init__(self) -> None:
-        self.knots = floats.zeros(matrix.MOST)
-        """At the rule's start, nodes and end."""
-        self.growth = floats.zeros(matrix.MOST)
-        """What a small change at the start has become at nodes and end."""
+        self.solution = floats.zeros(matrix.ROOM)
+        """Values at the knots: the panel's start, nodes and end."""
+        self.sensitivity = floats.zeros(matrix.ROOM)
+        """Derivatives of the solution at nodes and end by its value at the start."""
 
 
-def integrate(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
-    """Solves an equation by its integrating factor, exp ∫ rate."""
-    matrix.multiply(rule.integral, equation.rate, curve.growth, 0)
+def integrate(rule: Rule, equation: Equation, start: float, curve: Iterate) -> None:
+    """Solve an equation by its integrating factor, exp ∫ jacobian."""
+    matrix.multiply(rule.integral, equation.jacobian, curve.sensitivity, 0)
     for i in range(rule.last):
-        curve.growth[i] = floats.power(curve.growth[i])
+        curve.sensitivity[i] = floats.power(curve.sensitivity[i])
     for j in range(rule.count):
-        equation.rises[j] = floats.quotient(equation.forcing[j], curve.growth[j])
-    matrix.multiply(rule.integral, equation.rises, curve.knots, 1)
-    curve.knots[0] = start
+        equation.derivative[j] = floats.quotient(equation.forcing[j], curve.sensitivity[j])
+    matrix.multiply(rule.integral, equation.derivative, curve.solution, 1)
+    curve.solution[0] = start
     for i in range(rule.last):
-        curve.knots[i + 1] = (curve.knots[i + 1] + start) * curve.growth[i]
+        curve.solution[i + 1] = (curve.solution[i + 1] + start) * curve.sensitivity[i]
 
 
-def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Curve) -> None:
-    """The same with the equation collocated: any step through a stream that clings to a balance, Gauss is A-stable."""
+def integrate_stiff(rule: Rule, equation: Equation, start: float, curve: Iterate) -> None:
+    """Solve a stiff equation by collocation as a dense system; Gauss rules are A-stable, so any step is stable."""
     nodes = rule.count
-    width = nodes + 2  # the matrix, with the rise wanted and with ones beside it
+    width = nodes + 2  # the matrix, and two right-hand sides: the residual and ones
     for i in range(nodes):
-        curve.knots[i + 1] = 0.0
-        equation.rises[i] = equation.forcing[i]
-    for _ in range(2):  # forcing and growth u nearly cancel: the second time regains the digits that this has cost
+        curve.solution[i + 1] = 0.0
+        equation.derivative[i] = equation.forcing[i]
+    for _ in range(2):  # forcing and jacobian u nearly cancel: the second pass regains the digits that this costs
         for i in range(nodes):
             rise = 0.0
             for j in range(nodes):
-                share = matrix.entry(rule.integral, i, j)
-                rise += share * equation.rises[j]
-                equation.system[i * width + j] = (1.0 if i == j else 0.0) - share * equation.rate[j]
-            equation.system[i * width + nodes] = rise + start - curve.knots[i + 1]
+                coefficient = matrix.entry(rule.integral, i, j)
+                rise += coefficient * equation.derivative[j]
+                equation.system[i * width + j] = (1.0 if i == j else 0.0) - coefficient * equation.jacobian[j]
+            equation.system[i * width + nodes] = rise + start - curve.solution[i + 1]
             equation.system[i * width + nodes + 1] = 1.0
         eliminate(equation.system, nodes)
         rise = start
         for j in range(nodes):
-            rise += matrix.entry(rule.integral, nodes, j) * equation.rises[j]
-        spread = 1.0
+            rise += matrix.entry(rule.integral, nodes, j) * equation.derivative[j]
+        end_sensitivity = 1.0
         for j in range(nodes):
-            update, one = equation.system[j * width + nodes], equation.system[j * width + nodes + 1]
-            curve.knots[j + 1] += update
-            equation.rises[j] = equation.forcing[j] + equation.rate[j] * curve.knots[j + 1]
-            share = matrix.entry(rule.integral, nodes, j) * equation.rate[j]
-            rise += share * update
-            spread += share * one
-            curve.growth[j] = one
-    curve.knots[0] = start
-    curve.knots[nodes + 1] = rise
-    curve.growth[nodes] = spread
+            update, unit_response = equation.system[j * width + nodes], equation.system[j * width + nodes + 1]
+            curve.solution[j + 1] += update
+            equation.derivative[j] = equation.forcing[j] + equation.jacobian[j] * curve.solution[j + 1]
+            coefficient = matrix.entry(rule.integral, nodes, j) * equation.jacobian[j]
+            rise += coefficient * update
+            end_sensitivity += coefficient * unit_response
+            curve.sensitivity[j] = unit_response
+    curve.solution[0] = start
+    curve.solution[nodes + 1] = rise
+    curve.sensitivity[nodes] = end_sensitivity
 
 
 def eliminate(system: "array[float]", nodes: int) -> None:
-    """Gauss-Jordan with partial pivoting, of a matrix of rows with two right-hand sides beside it."""
+    """Solve a system by Gauss-Jordan elimination with partial pivoting; each row has two right-hand sides."""
     width = nodes + 2
     for k in range(nodes):
         best = k
@@ -115,21 +115,21 @@ def eliminate(system: "array[float]", nodes: int) -> None:
                 best = i
         if best != k:
             for j in range(width):
-                kept = system[k * width + j]
+                swapped = system[k * width + j]
                 system[k * width + j] = system[best * width + j]
-                system[best * width + j] = kept
+                system[best * width + j] = swapped
         pivot = system[k * width + k]
         for j in range(k, width):
             system[k * width + j] = floats.quotient(system[k * width + j], pivot)
         for i in range(nodes):
-            share = system[i * width + k]
-            if i != k and share != 0.0:
+            factor = system[i * width + k]
+            if i != k and factor != 0.0:
                 for j in range(k, width):
-                    system[i * width + j] -= share * system[k * width + j]
+                    system[i * width + j] -= factor * system[k * width + j]
 
 
 def evaluate(rule: Rule, values: "array[float]", offset: int, at: float) -> float:
-    """The polynomial through values at the knots, which begin at an offset, at a place in the panel."""
+    """Return the polynomial through values at the knots, which begin at an offset, at a position in the panel."""
     top, bottom = 0.0, 0.0
     for k in range(rule.last + 1):
         gap = at - rule.knots[k]
@@ -141,10 +141,10 @@ def evaluate(rule: Rule, values: "array[float]", offset: int, at: float) -> floa
     return float(top / bottom)
 
 
-def solve(rule: Rule, values: "array[float]", offset: int, target: float, low: float, high: float) -> float:
-    """Where that polynomial has a value, between two places on either side of it, by the Illinois rule.
+def find_value(rule: Rule, values: "array[float]", offset: int, target: float, low: float, high: float) -> float:
+    """Return where that polynomial has a value, between two positions on either side of it, by the Illinois rule.
 
-    The lower place where it has that already there, or has passed it.
+    It is the lower position where the value is already reached or passed there.
     """
     sign = 1.0 if evaluate(rule, values, offset, high) >= target else -1.0
     f_low = sign * (evaluate(rule, values, offset, low) - target)
@@ -172,8 +172,8 @@ def solve(rule: Rule, values: "array[float]", offset: int, target: float, low: f
     return at
 
 
-def slope_at(rule: Rule, values: "array[float]", knot: int) -> float:
-    """Derivative of that polynomial at one of the knots, per panel width."""
+def derivative_at(rule: Rule, values: "array[float]", knot: int) -> float:
+    """Return the derivative of that polynomial at a knot, per panel width."""
     total = 0.0
     for k in range(rule.last + 1):
         if k != knot:

@@ -1,61 +1,68 @@
-"""What happens where a stream strikes a surface: what it keeps, how hard it presses, and what that wears."""
+"""Compute the impact of a stream on a surface: the velocity it keeps, its pressure and its wear."""
 
 import math
 
-from chutecalc.core import floats, friction, records, section, slide
+from chutecalc.core import floats, friction, guide_surface, records, section
 
 
-def strike(hit: "records.Impact", way: "slide.Slide", place: float, velocity: float, incidence: float) -> None:
-    """The impact of a stream on a segment.
+def compute_impact(
+    result: "records.Impact", guide: "guide_surface.Guide", share: float, velocity: float, incidence: float
+) -> None:
+    """Compute the impact of a stream on a segment.
 
-    The section has its depth and friction at the arriving velocity. The impact presses on the footprint beside what the
-    stream presses with as it runs, f ρ n H, and the friction of that is the segment's own: so the impulse has
-    (τ(σ + p) - τ(σ))/p. For a constant wall that is μ; with a yield locus a spoon made of many short straights tends to
-    the curve with nothing else. The normal part of the velocity is lost, and friction acts on its impulse: it leaves
-    v (cos i - μ_e sin i), nothing from tan i = 1/μ_e on. Friction works along v cos i before and what is left after, so
+    The section has its depth and friction at the arriving velocity. The impact presses on its footprint in addition to
+    the pressure of the running stream, f ρ n H, and causes the segment's own friction on what it adds: the impulse has
+    the coefficient (τ(σ + p) - τ(σ))/p. For a constant wall that is μ; with a yield locus a spoon made of many short
+    straights tends to the curve. The normal part of the velocity is lost, and friction acts on its impulse: v (cos i -
+    μ_e sin i) is left, nothing from tan i = 1/μ_e on. Friction works along v cos i before and what is left after, so
     slip is their mean; on all walls it takes ½ ṁ ((v cos i)² - after²).
 
     Args:
-        hit: what it does.
-        way: the segment and the flow.
-        place: where it is struck, as a share of its length.
-        velocity: arriving, m/s.
+        result: the record to write.
+        guide: the segment and the flow.
+        share: share of the length where it is struck.
+        velocity: arriving velocity, m/s.
         incidence: i, rad; 0 where the stream comes along the surface.
     """
-    hit.footprint = hit.pressure = hit.stress = hit.wall_friction = hit.friction = hit.wear = 0.0
-    hit.after = velocity
+    result.footprint = result.pressure = result.stress = result.wall_friction = result.friction = result.wear = 0.0
+    result.velocity_after = velocity
     if not incidence > 0.0:
         return
-    area = floats.quotient(way.flow, velocity)
-    slide.draw(way, place)
-    facet = section.facet_of(way.facets, area)
-    excess, factor = friction.law_and_factor(way, facet, area)
-    depth, _ = section.depth_and_width(way.facets, facet, area)
-    sine, along = math.sin(incidence), max(velocity * math.cos(incidence), 0.0)
-    hit.footprint = min(floats.quotient(depth, sine), way.length)
-    hit.pressure = floats.quotient(way.density * velocity * velocity * sine * depth, hit.footprint)
-    running = way.density * max(slide.normal(way, place, velocity * velocity), 0.0) * depth
-    hit.wall_friction = added_friction(way, factor * running, factor * hit.pressure)
-    hit.stress = factor * (running + hit.pressure)
-    hit.friction = hit.wall_friction * (1.0 + excess)
-    hit.after = velocity * max(math.cos(incidence) - hit.friction * sine, 0.0)
-    impulse = hit.friction * velocity * sine  # of which a stall takes no more than there is to stop
-    taken = min(floats.quotient(along, impulse), 1.0) if impulse > 0.0 else 0.0
-    hit.wear = hit.wall_friction * factor * hit.pressure * 0.5 * (along + hit.after) * taken
+    area = floats.quotient(guide.flow, velocity)
+    guide_surface.set_section(guide, share)
+    facet = section.facet_of(guide.facets, area)
+    excess, factor = friction.friction_law_at(guide, facet, area)
+    depth, _ = section.depth_and_width(guide.facets, facet, area)
+    sine, tangential_velocity = math.sin(incidence), max(velocity * math.cos(incidence), 0.0)
+    result.footprint = min(floats.quotient(depth, sine), guide.length)
+    result.pressure = floats.quotient(guide.density * velocity * velocity * sine * depth, result.footprint)
+    running_stress = (
+        guide.density * max(guide_surface.normal_acceleration(guide, share, velocity * velocity), 0.0) * depth
+    )
+    result.wall_friction = added_friction(guide, factor * running_stress, factor * result.pressure)
+    result.stress = factor * (running_stress + result.pressure)
+    result.friction = result.wall_friction * (1.0 + excess)
+    result.velocity_after = velocity * max(math.cos(incidence) - result.friction * sine, 0.0)
+    impulse = result.friction * velocity * sine  # of which a stall takes no more than there is to stop
+    taken = min(floats.quotient(tangential_velocity, impulse), 1.0) if impulse > 0.0 else 0.0
+    result.wear = (
+        result.wall_friction * factor * result.pressure * 0.5 * (tangential_velocity + result.velocity_after) * taken
+    )
 
 
-def added_friction(way: "slide.Slide", stress: float, added: float) -> float:
-    """Shear stress that a wall shows more for a normal stress added to another, over that: (τ(σ + p) - τ(σ))/p.
+def added_friction(guide: "guide_surface.Guide", stress: float, added: float) -> float:
+    """Return the shear stress that a normal stress adds to another, over that normal stress: (τ(σ + p) - τ(σ))/p.
 
-    As the mean of dτ/dσ over what is added, which does not cancel. μ for a constant wall; dτ/dσ where nothing is added.
+    It is the mean of dτ/dσ over what is added, which does not cancel: μ for a constant wall, dτ/dσ where nothing is
+    added.
     """
-    if way.pieces == 1:
-        return way.slopes[0]
+    if guide.pieces == 1:
+        return guide.slopes[0]
     width, total = 0.0, 0.0
-    for k in range(way.pieces):
-        top = way.starts[k + 1] if k + 1 < way.pieces else floats.INFINITY
-        overlap = min(stress + added, top) - max(stress, way.starts[k])
+    for k in range(guide.pieces):
+        top = guide.starts[k + 1] if k + 1 < guide.pieces else floats.INFINITY
+        overlap = min(stress + added, top) - max(stress, guide.starts[k])
         if overlap > 0.0:
             width += overlap
-            total += way.slopes[k] * overlap
-    return total / width if width > 0.0 else way.slopes[slide.piece_of(way, stress)]
+            total += guide.slopes[k] * overlap
+    return total / width if width > 0.0 else guide.slopes[guide_surface.piece_of(guide, stress)]

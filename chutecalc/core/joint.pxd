@@ -1,13 +1,13 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport flight, floats, friction, impact, records, slide, state, surface
+from chutecalc.core cimport flight, floats, friction, guide_surface, impact, records, state, surface
 
-cdef double TANGENT, NEARBY
+cdef double TANGENT, PERTURBATION
 
-cdef void arrive(records.Course course, records.Segment segment, slide.Slide way, int known) noexcept nogil
-cdef void lose(records.Course course, slide.Slide way) noexcept nogil
-cdef void nothing(records.Course course) noexcept nogil
-cdef double landed_error(records.Course course, records.Segment segment, slide.Slide way, double slope) noexcept nogil
-@cython.locals(hit=bint)
-cdef void strike_error(records.Course course, records.Segment segment, slide.Slide way) noexcept nogil
-cdef double entry_error(records.Course course, slide.Slide way) noexcept nogil
+cdef void meet_segment(records.ChuteState chute, records.Segment segment, guide_surface.Guide guide, int known_roots) noexcept nogil
+cdef void miss_segment(records.ChuteState chute, guide_surface.Guide guide) noexcept nogil
+cdef void clear_arrival(records.ChuteState chute) noexcept nogil
+cdef double landing_error(records.ChuteState chute, records.Segment segment, guide_surface.Guide guide, double slope) noexcept nogil
+@cython.locals(strikes=bint)
+cdef void impact_error(records.ChuteState chute, records.Segment segment, guide_surface.Guide guide) noexcept nogil
+cdef double entry_error(records.ChuteState chute, guide_surface.Guide guide) noexcept nogil

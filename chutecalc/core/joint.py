@@ -1,124 +1,143 @@
-"""How a stream gets onto a contact segment: along it, by an impact, or by a flight that lands further on.
+"""Bring a stream onto a contact segment: along it, by an impact, or by a flight that lands further on.
 
-Small errors of the stream go along, to first order: one that leaves an edge a little faster lands further on, at
-another slope, and may strike harder or less hard. On the surface they are one, of the velocity at a fixed place.
+Small errors of the stream are carried along to first order: a stream that leaves an edge a little faster lands further
+on, at another slope, and may strike harder or less hard. On the surface they become one error, that of the velocity at
+a fixed position.
 """
 
 import math
 
-from chutecalc.core import flight, floats, friction, impact, records, slide, state, surface
+from chutecalc.core import flight, floats, friction, guide_surface, impact, records, state, surface
 
-TANGENT = SAME = 1e-6 * math.pi / 180.0  # SAME as Python sees it
-"""Directions closer than this are one: the state passes on unchanged."""
-NEARBY = 1e-6
-"""How far off, relative, a stream is tried to see how an impact on it changes."""
+TANGENT = TANGENT_ANGLE = 1e-6 * math.pi / 180.0  # the second is for Python
+"""Directions closer than this are equal: the stream passes on unchanged."""
+PERTURBATION = 1e-6
+"""Relative perturbation by which an impact is differenced."""
 
 
-def arrive(course: "records.Course", segment: "records.Segment", way: "slide.Slide", known: int) -> None:
-    """Meets the segment: at its start, or where a flight comes down on it; ``arrival`` says how, ``impact`` what of it.
+def meet_segment(
+    chute: "records.ChuteState", segment: "records.Segment", guide: "guide_surface.Guide", known_roots: int
+) -> None:
+    """Find how the stream meets the segment, at its start or where a flight lands; write ``arrival`` and ``impact``.
 
-    The status is ``STALL`` where the impact leaves no velocity, ``MISSED`` where a flight finds no surface and never
-    passes its end either, ``PASSED`` where it does.
+    The status is ``STALL`` where the impact leaves no velocity, ``PASSED`` where a flight finds no surface and passes
+    its end, ``MISSED`` where it does not pass it either.
 
     Args:
-        course: a stream in motion, airborne or on the segment's drawn start.
-        segment, way: the segment as drawn.
-        known: how many roots at time 0 of an airborne stream's flight lie on this very surface.
+        chute: a stream in motion, airborne or at the segment's drawn start.
+        segment, guide: the segment as placed.
+        known_roots: how many roots at time 0 of an airborne stream's flight lie on this very surface.
     """
-    turn = way.side * (course.here.slope - way.entry_slope)  # > 0: into the surface
-    flight.launch(course.flight, course.here, way.gravity)
-    records.copy(course.entry, course.here)  # for its errors
-    course.arrival.time = course.arrival.distance = course.arrival.place = course.arrival.place_error = 0.0
-    course.arrival.gap = floats.NAN
-    course.arrival.velocity, course.arrival.incidence = course.here.velocity, max(turn, 0.0)
-    if course.airborne or turn < -TANGENT:
-        time, place, slope = surface.land(way, course.flight, course.curve, known if course.airborne else 1)
-        course.arrival.time, course.arrival.place = time, place
+    turn = guide.side * (chute.current.slope - guide.entry_slope)  # > 0: into the surface
+    flight.launch(chute.flight, chute.current, guide.gravity)
+    records.copy_point(chute.entry, chute.current)  # for its errors
+    chute.arrival.time = chute.arrival.distance = chute.arrival.share = chute.arrival.share_error = 0.0
+    chute.arrival.gap = floats.NAN
+    chute.arrival.velocity, chute.arrival.incidence = chute.current.velocity, max(turn, 0.0)
+    if chute.airborne or turn < -TANGENT:
+        time, share, slope = surface.land(guide, chute.flight, chute.clearance, known_roots if chute.airborne else 1)
+        chute.arrival.time, chute.arrival.share = time, share
         if time != time:
-            lose(course, way)
+            miss_segment(chute, guide)
             return
-        course.arrival.distance = flight.path_length(course.flight, time)
-        course.arrival.velocity = flight.velocity_at(course.flight, time)
-        course.arrival.incidence = way.side * (flight.slope_at(course.flight, time) - slope)
-        flight.spread_error(course.flight, course.here, time)
-        course.arrival.place_error = landed_error(course, segment, way, slope)
-    if course.arrival.incidence <= TANGENT:
-        course.arrival.incidence = 0.0
-    impact.strike(course.impact, way, course.arrival.place, course.arrival.velocity, course.arrival.incidence)
-    strike_error(course, segment, way)
-    course.arrival.status = state.OK if course.impact.after > 0.0 else state.STALL
+        chute.arrival.distance = flight.path_length(chute.flight, time)
+        chute.arrival.velocity = flight.velocity_at(chute.flight, time)
+        chute.arrival.incidence = guide.side * (flight.slope_at(chute.flight, time) - slope)
+        flight.propagate_error(chute.flight, chute.current, time)
+        chute.arrival.share_error = landing_error(chute, segment, guide, slope)
+    if chute.arrival.incidence <= TANGENT:
+        chute.arrival.incidence = 0.0
+    impact.compute_impact(chute.impact, guide, chute.arrival.share, chute.arrival.velocity, chute.arrival.incidence)
+    impact_error(chute, segment, guide)
+    chute.arrival.status = state.OK if chute.impact.velocity_after > 0.0 else state.STALL
 
 
-def lose(course: "records.Course", way: "slide.Slide") -> None:
-    """The flight does not meet the segment."""
-    course.arrival.gap = surface.gap_at_end(way, course.flight)
-    course.arrival.status = state.PASSED if course.arrival.gap > 0.0 else state.MISSED
-    course.arrival.distance = course.arrival.velocity = course.arrival.incidence = floats.NAN
-    course.arrival.error = course.arrival.place_error = floats.NAN
-    impact.strike(course.impact, way, 0.0, floats.NAN, 0.0)
+def miss_segment(chute: "records.ChuteState", guide: "guide_surface.Guide") -> None:
+    """Write the arrival of a flight that does not meet the segment."""
+    chute.arrival.gap = surface.gap_at_end(guide, chute.flight)
+    chute.arrival.status = state.PASSED if chute.arrival.gap > 0.0 else state.MISSED
+    chute.arrival.distance = chute.arrival.velocity = chute.arrival.incidence = floats.NAN
+    chute.arrival.error = chute.arrival.share_error = floats.NAN
+    impact.compute_impact(chute.impact, guide, 0.0, floats.NAN, 0.0)
 
 
-def nothing(course: "records.Course") -> None:
-    """There is no stream that could arrive."""
-    course.arrival.status = state.NOT_REACHED
-    course.arrival.time = course.arrival.distance = course.arrival.place = course.arrival.velocity = floats.NAN
-    course.arrival.incidence = course.arrival.gap = course.impact.after = floats.NAN
-    course.impact.footprint = course.impact.pressure = course.impact.stress = course.impact.wear = floats.NAN
-    course.impact.wall_friction = course.impact.friction = floats.NAN
-    course.flight.x = course.flight.z = course.flight.forward = course.flight.downward = floats.NAN
-    course.flight.gravity = course.gravity
+def clear_arrival(chute: "records.ChuteState") -> None:
+    """Write the arrival of a stream that does not exist."""
+    chute.arrival.status = state.NOT_REACHED
+    chute.arrival.time = chute.arrival.distance = chute.arrival.share = chute.arrival.velocity = floats.NAN
+    chute.arrival.incidence = chute.arrival.gap = chute.impact.velocity_after = floats.NAN
+    chute.impact.footprint = chute.impact.pressure = chute.impact.stress = chute.impact.wear = floats.NAN
+    chute.impact.wall_friction = chute.impact.friction = floats.NAN
+    chute.flight.x = chute.flight.z = chute.flight.forward = chute.flight.downward = floats.NAN
+    chute.flight.gravity = chute.gravity
 
 
-def landed_error(course: "records.Course", segment: "records.Segment", way: "slide.Slide", slope: float) -> float:
-    """The errors of a stream where it lands go to ``entry``; that of the place, as a share of the surface's length."""
+def landing_error(
+    chute: "records.ChuteState", segment: "records.Segment", guide: "guide_surface.Guide", slope: float
+) -> float:
+    """Write the errors of the stream where it lands to ``entry``; return that of the share."""
     sine, cosine = math.sin(slope), math.cos(slope)
-    beside = (course.flight.off_x - segment.off_x) * sine + (course.flight.off_z - segment.off_z) * cosine
-    closing = course.flight.forward * sine - course.flight.down * cosine
-    flight.error_later(course.flight, flight.share(-beside, closing), course.entry)
-    along = (course.entry.x_error - segment.off_x) * cosine - (course.entry.z_error - segment.off_z) * sine
-    return along / way.length
+    normal_error = (chute.flight.x_error - segment.start_x_error) * sine + (
+        chute.flight.z_error - segment.start_z_error
+    ) * cosine
+    closing_velocity = chute.flight.forward * sine - chute.flight.downward_now * cosine
+    flight.shift_error(chute.flight, flight.safe_quotient(-normal_error, closing_velocity), chute.entry)
+    tangential_error = (chute.entry.x_error - segment.start_x_error) * cosine - (
+        chute.entry.z_error - segment.start_z_error
+    ) * sine
+    return tangential_error / guide.length
 
 
-def strike_error(course: "records.Course", segment: "records.Segment", way: "slide.Slide") -> None:
-    """Errors of the velocity left and of the place, from those of the stream that arrives.
+def impact_error(chute: "records.ChuteState", segment: "records.Segment", guide: "guide_surface.Guide") -> None:
+    """Write the errors of the velocity left and of the share, from those of the arriving stream.
 
-    Friction changes with depth, pressure and place: the impact of a stream that is off a little tells how. A tangent
+    Friction changes with depth, pressure and position: the impact of a slightly perturbed stream tells how. A tangent
     arc that begins at another slope is the same arc begun elsewhere.
     """
-    off, steeper, shift = course.entry.error, course.entry.slope_error - segment.off_slope, course.arrival.place_error
-    course.arrival.error = off
-    if way.turn != 0.0:
-        course.arrival.place_error += segment.off_slope / way.turn
-        shift = course.arrival.place_error
-    hit = course.arrival.incidence > 0.0 and (off != 0.0 or course.entry.slope_error != 0.0 or shift != 0.0)
-    if not hit:
-        return
-    steeper = way.side * (steeper - way.turn * shift)
-    size = max(math.fabs(off), math.fabs(steeper) / max(course.arrival.incidence, NEARBY), math.fabs(shift))
-    if not size > 0.0:
-        course.arrival.error = 0.0
-        return
-    scale = NEARBY / size
-    impact.strike(
-        course.beside,
-        way,
-        course.arrival.place + scale * shift,
-        course.arrival.velocity * (1.0 + scale * off),
-        course.arrival.incidence + scale * steeper,
+    velocity_error, angle_error, share_shift = (
+        chute.entry.error,
+        chute.entry.slope_error - segment.slope_error,
+        chute.arrival.share_error,
     )
-    after = course.impact.after if course.impact.after > 0.0 else floats.INFINITY
-    course.arrival.error = (course.beside.after - course.impact.after) / scale / after
+    chute.arrival.error = velocity_error
+    if guide.turn != 0.0:
+        chute.arrival.share_error += segment.slope_error / guide.turn
+        share_shift = chute.arrival.share_error
+    strikes = chute.arrival.incidence > 0.0 and (
+        velocity_error != 0.0 or chute.entry.slope_error != 0.0 or share_shift != 0.0
+    )
+    if not strikes:
+        return
+    angle_error = guide.side * (angle_error - guide.turn * share_shift)
+    size = max(
+        math.fabs(velocity_error),
+        math.fabs(angle_error) / max(chute.arrival.incidence, PERTURBATION),
+        math.fabs(share_shift),
+    )
+    if not size > 0.0:
+        chute.arrival.error = 0.0
+        return
+    scale = PERTURBATION / size
+    impact.compute_impact(
+        chute.perturbed,
+        guide,
+        chute.arrival.share + scale * share_shift,
+        chute.arrival.velocity * (1.0 + scale * velocity_error),
+        chute.arrival.incidence + scale * angle_error,
+    )
+    after = chute.impact.velocity_after if chute.impact.velocity_after > 0.0 else floats.INFINITY
+    chute.arrival.error = (chute.perturbed.velocity_after - chute.impact.velocity_after) / scale / after
 
 
-def entry_error(course: "records.Course", way: "slide.Slide") -> float:
-    """Relative error of the velocity at the place where a stream enters; where the impact stops it, of that place.
+def entry_error(chute: "records.ChuteState", guide: "guide_surface.Guide") -> float:
+    """Return the relative error of the velocity where a stream enters, or of the share if the impact stops it.
 
-    With the sign that goes with those of the segment's own place.
+    Its sign is that of the errors of the segment's own position.
     """
-    if course.impact.after == 0.0:
-        return course.arrival.place_error
-    if course.arrival.place_error == 0.0:
-        return course.arrival.error
-    y = course.impact.after * course.impact.after
-    rise = 0.5 * friction.pull_at(way, course.arrival.place, y) / y
-    return course.arrival.error - rise * course.arrival.place_error
+    if chute.impact.velocity_after == 0.0:
+        return chute.arrival.share_error
+    if chute.arrival.share_error == 0.0:
+        return chute.arrival.error
+    y = chute.impact.velocity_after * chute.impact.velocity_after
+    rise = 0.5 * friction.rhs_any_branch(guide, chute.arrival.share, y) / y
+    return chute.arrival.error - rise * chute.arrival.share_error

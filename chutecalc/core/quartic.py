@@ -1,7 +1,7 @@
-"""Where a polynomial of degree 4 falls through zero.
+"""Find where a polynomial of degree 4 falls through zero.
 
-Between the roots of its derivative a polynomial is monotone; those of its second derivative are in closed form, those
-of its first lie between them, and its own between those.
+Between the roots of its derivative a polynomial is monotone. Those of the second derivative are in closed form, those
+of the first lie between them, and its own between those.
 """
 
 import math
@@ -11,22 +11,22 @@ from chutecalc.core import floats
 
 
 class Quartic:
-    """Its coefficients in rising powers, and room for what is worked out of them."""
+    """Coefficients in rising powers, and work arrays."""
 
     def __init__(self) -> None:
         self.value, self.slope, self.knots, self.falls = (floats.zeros(6) for _ in range(4))
 
 
 def falls_through_zero(curve: Quartic, horizon: float) -> int:
-    """Places in (0, horizon) at which it falls through zero go to ``falls``, in order; how many there are."""
+    """Write the points in (0, horizon) where it falls through zero to ``falls``, in order; return their number."""
     for k in range(4):
         curve.slope[k] = (k + 1.0) * curve.value[k + 1]
     c, b, a = curve.slope[1], 2.0 * curve.slope[2], 3.0 * curve.slope[3]
     half = -0.5 * (b + math.copysign(math.sqrt(max(b * b - 4.0 * a * c, 0.0)), b))
-    one = c / half if half != 0.0 else 0.0
-    other = half / a if a != 0.0 else one
-    low = min(max(min(one, other), 0.0), horizon)
-    high = min(max(max(one, other), 0.0), horizon)
+    root = c / half if half != 0.0 else 0.0
+    other_root = half / a if a != 0.0 else root
+    low = min(max(min(root, other_root), 0.0), horizon)
+    high = min(max(max(root, other_root), 0.0), horizon)
     curve.knots[0] = 0.0
     curve.knots[1] = root_between(curve.slope, 3, 0.0, low)
     curve.knots[2] = root_between(curve.slope, 3, low, high)
@@ -42,7 +42,7 @@ def falls_through_zero(curve: Quartic, horizon: float) -> int:
 
 
 def value_at(coefficients: "array[float]", degree: int, at: float) -> float:
-    """Horner's rule."""
+    """Return the polynomial's value by Horner's rule."""
     value = coefficients[degree]
     for k in range(degree):
         value = value * at + coefficients[degree - 1 - k]
@@ -50,7 +50,7 @@ def value_at(coefficients: "array[float]", degree: int, at: float) -> float:
 
 
 def root_between(coefficients: "array[float]", degree: int, low: float, high: float) -> float:
-    """The root between two places, by the Illinois rule; the upper one where the sign does not change."""
+    """Return the root between two points by the Illinois rule; the upper point where the sign does not change."""
     f_low, f_high = value_at(coefficients, degree, low), value_at(coefficients, degree, high)
     if f_low == 0.0:
         return low

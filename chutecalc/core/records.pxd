@@ -1,7 +1,7 @@
 cimport cython
 from chutecalc.core cimport floats, quartic, state
 
-cdef int LEG
+cdef int SOLUTION_SIZE
 
 @cython.final
 cdef class Point:
@@ -9,42 +9,42 @@ cdef class Point:
 
 @cython.final
 cdef class Flight:
-    cdef public double x, z, forward, downward, gravity, off_x, off_z, off_forward, off_downward, down
+    cdef public double x, z, forward, downward, gravity, x_error, z_error, forward_error, downward_error, downward_now
 
 @cython.final
 cdef class Impact:
-    cdef public double footprint, pressure, stress, wall_friction, friction, after, wear
+    cdef public double footprint, pressure, stress, wall_friction, friction, velocity_after, wear
 
 @cython.final
 cdef class Arrival:
     cdef public int status
-    cdef public double time, distance, place, velocity, incidence, gap, error, place_error
+    cdef public double time, distance, share, velocity, incidence, gap, error, share_error
 
 @cython.final
 cdef class Segment:
     cdef public int number
     cdef public bint final, fall, plate
-    cdef public state.Stream own
+    cdef public state.Stream stream
     cdef public Segment next
     cdef public double drop, run, start_x, start_z, entry_slope, exit_slope, radius, length
-    cdef public double off_x, off_z, off_slope, aside_x, aside_z, sign
+    cdef public double start_x_error, start_z_error, slope_error, arc_x_error, arc_z_error, error_sign
 
 @cython.final
-cdef class Course:
-    cdef public Segment first, last, again
-    cdef public Point saved, inlet, here, start, entry, end
+cdef class ChuteState:
+    cdef public Segment first, last, first_varied
+    cdef public Point saved, inlet, current, start, entry, end
     cdef public Flight flight
     cdef public Arrival arrival
-    cdef public Impact impact, beside
-    cdef public quartic.Quartic curve
-    cdef public int saved_status, status, leg_status, strikes, fault_number, faults, row, room, count
-    cdef public bint saved_airborne, airborne, arrived, full
-    cdef public double error, saved_error, saved_x, saved_z, saved_off_x, saved_off_z, gravity, drawn_x, drawn_z, drawn_off_x, drawn_off_z, fault_slope, flight_time
-    cdef public double[::1] legs
+    cdef public Impact impact, perturbed
+    cdef public quartic.Quartic clearance
+    cdef public int saved_status, status, segment_status, strikes, fault_number, faults, row, capacity, count
+    cdef public bint saved_airborne, airborne, already_landed, full
+    cdef public double error, saved_error, saved_x, saved_z, saved_x_error, saved_z_error, gravity, drawn_x, drawn_z, drawn_x_error, drawn_z_error, fault_slope, flight_time
+    cdef public double[::1] solutions
     cdef public double[:, ::1] ends
-    cdef public double[:, :, ::1] lying, pressing
-    cdef public bint ends_only, tells_lying, tells_pressing
+    cdef public double[:, :, ::1] stream_section, wall_loads
+    cdef public bint ends_only, with_stream_section, with_wall_loads
 
-cdef void put(double[::1] legs, int at, Point point) noexcept nogil
-cdef void nowhere(Point point) noexcept nogil
-cdef void copy(Point there, Point here) noexcept nogil
+cdef void write_point(double[::1] buffer, int at, Point point) noexcept nogil
+cdef void clear_point(Point point) noexcept nogil
+cdef void copy_point(Point target, Point source) noexcept nogil

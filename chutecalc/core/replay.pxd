@@ -12,8 +12,8 @@ cdef class Recipe:
 
 @cython.locals(rows=int, first=int, row=int)
 cpdef int replay(Recipe recipe, double[:, ::1] numbers, double[:, ::1] out) noexcept nogil
-@cython.locals(what=int, to=int, one=int, other=int, third=int)
+@cython.locals(code=int, result=int, first_operand=int, second_operand=int, third_operand=int)
 cdef bint follow(Recipe recipe, int at, int rows) noexcept nogil
 @cython.locals(yes=bint)
-cdef double truth(int what, double one, double other) noexcept nogil
-cdef double function(int what, double one) noexcept nogil
+cdef double truth(int code, double first_operand, double second_operand) noexcept nogil
+cdef double function(int code, double operand) noexcept nogil

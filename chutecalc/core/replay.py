@@ -1,6 +1,6 @@
-"""A list of operations on numbers, done again with others: what a spec makes of its numbers before a stream is solved.
+"""Repeat a list of operations with other numbers: what a spec makes of its numbers before a stream is solved.
 
-:mod:`chutecalc.api.tape` writes it down; the numbers of many designs go through it some designs at a time.
+:mod:`chutecalc.api.tape` records it; the numbers of many designs go through it in groups.
 """
 
 import math
@@ -15,34 +15,34 @@ NAMES = (
     *("add", "subtract", "multiply", "divide", "less", "less_equal", "equal", "and", "or", "not", "choose"),
     *("root", "sine", "cosine", "tangent", "arccosine", "check"),
 )
-"""Operations as Python sees them, by their number."""
+"""Names of operations, by their number."""
 STEP = 5
-"""Numbers of a step: the operation, where its three arguments stand, and where its result goes."""
+"""Numbers of a step: the operation, the slots of its three arguments, and the slot of its result."""
 WIDTH = 64
 """Designs at once, where there are many."""
 
 
 class Recipe:
-    """Steps, and a place for each number that they take and make."""
+    """Steps, and a slot for each number that they take and make."""
 
     def __init__(self, steps: list[int], values: list[float], taken: list[int], varied: int, width: int) -> None:
         self.steps = array("i", steps or [0])
         self.count = len(steps) // STEP
         self.varied, self.width = varied, width
         self.values = array("d", [value for value in values for _ in range(width)])
-        """The numbers that are varied come first; among the others stand those that never change. Of each as many as
-        there are designs at once."""
+        """The varied numbers come first; constants stand among the others. Each slot holds as many as there are
+        designs at once."""
         self.taken = array("i", taken)
-        """Places of what is asked for."""
+        """Slots of the results."""
 
 
 def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
-    """Does the steps for a row of varied numbers each, and writes down what is asked for.
+    """Carry out the steps for each row of varied numbers, and write the results.
 
-    A recipe is of one thread at a time: compiled, the interpreter's lock is held meanwhile.
+    For one thread at a time: compiled, the interpreter's lock is held meanwhile.
 
     Returns:
-        How many rows are done: fewer than there are where one of the next group gives a check another answer.
+        How many rows are done: fewer than there are where a check in the next group has another result.
     """
     first = 0
     while first < numbers.shape[0]:
@@ -61,67 +61,73 @@ def replay(recipe: Recipe, numbers: Any, out: Any) -> int:
 
 
 def follow(recipe: Recipe, at: int, rows: int) -> bool:
-    """Does one step for a group of rows; false only for a check that has another answer than it has to have."""
-    what, to = recipe.steps[at], recipe.width * recipe.steps[at + 4]
-    one, other, third = (
+    """Carry out one step for a group of rows; return False only where a check has another result."""
+    code, result = recipe.steps[at], recipe.width * recipe.steps[at + 4]
+    first_operand, second_operand, third_operand = (
         recipe.width * recipe.steps[at + 1],
         recipe.width * recipe.steps[at + 2],
         recipe.width * recipe.steps[at + 3],
     )
-    if what == CHECK:
+    if code == CHECK:
         for row in range(rows):
-            if recipe.values[one + row] != recipe.values[other + row]:
+            if recipe.values[first_operand + row] != recipe.values[second_operand + row]:
                 return False
-    elif what == MULTIPLY:
+    elif code == MULTIPLY:
         for row in range(rows):
-            recipe.values[to + row] = recipe.values[one + row] * recipe.values[other + row]
-    elif what == DIVIDE:
+            recipe.values[result + row] = recipe.values[first_operand + row] * recipe.values[second_operand + row]
+    elif code == DIVIDE:
         for row in range(rows):
-            recipe.values[to + row] = floats.quotient(recipe.values[one + row], recipe.values[other + row])
-    elif what == ADD:
-        for row in range(rows):
-            recipe.values[to + row] = recipe.values[one + row] + recipe.values[other + row]
-    elif what == SUBTRACT:
-        for row in range(rows):
-            recipe.values[to + row] = recipe.values[one + row] - recipe.values[other + row]
-    elif what == CHOOSE:
-        for row in range(rows):
-            recipe.values[to + row] = (
-                recipe.values[other + row] if recipe.values[one + row] != 0.0 else recipe.values[third + row]
+            recipe.values[result + row] = floats.quotient(
+                recipe.values[first_operand + row], recipe.values[second_operand + row]
             )
-    elif what < ROOT:
+    elif code == ADD:
         for row in range(rows):
-            recipe.values[to + row] = truth(what, recipe.values[one + row], recipe.values[other + row])
+            recipe.values[result + row] = recipe.values[first_operand + row] + recipe.values[second_operand + row]
+    elif code == SUBTRACT:
+        for row in range(rows):
+            recipe.values[result + row] = recipe.values[first_operand + row] - recipe.values[second_operand + row]
+    elif code == CHOOSE:
+        for row in range(rows):
+            recipe.values[result + row] = (
+                recipe.values[second_operand + row]
+                if recipe.values[first_operand + row] != 0.0
+                else recipe.values[third_operand + row]
+            )
+    elif code < ROOT:
+        for row in range(rows):
+            recipe.values[result + row] = truth(
+                code, recipe.values[first_operand + row], recipe.values[second_operand + row]
+            )
     else:
         for row in range(rows):
-            recipe.values[to + row] = function(what, recipe.values[one + row])
+            recipe.values[result + row] = function(code, recipe.values[first_operand + row])
     return True
 
 
-def truth(what: int, one: float, other: float) -> float:
-    """A question."""
-    yes = one != 0.0 and other != 0.0
-    if what == LESS:
-        yes = one < other
-    elif what == LESS_EQUAL:
-        yes = one <= other
-    elif what == EQUAL:
-        yes = one == other
-    elif what == OR:
-        yes = one != 0.0 or other != 0.0
-    elif what == NOT:
-        yes = one == 0.0
+def truth(code: int, first_operand: float, second_operand: float) -> float:
+    """Return a comparison or a logical operation, 1 or 0."""
+    yes = first_operand != 0.0 and second_operand != 0.0
+    if code == LESS:
+        yes = first_operand < second_operand
+    elif code == LESS_EQUAL:
+        yes = first_operand <= second_operand
+    elif code == EQUAL:
+        yes = first_operand == second_operand
+    elif code == OR:
+        yes = first_operand != 0.0 or second_operand != 0.0
+    elif code == NOT:
+        yes = first_operand == 0.0
     return 1.0 if yes else 0.0
 
 
-def function(what: int, one: float) -> float:
-    """A root, a function of an angle, or the angle of a cosine."""
-    if what == ROOT:
-        return floats.root(one)
-    if not math.fabs(one) < floats.INFINITY or (what == ARCCOSINE and math.fabs(one) > 1.0):
+def function(code: int, operand: float) -> float:
+    """Return a square root, a trigonometric function, or an arc cosine."""
+    if code == ROOT:
+        return floats.root(operand)
+    if not math.fabs(operand) < floats.INFINITY or (code == ARCCOSINE and math.fabs(operand) > 1.0):
         return floats.NAN
-    if what == SINE:
-        return math.sin(one)
-    if what == COSINE:
-        return math.cos(one)
-    return math.tan(one) if what == TANGENT else math.acos(one)
+    if code == SINE:
+        return math.sin(operand)
+    if code == COSINE:
+        return math.cos(operand)
+    return math.tan(operand) if code == TANGENT else math.acos(operand)

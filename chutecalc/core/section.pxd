@@ -3,7 +3,7 @@ from libc cimport math
 from chutecalc.core cimport floats, matrix
 
 cdef int TERMS
-cdef double LARGEST
+cdef double LARGEST_U
 
 @cython.final
 cdef class Section:
@@ -14,24 +14,24 @@ cdef class Section:
 
 @cython.final
 cdef class Loads:
-    cdef public double[::1] area, excess, growth, missing, missing_growth, stuck, fall, climb
+    cdef public double[::1] area, excess, excess_growth, missing, missing_growth, adhesion, adhesion_fall, adhesion_rise
 
 @cython.final
 cdef class Facets:
     cdef public int count
     cdef public bint circle
-    cdef public double radius, lack
+    cdef public double radius, deficit
     cdef public double[::1] series
     cdef public double[::1] sine, cosine, area, width, height
     cdef public double[::1] excess, excess_rise, own_excess, shortfall, shortfall_rise, own_shortfall
     cdef public Loads loads
-    cdef public double[::1] twice, spread, apex, bend_excess, bend_shortfall
+    cdef public double[::1] two_over_sine, four_cot, apex_width_squared, sine_own_excess, sine_own_shortfall
 
-cdef void blend(Section first, Section last, double share, Section here) noexcept nogil
-cdef double between(double first, double last, double share) noexcept nogil
-cdef void stack(Section section, double vertical_ratio, Facets facets) noexcept nogil
+cdef void interpolate_sections(Section first, Section last, double share, Section target) noexcept nogil
+cdef double interpolate_number(double first, double last, double share) noexcept nogil
+cdef void stack_facets(Section section, double vertical_ratio, Facets facets) noexcept nogil
 cdef void stack_circle(Section section, double vertical_ratio, Facets facets) noexcept nogil
-cdef void prepare(Facets facets, int k) noexcept nogil
+cdef void set_derived(Facets facets, int k) noexcept nogil
 cdef int facet_of(Facets facets, double area) noexcept nogil
 cdef (double, double) depth_and_width(Facets facets, int k, double area) noexcept nogil
 cdef double wetted_below(Section section, Facets facets, int k, double area) noexcept nogil

@@ -1,7 +1,7 @@
-"""A cross-section at one place, and how one stream lies in it.
+"""Compute a cross-section at one share, and the stream in it.
 
 A section is a stack of facets from the centre outwards (see :mod:`chutecalc.physics.section`): flat walls or the arc of
-a half circle, and vertical walls above what is drawn.
+a half circle, and vertical walls above the drawn top.
 """
 
 import math
@@ -10,75 +10,75 @@ from array import array
 from chutecalc.core import floats, matrix
 
 TERMS = 26
-LARGEST = 7.082731016000907
-"""(6 π)^(2/3), u of the half circle; written out, for compilers round such a power in their own way."""
+LARGEST_U = 7.082731016000907
+"""(6 π)^(2/3), u of the half circle; written out, because compilers round such a power differently."""
 
 
 class Section:
-    """The numbers that a section is drawn by."""
+    """The numbers that define a section."""
 
     def __init__(self, walls: int, circle: bool) -> None:
         self.circle = circle
         self.walls = walls
-        """Drawn facets of a polygon, on one side."""
+        """Number of drawn facets of a polygon, on one side."""
         self.base = self.radius = self.wall_height = 0.0
         self.lengths = floats.zeros(max(walls, 1))
         self.inclinations = floats.zeros(max(walls, 1))
 
 
 class Loads:
-    """What the walls bear of the streams at a panel's nodes, or of one: room for :mod:`chutecalc.core.friction`."""
+    """Loads on the walls at a panel's nodes, or at one position; :mod:`chutecalc.core.friction` computes them."""
 
     def __init__(self) -> None:
-        self.area = floats.zeros(matrix.MOST)
-        """Flow areas, m²; all else is asked of them."""
-        self.excess, self.growth = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
-        """χ, hydrostatic or of the friction law, and half its logarithmic growth with the area."""
-        self.missing, self.missing_growth = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
-        """m, and likewise."""
-        self.stuck, self.fall, self.climb = (floats.zeros(matrix.MOST) for _ in range(3))
+        self.area = floats.zeros(matrix.ROOM)
+        """Flow areas, m²; all else follows from them."""
+        self.excess, self.excess_growth = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
+        """χ, hydrostatic or of the friction law, and half its logarithmic derivative by the area."""
+        self.missing, self.missing_growth = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
+        """The missing load m, and likewise."""
+        self.adhesion, self.adhesion_fall, self.adhesion_rise = (floats.zeros(matrix.ROOM) for _ in range(3))
         """What adhesion adds to friction, over g, and half of its fall and of its rise with the area's logarithm."""
 
 
 class Facets:
-    """What each facet of a section starts from at its foot, and what follows from that for any flow area."""
+    """Constants of each facet at its foot, from which all else follows for any flow area."""
 
     def __init__(self, count: int, circle: bool, series: "array[float]") -> None:
-        """``series`` are the circle's, seven times 26 numbers; empty without one."""
+        """Make room; ``series`` are the circle's, seven times 26 numbers, empty without one."""
         self.count = count
         self.circle = circle
-        """The innermost facet is the arc of a half circle."""
-        self.radius = self.lack = 0.0
+        """Whether the innermost facet is the arc of a half circle."""
+        self.radius = self.deficit = 0.0
         self.series = series
         self.loads = Loads()
         self.sine, self.cosine, self.area, self.width, self.height = (floats.zeros(count) for _ in range(5))
         self.excess, self.excess_rise, self.own_excess = (floats.zeros(count) for _ in range(3))
         self.shortfall, self.shortfall_rise, self.own_shortfall = (floats.zeros(count) for _ in range(3))
-        self.twice, self.spread, self.apex = (floats.zeros(count) for _ in range(3))
-        """2/sin ψ; 4 cos ψ/sin ψ; of the surface's width², where the facet's flanks would meet."""
-        self.bend_excess, self.bend_shortfall = (floats.zeros(count) for _ in range(2))
+        self.two_over_sine, self.four_cot, self.apex_width_squared = (floats.zeros(count) for _ in range(3))
+        """2/sin ψ; 4 cos ψ/sin ψ; width² of the free surface where the facet's flanks would meet."""
+        self.sine_own_excess, self.sine_own_shortfall = (floats.zeros(count) for _ in range(2))
         """sin ψ times ``own_excess`` and ``own_shortfall``."""
 
 
-def blend(first: Section, last: Section, share: float, here: Section) -> None:
-    """The section at a share of the length of a taper: each of its numbers goes linearly from first to last."""
-    # What a panel far too long makes of a taper must not be infinitely wide.
+def interpolate_sections(first: Section, last: Section, share: float, target: Section) -> None:
+    """Write the section at a share of a taper: each of its numbers varies linearly from first to last."""
+    # A panel far too long must not make a taper infinitely wide.
     share = min(max(share, -1.0), 2.0)
-    here.base = first.base + share * (last.base - first.base)
-    here.radius = first.radius + share * (last.radius - first.radius)
-    here.wall_height = between(first.wall_height, last.wall_height, share)
+    target.base = first.base + share * (last.base - first.base)
+    target.radius = first.radius + share * (last.radius - first.radius)
+    target.wall_height = interpolate_number(first.wall_height, last.wall_height, share)
     for k in range(first.walls):
-        here.lengths[k] = between(first.lengths[k], last.lengths[k], share)
-        here.inclinations[k] = first.inclinations[k] + share * (last.inclinations[k] - first.inclinations[k])
+        target.lengths[k] = interpolate_number(first.lengths[k], last.lengths[k], share)
+        target.inclinations[k] = first.inclinations[k] + share * (last.inclinations[k] - first.inclinations[k])
 
 
-def between(first: float, last: float, share: float) -> float:
-    """A share of the way from first to last; what is infinite in both stays so."""
+def interpolate_number(first: float, last: float, share: float) -> float:
+    """Return the number at a share from first to last; infinite where both are."""
     return first if first == floats.INFINITY else first + share * (last - first)
 
 
-def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
-    """Works out the constants of each facet by stacking them from the centre outwards."""
+def stack_facets(section: Section, vertical_ratio: float, facets: Facets) -> None:
+    """Compute the constants of each facet from the centre outwards."""
     if section.circle:
         stack_circle(section, vertical_ratio, facets)
         return
@@ -89,12 +89,13 @@ def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
             length, psi = section.lengths[k], section.inclinations[k]
         else:
             length, psi = floats.INFINITY, 0.5 * math.pi
-        sine, cosine, raised = 1.0, 0.0, 1.0  # a vertical wall's: a cosine of 6e-17 would open a deep stream
+        sine, cosine, one_minus_cosine = 1.0, 0.0, 1.0  # a vertical wall's: a cosine of 6e-17 would open a deep stream
         if psi != 0.5 * math.pi:
             half = math.sin(0.5 * psi)
-            sine, cosine, raised = math.sin(psi), math.cos(psi), 2.0 * half * half  # 1 - cos ψ without cancellation
+            sine, cosine = math.sin(psi), math.cos(psi)
+            one_minus_cosine = 2.0 * half * half  # without cancellation
         lacking = (1.0 - vertical_ratio) * sine * sine
-        own_excess = (1.0 - lacking) * raised
+        own_excess = (1.0 - lacking) * one_minus_cosine
         own_shortfall = lacking * cosine
         facets.sine[k], facets.cosine[k] = sine, cosine
         facets.area[k], facets.width[k], facets.height[k] = area, width, height
@@ -110,13 +111,13 @@ def stack(section: Section, vertical_ratio: float, facets: Facets) -> None:
             area += (width + length * cosine) * rise
             width += 2.0 * length * cosine
             height += rise
-        prepare(facets, k)
+        set_derived(facets, k)
 
 
 def stack_circle(section: Section, vertical_ratio: float, facets: Facets) -> None:
-    """The half circle, and the vertical walls above it."""
-    r, lack = section.radius, 1.0 - vertical_ratio
-    facets.radius, facets.lack = r, lack
+    """Compute the constants of the half circle and of the vertical walls above it."""
+    r, deficit = section.radius, 1.0 - vertical_ratio
+    facets.radius, facets.deficit = r, deficit
     facets.area[0] = facets.height[0] = facets.excess[0] = facets.excess_rise[0] = facets.own_excess[0] = 0.0
     facets.shortfall[0] = facets.shortfall_rise[0] = facets.own_shortfall[0] = 0.0
     facets.sine[0], facets.cosine[0], facets.width[0] = 1.0, 0.0, 2.0 * r
@@ -125,26 +126,26 @@ def stack_circle(section: Section, vertical_ratio: float, facets: Facets) -> Non
     facets.sine[1], facets.cosine[1], facets.width[1] = 1.0, 0.0, 2.0 * r
     facets.area[1], facets.height[1] = full * r * r, r
     facets.excess[1] = facets.area[1] * excess
-    facets.excess_rise[1] = 2.0 * r * (full - 1.0 - lack * (0.25 * math.pi - 1.0 / 3.0))  # 2 r ∫ K (1 - cos ψ) dψ
-    facets.own_excess[1] = 1.0 - lack
+    facets.excess_rise[1] = 2.0 * r * (full - 1.0 - deficit * (0.25 * math.pi - 1.0 / 3.0))  # 2 r ∫ K (1 - cos ψ) dψ
+    facets.own_excess[1] = 1.0 - deficit
     facets.shortfall[1] = facets.area[1] * missing
-    facets.shortfall_rise[1] = 2.0 * r * lack / 3.0  # 2 r ∫ (1 - K) cos ψ dψ
+    facets.shortfall_rise[1] = 2.0 * r * deficit / 3.0  # 2 r ∫ (1 - K) cos ψ dψ
     facets.own_shortfall[1] = 0.0
-    prepare(facets, 0)
-    prepare(facets, 1)
+    set_derived(facets, 0)
+    set_derived(facets, 1)
 
 
-def prepare(facets: Facets, k: int) -> None:
-    """What the area does not change."""
-    facets.twice[k] = floats.quotient(2.0, facets.sine[k])
-    facets.spread[k] = 2.0 * facets.cosine[k] * facets.twice[k]
-    facets.apex[k] = facets.width[k] * facets.width[k] - facets.spread[k] * facets.area[k]
-    facets.bend_excess[k] = facets.sine[k] * facets.own_excess[k]
-    facets.bend_shortfall[k] = facets.sine[k] * facets.own_shortfall[k]
+def set_derived(facets: Facets, k: int) -> None:
+    """Compute what does not depend on the area."""
+    facets.two_over_sine[k] = floats.quotient(2.0, facets.sine[k])
+    facets.four_cot[k] = 2.0 * facets.cosine[k] * facets.two_over_sine[k]
+    facets.apex_width_squared[k] = facets.width[k] * facets.width[k] - facets.four_cot[k] * facets.area[k]
+    facets.sine_own_excess[k] = facets.sine[k] * facets.own_excess[k]
+    facets.sine_own_shortfall[k] = facets.sine[k] * facets.own_shortfall[k]
 
 
 def facet_of(facets: Facets, area: float) -> int:
-    """The facet in which the surface of a flow area lies; one exactly at a joint counts to the facet above."""
+    """Return the facet on which the free surface of a flow area lies; a corner belongs to the facet above."""
     k = facets.count - 1
     while k > 0 and area < facets.area[k]:
         k -= 1
@@ -152,20 +153,20 @@ def facet_of(facets: Facets, area: float) -> int:
 
 
 def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
-    """Depth and width of the free surface, m."""
+    """Return depth and width of the free surface, m."""
     if facets.circle and k == 0:
         angle, _, _, _, _ = arc(facets, area)
         if not (angle > -4.0 and angle < 4.0):
             return floats.NAN, floats.NAN
         half = math.sin(0.5 * angle)
         return 2.0 * facets.radius * half * half, 2.0 * facets.radius * math.sin(angle)
-    width = floats.root(facets.spread[k] * area + facets.apex[k])
-    wetted = floats.quotient(facets.twice[k], width + facets.width[k]) * (area - facets.area[k])
+    width = floats.root(facets.four_cot[k] * area + facets.apex_width_squared[k])
+    wetted = floats.quotient(facets.two_over_sine[k], width + facets.width[k]) * (area - facets.area[k])
     return facets.height[k] + wetted * facets.sine[k], width
 
 
 def wetted_below(section: Section, facets: Facets, k: int, area: float) -> float:
-    """Wetted length of the drawn facets that rise, on one side, m; the walls above what is drawn do not count."""
+    """Return the wetted length of the sloping drawn facets on one side, m, without the walls above the drawn top."""
     if facets.circle:
         angle = 0.5 * math.pi
         if k == 0:
@@ -176,13 +177,13 @@ def wetted_below(section: Section, facets: Facets, k: int, area: float) -> float
         if section.inclinations[below] != 0.0:
             total += section.lengths[below]
     if k < section.walls:
-        width = floats.root(facets.spread[k] * area + facets.apex[k])
-        total += floats.quotient(facets.twice[k], width + facets.width[k]) * (area - facets.area[k])
+        width = floats.root(facets.four_cot[k] * area + facets.apex_width_squared[k])
+        total += floats.quotient(facets.two_over_sine[k], width + facets.width[k]) * (area - facets.area[k])
     return total
 
 
 def floor_width(section: Section) -> float:
-    """Width of the centre section of a polygon, with its level facets."""
+    """Return the width of a polygon's centre section with its level facets, m."""
     width = section.base
     for k in range(section.walls):
         if section.inclinations[k] == 0.0:
@@ -191,7 +192,7 @@ def floor_width(section: Section) -> float:
 
 
 def area_at_depth(facets: Facets, depth: float) -> float:
-    """Flow area below a depth, m²."""
+    """Return the flow area below a depth, m²."""
     if depth == floats.INFINITY:
         return floats.INFINITY
     k = facets.count - 1
@@ -205,7 +206,7 @@ def area_at_depth(facets: Facets, depth: float) -> float:
 
 
 def angle_area(angle: float) -> float:
-    """A/r² of a wetted half-angle, ψ0 - sin ψ0 cos ψ0, by its series."""
+    """Return A/r² of a wetted half-angle, ψ0 - sin ψ0 cos ψ0, by its series."""
     square = 4.0 * angle * angle
     total = 0.0
     for step in range(16):
@@ -215,13 +216,13 @@ def angle_area(angle: float) -> float:
 
 
 def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]:
-    """A stream on the arc: angle, χ and A dχ/dA, m and A dm/dA, as :func:`chutecalc.physics.circle.arc` has them."""
-    share = floats.quotient(area, facets.radius * facets.radius)
-    if not share >= 0.0:
+    """Return angle, χ and A dχ/dA, m and A dm/dA of a stream on the arc, as :func:`chutecalc.physics.circle.arc`."""
+    scaled_area = floats.quotient(area, facets.radius * facets.radius)
+    if not scaled_area >= 0.0:
         return floats.NAN, floats.NAN, floats.NAN, floats.NAN, floats.NAN
-    side = (12.0 * share) ** (1.0 / 3.0)
+    side = (12.0 * scaled_area) ** (1.0 / 3.0)
     u = side * side
-    t = 2.0 * u / LARGEST - 1.0
+    t = 2.0 * u / LARGEST_U - 1.0
     angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     before, now = t, 1.0  # T_-1 and T_0
     for k in range(TERMS):
@@ -233,8 +234,8 @@ def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]
         bent_slope += facets.series[5 * TERMS + k] * now
         lacking_slope += facets.series[6 * TERMS + k] * now
         before, now = now, 2.0 * t * now - before
-    lack, third = facets.lack, 2.0 / 3.0  # A d/dA = (2/3) u d/du
-    excess = u * (level - lack * u * bent)
-    growth = third * u * (level + u * level_slope - lack * u * (2.0 * bent + u * bent_slope))
-    missing = lack * u * lacking
-    return side * angle, excess, growth, missing, third * lack * u * (lacking + u * lacking_slope)
+    deficit, third = facets.deficit, 2.0 / 3.0  # A d/dA = (2/3) u d/du
+    excess = u * (level - deficit * u * bent)
+    excess_growth = third * u * (level + u * level_slope - deficit * u * (2.0 * bent + u * bent_slope))
+    missing = deficit * u * lacking
+    return side * angle, excess, excess_growth, missing, third * deficit * u * (lacking + u * lacking_slope)

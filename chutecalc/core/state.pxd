@@ -1,31 +1,31 @@
 cimport cython
-from chutecalc.core cimport events, floats, gauss, matrix, panel, slide
+from chutecalc.core cimport events, floats, gauss, guide_surface, matrix, panel
 
-cdef int OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, RUNNING, UNSOLVED, FAULT, KEPT
+cdef int OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, RUNNING, UNSOLVED, FAULT, PANEL_SIZE
 cdef double LEAST_STEP
 
 @cython.final
-cdef class Effort:
-    cdef public gauss.Pair first, second, later, near_rest
-    cdef public double tolerance, share
-    cdef public bint complete
+cdef class SolverOptions:
+    cdef public gauss.RulePair first_pair, second_pair, step_pair, r_pair
+    cdef public double tolerance, panel_tolerance
+    cdef public bint dense_output
 
 @cython.final
-cdef class Log:
+cdef class PanelStore:
     cdef public panel.Panel panel
-    cdef public double[::1] margins, values, kept
-    cdef public int room, count
+    cdef public double[::1] event_values, work, panels
+    cdef public int capacity, count
     cdef public bint full
 
 @cython.final
 cdef class Stream:
-    cdef public slide.Slide way
-    cdef public Log log
+    cdef public guide_surface.Guide guide
+    cdef public PanelStore store
     cdef public panel.Panel panel
-    cdef public double[::1] margins, values
-    cdef public int[::1] watched
-    cdef public int status, facet, piece, tried
-    cdef public bint eventful, aim_by_root, promising, tired
-    cdef public double place, y, error, limit, reach, stride, aim, crossed, choke_place, choke_y, choke_error
+    cdef public double[::1] event_values, work
+    cdef public int[::1] active_events
+    cdef public int status, facet, piece, attempts
+    cdef public bint has_events, target_in_r, try_finer, r_rejected
+    cdef public double share, y, error, breakpoint, next_step, r_fraction, event_target, last_crossing, choke_share, choke_y, choke_error
 
-cdef double margin(Stream stream, int event, double place, double y) noexcept nogil
+cdef double event_function(Stream stream, int event, double share, double y) noexcept nogil

@@ -1,79 +1,88 @@
-"""Where a stream stands on its segment, and how hard its solver is to work."""
+"""Hold the state of a stream on its segment and the options of its solver."""
 
 from array import array
 from typing import Any
 
-from chutecalc.core import events, floats, gauss, matrix, panel, slide
+from chutecalc.core import events, floats, gauss, guide_surface, matrix, panel
 
 OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
 RUNNING, UNSOLVED, FAULT = -1, -2, -3
-LEAST_STEP = 1e-14  # of the segment, so that every step is one
-KEPT = 32  # numbers of a panel that is kept
-PANEL, GAVE_UP, NOT_TANGENT = KEPT, UNSOLVED, FAULT  # as Python sees them; the others are C's where compiled
+LEAST_STEP = 1e-14  # share: the shortest step that still advances
+PANEL_SIZE = 32  # numbers of a stored panel
+PANEL_NUMBERS, GAVE_UP, NOT_TANGENT = PANEL_SIZE, UNSOLVED, FAULT  # for Python; the others are C constants if compiled
 
 
-class Effort:
-    """How hard to work, and the rules for it."""
+class SolverOptions:
+    """Tolerances, and pairs of collocation rules for each use."""
 
-    def __init__(self, first: "gauss.Pair", second: "gauss.Pair", later: "gauss.Pair", near_rest: "gauss.Pair") -> None:
-        self.first, self.second = first, second
-        """For the whole stretch in one panel; the second where the first does not solve it."""
-        self.later, self.near_rest = later, near_rest
-        """For panels of a stretch that neither solves; in r."""
-        self.tolerance = self.share = 0.0
-        """Error that one panel over the whole stretch may have, relative in v², and any panel inside; and that of each
-        of several at its end (in r: of the way), for they add up, and near a stop they grow."""
-        self.complete = False
-        """Keep the panels, right at every place and not at the ends alone; go on past a choke."""
+    def __init__(
+        self,
+        first_pair: "gauss.RulePair",
+        second_pair: "gauss.RulePair",
+        step_pair: "gauss.RulePair",
+        r_pair: "gauss.RulePair",
+    ) -> None:
+        self.first_pair, self.second_pair = first_pair, second_pair
+        """Rules for the whole segment as one panel; the second pair is tried where the first misses the tolerance."""
+        self.step_pair, self.r_pair = step_pair, r_pair
+        """Rules for the panels of a segment that takes several: in c, and in r."""
+        self.tolerance = self.panel_tolerance = 0.0
+        """Error allowed to one panel over the whole segment, relative in v², and inside any panel. ``panel_tolerance``
+        is allowed at the end of each of several panels (in r relative to its length): errors add up, and grow near
+        a stop."""
+        self.dense_output = False
+        """Keep the panels, accurate at every share and not at their ends alone, and continue past a choke."""
 
 
-class Log:
-    """Panels that are kept, and what it takes to solve one: the same for all segments of a chute."""
+class PanelStore:
+    """Accepted panels, and the work arrays to solve one; all segments of a chute share it."""
 
-    def __init__(self, room: int) -> None:
+    def __init__(self, capacity: int) -> None:
         self.panel = panel.Panel()
-        self.margins, self.values = floats.zeros(matrix.MOST), floats.zeros(matrix.MOST)
-        self.kept: Any = floats.zeros(KEPT * max(room, 1))
-        """Panels, one after the other: by root, nodes, facet, piece, start, end, knots."""
-        self.room = room
+        self.event_values, self.work = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
+        self.panels: Any = floats.zeros(PANEL_SIZE * max(capacity, 1))
+        """Panels one after the other: in r (1 or 0), nodes, facet, piece, start, end, solution at the knots."""
+        self.capacity = capacity
         self.count = 0
         self.full = False
-        """There was no room for a panel."""
+        """Set when there was no room for a panel."""
 
 
 class Stream:
-    """Where a stream stands on its segment."""
+    """State of a stream on its segment, as the stepping routines advance it."""
 
-    def __init__(self, way: "slide.Slide", log: Log) -> None:
-        self.way = way
-        self.log = log
-        self.panel = log.panel
-        self.margins, self.values = log.margins, log.values
-        self.watched = array("i", [0] * 7)
-        """Which events can happen on this segment at all."""
-        self.eventful = False
-        self.place = self.y = self.error = 0.0
-        """c, v², and its relative error; after a stall, of the place."""
+    def __init__(self, guide: "guide_surface.Guide", store: PanelStore) -> None:
+        self.guide = guide
+        self.store = store
+        self.panel = store.panel
+        self.event_values, self.work = store.event_values, store.work
+        self.active_events = array("i", [0] * 7)
+        """Which events can occur on this segment at all."""
+        self.has_events = False
+        self.share = self.y = self.error = 0.0
+        """Share c of the segment's length, v² in m²/s², and its relative error; after a stall the error of the
+        share."""
         self.status = RUNNING
         self.facet = self.piece = 0
-        self.limit = self.reach = self.stride = 1.0
-        """Where the panels have to end; the next step in c; the share of the way to its goal that one in r takes."""
-        self.aim = floats.NAN
-        """Where an event has fixed the end of the next panel, in c or in r."""
-        self.aim_by_root = False
-        self.promising = True
-        """The last panel was a solution, if not a good one, and by its ellipse the finest rules may make it one."""
-        self.tried = 0
-        """How many panels, also such as were refused."""
-        self.tired = False
-        """Panels in r failed since the last one in c."""
-        self.crossed = floats.NAN
-        """Where the friction law's branch last changed."""
-        self.choke_place = self.choke_y = self.choke_error = floats.NAN
+        self.breakpoint = self.next_step = self.r_fraction = 1.0
+        """Share where the next panels have to end; next step in c; fraction of the distance to the goal that a step in
+        r takes."""
+        self.event_target = floats.NAN
+        """End of the next panel if an event has fixed it, in c or in r; else NaN."""
+        self.target_in_r = False
+        self.try_finer = True
+        """Whether the last panel has a solution that the finest rules may bring within tolerance, by its ellipse."""
+        self.attempts = 0
+        """Number of panels solved, rejected ones included."""
+        self.r_rejected = False
+        """Whether panels in r have failed since the last accepted one in c."""
+        self.last_crossing = floats.NAN
+        """Share at which the branch of the friction law last changed."""
+        self.choke_share = self.choke_y = self.choke_error = floats.NAN
 
 
-def margin(stream: Stream, event: int, place: float, y: float) -> float:
-    """How far an event is; a choke happens once."""
-    if event == events.CHOKE and stream.choke_place == stream.choke_place:
+def event_function(stream: Stream, event: int, share: float, y: float) -> float:
+    """Return the value of an event function at a share and a v²; a choke occurs once."""
+    if event == events.CHOKE and stream.choke_share == stream.choke_share:
         return 1.0
-    return events.margin(stream.way, stream.facet, stream.piece, event, place, y, stream.limit)
+    return events.event_function(stream.guide, stream.facet, stream.piece, event, share, y, stream.breakpoint)

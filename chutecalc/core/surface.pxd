@@ -1,10 +1,10 @@
 from libc cimport math
-from chutecalc.core cimport flight, floats, quartic, records, slide
+from chutecalc.core cimport flight, floats, guide_surface, quartic, records
 
-cdef double ON_IT
+cdef double END_TOLERANCE
 
-cdef (double, double) point(slide.Slide way, double place) noexcept nogil
-cdef (double, double, double) land(slide.Slide way, records.Flight path, quartic.Quartic curve, int known) noexcept nogil
-cdef void clearance(slide.Slide way, records.Flight path, quartic.Quartic curve) noexcept nogil
-cdef (double, double) foot(slide.Slide way, records.Flight path, double time) noexcept nogil
-cdef double gap_at_end(slide.Slide way, records.Flight path) noexcept nogil
+cdef (double, double) point(guide_surface.Guide guide, double share) noexcept nogil
+cdef (double, double, double) land(guide_surface.Guide guide, records.Flight path, quartic.Quartic curve, int known_roots) noexcept nogil
+cdef void clearance(guide_surface.Guide guide, records.Flight path, quartic.Quartic curve) noexcept nogil
+cdef (double, double) foot(guide_surface.Guide guide, records.Flight path, double time) noexcept nogil
+cdef double gap_at_end(guide_surface.Guide guide, records.Flight path) noexcept nogil

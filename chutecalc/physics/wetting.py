@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from chutecalc.core import floats, section
-from chutecalc.core.wetting import TABLES, areas_below, wet
+from chutecalc.core.wetting import WETTING_QUANTITIES, areas_below, tabulate_wetting
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.circle import series
 from chutecalc.physics.section import Circle, Section
@@ -65,9 +65,9 @@ def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: boo
     1.0 0.0
     """
     numbers, area = _rows(drawn, vertical_ratio, area)
-    out = np.empty((TABLES, len(area)))
+    out = np.empty((WETTING_QUANTITIES, len(area)))
     own, facets = records_of(kind_of(drawn))
-    wet(own, facets, numbers, area, equilibrium, out)
+    tabulate_wetting(own, facets, numbers, area, equilibrium, out)
     return Wetting._make(out)
 
 

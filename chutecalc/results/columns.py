@@ -112,8 +112,8 @@ class StreamColumn(Column):
 
 def _froude(part: Any, at: Any) -> Array:
     """v/√(n A/b_s)."""
-    pressed = at.normal > LEAST_NORMAL * part.design.gravity
-    froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal * at.area / at.width), np.nan)
+    pressed = at.normal_acceleration > LEAST_NORMAL * part.design.gravity
+    froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal_acceleration * at.area / at.width), np.nan)
     return froude
 
 
@@ -146,7 +146,7 @@ _CATALOGUE = (
                  extremes=Extremes.REPORTED, in_tables=True),
     StreamColumn("normal_acceleration_m_s2", "n", "n", "acceleration that presses the stream on its surface",
                  "acceleration", "m_s2", 2, "ft_s2", 1,
-                 formula=lambda part, at: at.normal, exists=on_surface, needs=Needs.WALLS),
+                 formula=lambda part, at: at.normal_acceleration, exists=on_surface, needs=Needs.WALLS),
     StreamColumn("pressure_kpa", "pressure", "p",
                  "pressure on the centre section; in a vee, on the flanks at their foot; on a plate, of the impact",
                  "pressure", "kpa", 3, "psf", 1,
@@ -177,7 +177,8 @@ _CATALOGUE = (
                  formula=lambda part, at: at.wear(2) * part.slip_ratio, exists=on_surface, needs=Needs.WALLS,
                  extremes=Extremes.REPORTED),
     StreamColumn("wear_number", "N_WR", "N_WR", "n/g on an arc, Roberts' wear number", "number", "", 3,
-                 formula=lambda part, at: at.normal / part.design.gravity, exists=on_arc, needs=Needs.WALLS),
+                 formula=lambda part, at: at.normal_acceleration / part.design.gravity, exists=on_arc,
+                 needs=Needs.WALLS),
 
     StreamColumn("thickness", "H/b_s", "H/b_s", "depth over the free surface's width", "number", internal=True,
                  formula=lambda part, at: at.depth / at.width, exists=on_surface),
@@ -195,13 +196,13 @@ _CATALOGUE = (
                  formula=lambda part, at: at.depth - at.top, exists=on_surface),
     StreamColumn("equilibrium_friction", "μ_e", "μ_e", "equivalent friction of the equilibrium law",
                  "number", internal=True,
-                 formula=lambda part, at: at.even_friction, exists=on_surface),
+                 formula=lambda part, at: at.equilibrium_friction, exists=on_surface),
     StreamColumn("balance_m_s", "v_c", "v_c", "velocity below which friction slows the stream",
                  "velocity", "m_s", internal=True,
-                 formula=lambda part, at: at.balance, exists=on_surface),
+                 formula=lambda part, at: at.critical_velocity, exists=on_surface),
     StreamColumn("balance_margin", "v/v_c", "v/v_c", "velocity over that below which friction slows the stream",
                  "number", internal=True,
-                 formula=lambda part, at: at.velocity / at.balance, exists=on_surface),
+                 formula=lambda part, at: at.velocity / at.critical_velocity, exists=on_surface),
 )
 # fmt: on
 

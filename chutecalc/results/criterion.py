@@ -11,7 +11,7 @@ from chutecalc.results.extremes import Extreme, ExtremeOf
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part
 from chutecalc.results.sampled import SampledPart
-from chutecalc.solver.leg import ContactLeg, Leg
+from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
 
 
 class Scene(NamedTuple):
@@ -35,9 +35,9 @@ class Scene(NamedTuple):
         return self.sampled.part
 
     @property
-    def leg(self) -> Leg:
+    def solved(self) -> SegmentSolution:
         """The solved segment."""
-        return self.sampled.part.leg
+        return self.sampled.part.solved
 
     @property
     def design(self) -> Design:
@@ -45,7 +45,7 @@ class Scene(NamedTuple):
         return self.sampled.part.design
 
     @property
-    def contact(self) -> ContactLeg:
+    def contact(self) -> ContactSolution:
         """The contact with the guiding surface; there is none in a fall."""
         contact = self.sampled.part.contact
         assert contact is not None

@@ -11,7 +11,7 @@ from chutecalc.results.described import outcomes, status_text
 from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.results.trajectory import Trajectory
 from chutecalc.solver.chain import run_chain, run_ends
-from chutecalc.solver.course import kinds_of, numbers_of
+from chutecalc.solver.chain_input import design_rows, layout_of
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -62,11 +62,11 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
     """
     taken = columns_needed(design, names)
     if design.segments[-1].deflects:  # where the stream is as the impact on it leaves it
-        legs, ends = run_chain(design, rtol, complete=False)
+        segment_solutions, ends = run_chain(design, rtol, dense_output=False)
         codes = stretched(ends.status, (count,))
-        found = Trajectory(design, legs, codes, count).exit_columns(taken)
+        found = Trajectory(design, segment_solutions, codes, count).exit_columns(taken)
     else:
-        ends = run_ends(kinds_of(design), numbers_of(design), rtol, *exit_needs(taken))
+        ends = run_ends(layout_of(design), design_rows(design), rtol, *exit_needs(taken))
         found = at_exit(design, ends, taken)
     belt = receiver_numbers(design, found)
 

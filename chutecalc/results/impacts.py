@@ -16,7 +16,7 @@ IMPACT_COLUMNS = {
         FormulaColumn("velocity_before_m_s", "before", "", "velocity before the impact",
                       "velocity", "m_s", 3, "fpm", 1, formula=lambda arrival, slip: arrival.velocity),
         FormulaColumn("velocity_after_m_s", "after", "", "velocity along the surface after the impact",
-                      "velocity", "m_s", 3, "fpm", 1, formula=lambda arrival, slip: arrival.impact.after),
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda arrival, slip: arrival.impact.velocity_after),
         FormulaColumn("pressure_kpa", "pressure", "p", "impact pressure on the surface",
                       "pressure", "kpa", 3, "psf", 1, formula=lambda arrival, slip: arrival.impact.pressure / 1000.0),
         FormulaColumn("footprint_m", "footprint", "", "length of surface that is struck",
@@ -33,7 +33,7 @@ def impact_of(arrival: Any, slip_ratio: Any) -> Numbers:
     """Return the numbers of each design's impact.
 
     Args:
-        arrival: how the stream meets the segment, :class:`chutecalc.solver.leg.Arrival`.
+        arrival: how the stream meets the segment, :class:`chutecalc.solver.segment_solution.Arrival`.
         slip_ratio: slip velocity at the wall over mean velocity, dimensionless, shape (designs,).
 
     Returns:

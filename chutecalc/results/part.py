@@ -8,14 +8,14 @@ from functools import cached_property
 
 import numpy as np
 
-from chutecalc.core.profile import flown
+from chutecalc.core.profile import flight_lengths
 from chutecalc.design import Contact, Design, Segment, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Numbers
 from chutecalc.physics.section import Polygon
 from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
 from chutecalc.results.impacts import impact_of
-from chutecalc.solver.leg import ContactLeg, Ends, Leg
-from chutecalc.solver.profile import EndFlight, EndProfile, FlightProfile, SlideProfile
+from chutecalc.solver.profile import ContactProfile, EndContactProfile, EndFlightProfile, FlightProfile
+from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolution
 
 FLIGHT_SHARES = np.linspace(0.0, 1.0, 65)
 """Shares at which a flight is sampled: all is smooth along it."""
@@ -24,7 +24,7 @@ AT_REST = (1e-40, 1e-44)
 LIFT_OFF = 1e-6
 """Ratio to gravity of the normal acceleration below which contact was lost by it falling to 0."""
 
-Profile = FlightProfile | SlideProfile
+Profile = FlightProfile | ContactProfile
 
 
 class SegmentContext:
@@ -67,20 +67,27 @@ class Part(SegmentContext):
     """A part of the trajectory: a segment, or a flight that leads to one."""
 
     def __init__(
-        self, name: str, kind: str, leg: Leg, *, contact: ContactLeg | None, before: "Part | None", design: Design
+        self,
+        name: str,
+        kind: str,
+        solved: SegmentSolution,
+        *,
+        contact: ContactSolution | None,
+        before: "Part | None",
+        design: Design,
     ) -> None:
         """A part.
 
         Args:
             name: of the segment; ``NAME:flight`` for a flight that leads to it.
             kind: of the segment, or ``flight``.
-            leg: the solved segment.
+            solved: the solved segment.
             contact: its contact with the surface; None in flight.
             before: the part before it.
             design: the chutes.
         """
-        super().__init__(leg.segment, design, contact is not None)
-        self.name, self.kind, self.leg, self.contact, self.before = name, kind, leg, contact, before
+        super().__init__(solved.segment, design, contact is not None)
+        self.name, self.kind, self.solved, self.contact, self.before = name, kind, solved, contact, before
 
     @cached_property
     def start_time(self) -> Array:
@@ -97,10 +104,10 @@ class Part(SegmentContext):
     def span(self) -> tuple[Array, Array]:
         """Return where each design enters and leaves the part: m flown in flight, shares of the segment in contact."""
         if self.contact is None:
-            flies = (self.leg.flight_time > 0.0) | (self.kind != "flight")
-            end = np.where(flies, self.leg.flown, np.nan)
+            flies = (self.solved.flight_time > 0.0) | (self.kind != "flight")
+            end = np.where(flies, self.solved.flight_length, np.nan)
             return np.where(np.isnan(end), np.nan, 0.0), end
-        ends = self.contact.ends
+        ends = self.contact.bounds
         return ends[0], ends[2]
 
     def length(self) -> Array:
@@ -111,8 +118,8 @@ class Part(SegmentContext):
     def status(self) -> Index:
         """Return how the part ends for each design, by status number; a flight to a segment is ok where it lands."""
         if self.kind == "flight":
-            return np.where(self.leg.flight_time > 0.0, Status.OK, Status.NOT_REACHED)
-        return self.leg.status
+            return np.where(self.solved.flight_time > 0.0, Status.OK, Status.NOT_REACHED)
+        return self.solved.status
 
     def impact(self) -> Numbers:
         """Return each design's impact on the segment, see :func:`chutecalc.results.impacts.impact_of`."""
@@ -129,16 +136,16 @@ class Part(SegmentContext):
         """
         begin, end = self.span()
         if self.contact is None:
-            _, _, _, downward, gravity = self.leg.path
+            _, _, _, downward, gravity = self.solved.path
             rises = (downward < 0.0) & (end > 0.0)
             if not rises.any():
                 return FLIGHT_SHARES
-            top = np.minimum(-downward / gravity, self.leg.flight_time)[None]  # next to it the velocity has its dip
+            top = np.minimum(-downward / gravity, self.solved.flight_time)[None]  # next to it the velocity has its dip
             length = np.empty(top.shape)
-            flown(self.leg.path, top, length)
+            flight_lengths(self.solved.path, top, length)
             share = np.where(rises, length[0] / np.where(rises, end, 1.0), 1.0)
             return np.sort(np.concatenate([np.repeat(FLIGHT_SHARES[:, None], len(share), axis=1), share[None]]), axis=0)
-        positions = self.contact.panels.knots()
+        positions = self.contact.panels.knot_shares()
         length = np.where(end > begin, end - begin, np.inf)
         shares = np.ones((len(positions) + 1, len(begin)))
         shares[0] = 0.0
@@ -162,19 +169,19 @@ class Part(SegmentContext):
         with np.errstate(all="ignore"):
             at = self._profile(np.ones(1))
             values = {name: ALL_COLUMNS[name].values(self, at)[0] for name in names}
-            if not isinstance(at, SlideProfile):
+            if not isinstance(at, ContactProfile):
                 return values
             rest = at.velocity_squared[0] == 0.0
             if rest.any():
-                slow, slower = (at.moving(tiny) for tiny in AT_REST)
+                slow, slower = (at.with_velocity_squared(tiny) for tiny in AT_REST)
                 for name, there in values.items():
                     near, nearer = (ALL_COLUMNS[name].values(self, one)[0] for one in (slow, slower))
                     tends = np.where(np.abs(nearer) > 2.0 * np.abs(near), np.copysign(np.inf, near), near)
                     values[name] = np.where(rest, np.where(np.abs(nearer) < 0.5 * np.abs(near), 0.0, tends), there)
             for name in values:
                 if ALL_COLUMNS[name].infinite_at_lift_off:
-                    lost = self.leg.status == Status.CONTACT_LOST
-                    lost = lost & (np.abs(at.normal[0]) < LIFT_OFF * self.design.gravity)
+                    lost = self.solved.status == Status.CONTACT_LOST
+                    lost = lost & (np.abs(at.normal_acceleration[0]) < LIFT_OFF * self.design.gravity)
                     values[name] = np.where(lost, np.inf, values[name])
         return values
 
@@ -197,15 +204,17 @@ class Part(SegmentContext):
 
     def _profile(self, shares: Array) -> Profile:
         each = shares[:, None] if shares.ndim == 1 else shares
-        leg = self.leg
-        if each.shape[1] > leg.table.shape[1]:  # designs that differ in what the stream does not feel, as slip at walls
-            leg = leg.widened(each.shape[1])
+        solved = self.solved
+        if (
+            each.shape[1] > solved.table.shape[1]
+        ):  # designs that differ in what the stream does not feel, as slip at walls
+            solved = solved.broadcast(each.shape[1])
         begin, end = self.span()
         positions = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit
         if self.contact is None:
-            return FlightProfile(leg, self.design.volume_rate, positions)
-        assert leg.contact is not None
-        return SlideProfile(leg, leg.contact, self.design.volume_rate, positions)
+            return FlightProfile(solved, self.design.volume_rate, positions)
+        assert solved.contact is not None
+        return ContactProfile(solved, solved.contact, self.design.volume_rate, positions)
 
 
 def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
@@ -221,7 +230,9 @@ def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
     """
     last = design.segments[-1]
     context, well = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
-    at: Profile = EndProfile(ends, design.volume_rate) if context.guided else EndFlight(ends, design.volume_rate)
+    at: Profile = (
+        EndContactProfile(ends, design.volume_rate) if context.guided else EndFlightProfile(ends, design.volume_rate)
+    )
     with np.errstate(all="ignore"):
         columns = {name: ALL_COLUMNS[name].values(context, at)[0] for name in names}
     return {name: np.where(well, values, np.nan) for name, values in columns.items()}

@@ -15,7 +15,7 @@ from chutecalc.results.finding import Finding
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
 from chutecalc.results.trajectory import Trajectory
-from chutecalc.solver.leg import Ends, Leg
+from chutecalc.solver.segment_solution import Ends, SegmentSolution
 from chutecalc.spec.chute_spec import ChuteSpec
 
 
@@ -35,12 +35,14 @@ class SolvedChute:
     Arrays over designs are of shape (designs,), also for one design.
     """
 
-    def __init__(self, chute: CheckedChute, legs: Sequence[Leg], ends: Ends, rtol: float) -> None:
+    def __init__(
+        self, chute: CheckedChute, segment_solutions: Sequence[SegmentSolution], ends: Ends, rtol: float
+    ) -> None:
         """A solution, as :func:`chutecalc.solve` gives it.
 
         Args:
             chute: that was solved.
-            legs: the solved segments in the order in which the stream meets them.
+            segment_solutions: the solved segments in the order in which the stream meets them.
             ends: how the designs end.
             rtol: relative error allowed to the velocity.
         """
@@ -59,7 +61,9 @@ class SolvedChute:
         self.error_estimate: Array = stretched(ends.error, (chute.count,))
         """Estimated relative error of the last velocity, shape (designs,); after a stall that of its position, as a
         share of the segment's length."""
-        self.trajectory = Trajectory(chute.design, legs, stretched(ends.status, (chute.count,)), chute.count)
+        self.trajectory = Trajectory(
+            chute.design, segment_solutions, stretched(ends.status, (chute.count,)), chute.count
+        )
         """The solved trajectory, part by part, for programs that extend chutecalc."""
 
     @cached_property

@@ -16,7 +16,7 @@ from chutecalc.results.findings import NEEDED, find
 from chutecalc.results.part import Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
-from chutecalc.solver.leg import Leg
+from chutecalc.solver.segment_solution import SegmentSolution
 
 EXTREMES = [*dict.fromkeys([*((name, sign) for name in REPORTED for sign in (LEAST, LARGEST)), *NEEDED])]
 """The extremes of each part that are reported or that criteria need."""
@@ -27,27 +27,27 @@ SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
 class Trajectory:
     """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
 
-    def __init__(self, design: Design, legs: Sequence[Leg], codes: Index, count: int) -> None:
+    def __init__(self, design: Design, segment_solutions: Sequence[SegmentSolution], codes: Index, count: int) -> None:
         """A trajectory.
 
         Args:
             design: the numeric description of the chutes.
-            legs: the solved segments in the order in which the stream meets them.
+            segment_solutions: the solved segments in the order in which the stream meets them.
             codes: the :class:`~chutecalc.design.Status` of each design, shape (designs,).
             count: number of designs.
         """
-        self.design, self.legs, self.codes, self.count = design, tuple(legs), codes, count
+        self.design, self.segment_solutions, self.codes, self.count = design, tuple(segment_solutions), codes, count
 
     @cached_property
     def parts(self) -> list[Part]:
         """The parts in order; flights are parts of their own where any design flies."""
         parts: list[Part] = []
         before: Part | None = None
-        for leg in self.legs:
-            name, kind = leg.segment.name, leg.segment.kind
-            if leg.contact is not None and (leg.flight_time > 0.0).any():
-                parts.append(Part(f"{name}:flight", "flight", leg, contact=None, before=before, design=self.design))
-            before = Part(name, kind, leg, contact=leg.contact, before=before, design=self.design)
+        for solved in self.segment_solutions:
+            name, kind = solved.segment.name, solved.segment.kind
+            if solved.contact is not None and (solved.flight_time > 0.0).any():
+                parts.append(Part(f"{name}:flight", "flight", solved, contact=None, before=before, design=self.design))
+            before = Part(name, kind, solved, contact=solved.contact, before=before, design=self.design)
             parts.append(before)
         return parts
 
@@ -66,7 +66,7 @@ class Trajectory:
         found: dict[int, SegmentResult] = {}
         for part, result in zip(self.parts, self.results, strict=True):
             if result.kind != "flight":
-                number = part.leg.number
+                number = part.solved.number
                 found[number] = joined(found[number], result) if number in found else result
         return Segments(found.values())
 
@@ -74,7 +74,7 @@ class Trajectory:
         """Return for each segment of the spec the flights that lead to it."""
         pairs = list(zip(self.parts, self.results, strict=True))
         return [
-            [result for part, result in pairs if part.leg.number == number and result.kind == "flight"]
+            [result for part, result in pairs if part.solved.number == number and result.kind == "flight"]
             for number in range(len(self.design.segments))
         ]
 
@@ -99,9 +99,9 @@ class Trajectory:
         last = len(self.design.segments) - 1
         found = {name: np.full(self.count, np.nan) for name in names}
         for part in self.parts:  # of a hood that is left and struck again there are several
-            if part.leg.number == last and part.kind != "flight":
+            if part.solved.number == last and part.kind != "flight":
                 ends = part.at(np.ones(1), names)
-                here = (part.leg.status == Status.OK) & (self.codes == Status.OK)
+                here = (part.solved.status == Status.OK) & (self.codes == Status.OK)
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
         return found
 

@@ -1,1 +1,1 @@
-"""From a numeric description to the stream along it."""
+"""Solve numeric descriptions of chutes: hand designs to the compiled core, and read its results as arrays."""

@@ -1,92 +1,145 @@
-"""Designs through their chutes: rows of numbers to the compiled chain, and the legs that it found as arrays."""
+"""Solve designs with the compiled core, and return what it found segment by segment as arrays."""
 
 import numpy as np
 
-from chutecalc.core import designs, march, records, state, walls
-from chutecalc.core.answer import Answer
+from chutecalc.core import batch_call, records, state, stepping, wall_loads
 from chutecalc.core.replay import Recipe
+from chutecalc.core.single_design import SingleDesignSolver
 from chutecalc.design import Contact, Design, Status
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.motion import ROOF
-from chutecalc.solver.course import Kinds, Numbers, give_back, kinds_of, numbers_of, shrink, take
-from chutecalc.solver.effort import effort
-from chutecalc.solver.leg import AT, ContactLeg, Ends, Leg, columns, whole
-from chutecalc.solver.panels import Panels, Way
+from chutecalc.solver.chain_input import (
+    ChuteLayout,
+    DesignRows,
+    borrow_state,
+    design_rows,
+    free_buffers,
+    layout_of,
+    return_state,
+)
+from chutecalc.solver.options import solver_options
+from chutecalc.solver.panels import GuideRows, Panels
+from chutecalc.solver.segment_solution import FIELD, ContactSolution, Ends, SegmentSolution, field_indices, field_rows
 
-ROOM = 32
-"""Panels, and legs, kept of a chute before more room is asked for."""
+INITIAL_CAPACITY = 32
+"""Panels, and solutions of segments, that there is room for at first beside one of each segment."""
 
 
-def run_chain(design: Design, rtol: float, complete: bool = True) -> tuple[list[Leg], Ends]:
-    """Solves a chute, or n of them.
+def run_chain(design: Design, rtol: float, dense_output: bool = True) -> tuple[list[SegmentSolution], Ends]:
+    """Solve a chute, or n variants of it.
 
     Args:
-        design: the chute.
+        design: the chute; its numbers are arrays of length 1 or n.
         rtol: relative error allowed to the velocity.
-        complete: keep what it takes to tell the stream at every place; without it only the ends of segments are known.
+        dense_output: keep the panels, from which the stream follows at every share; without them only the ends of
+            segments are known.
 
     Returns:
-        The legs in order, one or more a segment, and how each design ends.
+        The solutions of the segments in order, one or more for each, and how each design ends.
 
     Raises:
-        SpecError: a hood that is drawn tangent to a falling stream does not steepen from there, or a curve does not
-            turn.
+        SpecError: a hood drawn tangent to a falling stream does not steepen from there, or a curve does not turn.
         RuntimeError: a segment took more than 2000 panels: a fault of the solver, not of the chute.
     """
-    chain = Chain(design, effort(rtol, complete))
-    return chain.legs(), chain.ends
+    chain = Chain(design, solver_options(rtol, dense_output))
+    return chain.segment_solutions(), chain.ends
 
 
-def run_ends(kinds: Kinds, numbers: Numbers, rtol: float, lying: bool = False, pressing: bool = False) -> Ends:
-    """The same for the ends alone.
+def run_ends(
+    layout: ChuteLayout,
+    numbers: DesignRows,
+    rtol: float,
+    with_stream_section: bool = False,
+    with_wall_loads: bool = False,
+) -> Ends:
+    """Solve the rows of n designs, and return how they end without anything in between.
 
     Args:
-        kinds, numbers: of the designs.
-        rtol: as of :func:`run_chain`.
-        lying, pressing: whether the tables of that name are asked for.
+        layout: of the designs, see :func:`chutecalc.solver.chain_input.layout_of`.
+        numbers: their rows, see :func:`chutecalc.solver.chain_input.design_rows`.
+        rtol: relative error allowed to the velocity.
+        with_stream_section: compute the stream in the last section.
+        with_wall_loads: compute the loads on the walls there.
+
+    Returns:
+        How each design ends; tables that are not asked for are empty.
+
+    Raises:
+        SpecError: see :func:`run_chain`.
+        RuntimeError: see :func:`run_chain`.
     """
-    course = take(kinds)
-    tables = begin(course, numbers, lying, pressing)
-    course.ends_only = True
-    if designs.solve(course, effort(rtol, False), numbers.rows, 0, len(numbers.rows)) < len(numbers.rows):
+    chute = borrow_state(layout)
+    tables = prepare_outputs(chute, numbers, with_stream_section, with_wall_loads)
+    chute.ends_only = True
+    if batch_call.solve(chute, solver_options(rtol, False), numbers.rows, 0, len(numbers.rows)) < len(numbers.rows):
         raise RuntimeError(NOT_SOLVED)
-    faults = course.faults
-    give_back(kinds, course)
-    return told(kinds, faults, *tables)
+    faults = chute.faults
+    return_state(layout, chute)
+    return checked_ends(layout, faults, *tables)
 
 
-def answer_of(kinds: Kinds, recipe: Recipe, work: state.Effort, lying: bool, pressing: bool) -> Answer:
-    """What answers for one design after the other, with records of its own."""
-    numbers, course = np.empty((1, len(recipe.taken))), take(kinds)
-    begin(course, Numbers(numbers, [], 0), lying, pressing)
-    course.ends_only = True
-    return Answer(recipe, course, work, np.empty((1, recipe.varied)), numbers)
+def single_design_solver(
+    layout: ChuteLayout, recipe: Recipe, options: state.SolverOptions, with_stream_section: bool, with_wall_loads: bool
+) -> SingleDesignSolver:
+    """Return a solver for one design after the other, which owns its records.
+
+    Args:
+        layout: of the design, see :func:`chutecalc.solver.chain_input.layout_of`.
+        recipe: computes a row of numbers from those that are varied.
+        options: tolerances and rules.
+        with_stream_section: compute the stream in the last section.
+        with_wall_loads: compute the loads on the walls there.
+    """
+    numbers, chute = np.empty((1, len(recipe.taken))), borrow_state(layout)
+    prepare_outputs(
+        chute, DesignRows(rows=numbers, wall_offsets=[], first_varied=0), with_stream_section, with_wall_loads
+    )
+    chute.ends_only = True
+    return SingleDesignSolver(recipe, chute, options, inputs=np.empty((1, recipe.varied)), numbers=numbers)
 
 
-NOT_SOLVED = f"a contact segment was not solved in {march.MOST} panels"
+NOT_SOLVED = f"a contact segment was not solved in {stepping.MOST_PANELS} panels"
 Tables = tuple[Array, Array, Array]
-NOT_ASKED = np.empty(0)
+NO_TABLE = np.empty(0)
 
 
-def begin(course: records.Course, numbers: Numbers, lying: bool, pressing: bool) -> Tables:
-    """Has records ready for so many designs, and tells the tables that they will fill."""
+def prepare_outputs(
+    chute: records.ChuteState, numbers: DesignRows, with_stream_section: bool, with_wall_loads: bool
+) -> Tables:
+    """Give the state of a chute the tables that it will fill, and return them.
+
+    Args:
+        chute: the state.
+        numbers: the rows to be solved.
+        with_stream_section: whether the stream in the last section is computed.
+        with_wall_loads: whether the loads on the walls there are computed.
+
+    Returns:
+        The ends of the designs, a row for each of :data:`chutecalc.core.records.ENDS`; the stream in the last section;
+        and the loads there.
+    """
     count = len(numbers.rows)
-    course.faults, course.tells_lying, course.tells_pressing = 0, lying, pressing
-    course.ends = ends = np.empty((len(records.ENDS), count))
-    lies = presses = NOT_ASKED
-    if lying:
-        course.lying = lies = np.empty((walls.LIE, 1, count))
-    if pressing:
-        course.pressing = presses = np.empty((walls.PRESS, 1, count))
-    course.again = course.first
-    while course.again.number < numbers.again:
-        course.again = course.again.next
-    return ends, lies, presses
+    chute.faults, chute.with_stream_section, chute.with_wall_loads = 0, with_stream_section, with_wall_loads
+    chute.ends = ends = np.empty((len(records.ENDS), count))
+    section_table = load_table = NO_TABLE
+    if with_stream_section:
+        chute.stream_section = section_table = np.empty((wall_loads.STREAM_SECTION_ROWS, 1, count))
+    if with_wall_loads:
+        chute.wall_loads = load_table = np.empty((wall_loads.WALL_LOAD_ROWS, 1, count))
+    chute.first_varied = chute.first
+    while chute.first_varied.number < numbers.first_varied:
+        chute.first_varied = chute.first_varied.next
+    return ends, section_table, load_table
 
 
-def told(kinds: Kinds, faults: int, ends: Array, lying: Array, pressing: Array) -> Ends:
-    """How designs end.
+def checked_ends(layout: ChuteLayout, faults: int, ends: Array, stream_section: Array, wall_loads: Array) -> Ends:
+    """Return how designs end.
+
+    Args:
+        layout: of the designs.
+        faults: how many of them have a curve that is not tangent to its stream.
+        ends, stream_section, wall_loads: tables as of :func:`prepare_outputs`, filled.
 
     Raises:
         SpecError: some have curves that are not tangent to the stream that falls into them.
@@ -95,81 +148,99 @@ def told(kinds: Kinds, faults: int, ends: Array, lying: Array, pressing: Array) 
         refused = ends[0] == state.NOT_TANGENT
         row = int(refused.argmax())
         at, slope = int(ends[4, row]), np.degrees(ends[6, row])
-        what = "a roof has to steepen" if kinds[at].side == ROOF else "an arc has to turn"
+        what = "a roof has to steepen" if layout[at].side == ROOF else "an arc has to turn"
         problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
         fault = Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")
         raise SpecError([fault], designs=refused)
-    return Ends(ends[0].astype(np.intp), ends[1], ends[2], ends[3], ends[4], ends[5], ends[6], lying, pressing)
+    solution_blocks = dict(zip(records.ENDS, ends, strict=True)) | {"status": ends[0].astype(np.intp)}
+    return Ends(**solution_blocks, stream_section=stream_section, wall_loads=wall_loads)
 
 
 class Chain:
-    """Designs, and what the compiled chain wrote down of them."""
+    """Designs, and the solutions of their segments."""
 
-    def __init__(self, design: Design, work: state.Effort) -> None:
-        """Solves."""
-        self.design, self.work, self.kinds, numbers = design, work, kinds_of(design), numbers_of(design)
-        self.numbers, self.starts, self.again = numbers
+    def __init__(self, design: Design, options: state.SolverOptions) -> None:
+        """Solve the designs."""
+        self.design, self.options, self.layout, numbers = design, options, layout_of(design), design_rows(design)
+        self.numbers, self.wall_offsets, self.first_varied = numbers
         self.count = len(self.numbers)
-        course = take(self.kinds)
-        tables = begin(course, numbers, False, False)
-        course.ends_only = False
-        self.rows, self.kept = self._run(course, len(self.kinds) * self.count + ROOM)
-        faults = course.faults
-        shrink(course)
-        give_back(self.kinds, course)
-        self.ends = told(self.kinds, faults, *tables)
+        chute = borrow_state(self.layout)
+        tables = prepare_outputs(chute, numbers, with_stream_section=False, with_wall_loads=False)
+        chute.ends_only = False
+        self.rows, self.panels = self._run(chute, len(self.layout) * self.count + INITIAL_CAPACITY)
+        faults = chute.faults
+        free_buffers(chute)
+        return_state(self.layout, chute)
+        self.ends = checked_ends(self.layout, faults, *tables)
 
-    def _run(self, course: records.Course, legs: int) -> tuple[Array, Array]:
-        """Legs, a row each, and the panels kept, in one row; of one design after the other."""
-        found, kept, log, done, panels = [], [], course.first.own.log, 0, legs if self.work.complete else 1
+    def _run(self, chute: records.ChuteState, solution_capacity: int) -> tuple[Array, Array]:
+        """Return the solutions of segments, a row each, and the panels in one row, of one design after the other."""
+        solution_blocks, panel_blocks, done = [], [], 0
+        store, panel_capacity = chute.first.stream.store, solution_capacity if self.options.dense_output else 1
         while done < self.count:
-            own_legs, own_panels = np.empty(records.NUMBERS * legs), np.empty(state.PANEL * panels)
-            course.legs, course.room, course.count = own_legs, legs, 0
-            log.kept, log.room, log.count = own_panels, panels, 0
-            course.full = log.full = False
-            before, done = done, designs.solve(course, self.work, self.numbers, done, self.count)
-            found.append(own_legs[: course.count * records.NUMBERS])
-            kept.append(own_panels[: log.count * state.PANEL])
-            if done < self.count and not (course.full or log.full):
+            solution_buffer = np.empty(records.SOLUTION_NUMBERS * solution_capacity)
+            panel_buffer = np.empty(state.PANEL_NUMBERS * panel_capacity)
+            chute.solutions, chute.capacity, chute.count = solution_buffer, solution_capacity, 0
+            store.panels, store.capacity, store.count = panel_buffer, panel_capacity, 0
+            chute.full = store.full = False
+            first, done = done, batch_call.solve(chute, self.options, self.numbers, done, self.count)
+            solution_blocks.append(solution_buffer[: chute.count * records.SOLUTION_NUMBERS])
+            panel_blocks.append(panel_buffer[: store.count * state.PANEL_NUMBERS])
+            if done < self.count and not (chute.full or store.full):
                 raise RuntimeError(NOT_SOLVED)
-            panels *= 2 if log.full and done == before else 1
-            legs *= 2 if course.full and done == before else 1
-        whole = found + kept if len(found) == 1 else (np.concatenate(found), np.concatenate(kept))
-        return whole[0].reshape(-1, records.NUMBERS), whole[1]
+            panel_capacity *= 2 if store.full and done == first else 1
+            solution_capacity *= 2 if chute.full and done == first else 1
+        solution_rows, panel_rows = (
+            blocks[0] if len(blocks) == 1 else np.concatenate(blocks) for blocks in (solution_blocks, panel_blocks)
+        )
+        return solution_rows.reshape(-1, records.SOLUTION_NUMBERS), panel_rows
 
-    def legs(self) -> list[Leg]:
-        """What became of the designs on each segment."""
-        panels = self.rows[:, AT["panels"]].astype(np.intp)
+    def segment_solutions(self) -> list[SegmentSolution]:
+        """Return the solutions of the segments in order; a segment struck several times has one for each."""
+        panels = self.rows[:, FIELD["panels"]].astype(np.intp)
         self.first = np.cumsum(panels) - panels
-        number, strikes = self.rows[:, AT["segment"]], self.rows[:, AT["strikes"]]
-        if len(self.rows) == len(self.kinds) and self.count == 1:  # each segment once
-            return [self._leg(segment, self.rows, np.array([segment])) for segment in range(len(self.kinds))]
-        legs: list[Leg] = []
-        for segment in range(len(self.kinds)):
+        number, strikes = self.rows[:, FIELD["segment"]], self.rows[:, FIELD["strikes"]]
+        if len(self.rows) == len(self.layout) and self.count == 1:  # each segment once
+            return [
+                self._segment_solution(segment, self.rows, np.array([segment])) for segment in range(len(self.layout))
+            ]
+        solutions: list[SegmentSolution] = []
+        for segment in range(len(self.layout)):
             of_segment = number == segment
-            if segment < self.again:  # solved once, or once for each time that room was made
-                of_segment &= self.rows[:, AT["row"]] == 0
-            times = range(int(strikes[of_segment].max()) + 1)
-            legs += [self._leg(segment, self.rows, np.flatnonzero(of_segment & (strikes == again))) for again in times]
-        return legs
+            if segment < self.first_varied:  # solved once, or once for each buffer
+                of_segment &= self.rows[:, FIELD["row"]] == 0
+            strikes_range = range(int(strikes[of_segment].max()) + 1)
+            solutions += [
+                self._segment_solution(segment, self.rows, np.flatnonzero(of_segment & (strikes == strike)))
+                for strike in strikes_range
+            ]
+        return solutions
 
-    def _leg(self, number: int, rows: Array, chosen: Index) -> Leg:
-        """What designs did on a segment, from its rows; what others did not do is left open."""
-        own, segment, count = rows[chosen], self.design.segments[number], 1 if number < self.again else self.count
+    def _segment_solution(self, number: int, rows: Array, chosen: Index) -> SegmentSolution:
+        """Return a segment's solution from its rows; designs that have none get NaN."""
+        own_rows, segment = rows[chosen], self.design.segments[number]
+        count = 1 if number < self.first_varied else self.count
         first = self.first[chosen]
         if len(chosen) < count:
-            table, begins = np.full((records.NUMBERS, count), np.nan), np.zeros(count, dtype=np.intp)
-            at = own[:, AT["row"]].astype(np.intp)
-            table[AT["status"]] = table[AT["met"]] = Status.NOT_REACHED
-            table[AT["beyond_status"] :] = 0.0
-            table[:, at], begins[at] = own.T, first
+            table, first_panels = np.full((records.SOLUTION_NUMBERS, count), np.nan), np.zeros(count, dtype=np.intp)
+            at = own_rows[:, FIELD["row"]].astype(np.intp)
+            table[FIELD["status"]] = table[FIELD["arrival_status"]] = Status.NOT_REACHED
+            table[FIELD["beyond_status"] :] = 0.0
+            table[:, at], first_panels[at] = own_rows.T, first
         else:
-            table, begins = np.ascontiguousarray(own.T), first
-        contact = self._contact(number, segment, table, begins) if isinstance(segment, Contact) else None
-        return Leg(number, segment, table, contact)
+            table, first_panels = np.ascontiguousarray(own_rows.T), first
+        contact = self._contact(number, segment, table, first_panels) if isinstance(segment, Contact) else None
+        return SegmentSolution(number, segment, table, contact)
 
-    def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactLeg:
-        """The same of a guiding surface."""
-        surfaces = np.ascontiguousarray(columns(table, "surface_slope", 3).T)
-        way = Way(self.kinds[number], self.numbers[: len(surfaces)], self.starts[number], surfaces)
-        return ContactLeg(contact, table, way, Panels(way, self.kept, first, whole(table, "panels")))
+    def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactSolution:
+        """Return what the segment's solution has along a guiding surface."""
+        surfaces = np.ascontiguousarray(field_rows(table, "surface_slope", 3).T)
+        guide_rows = GuideRows(
+            layout=self.layout[number],
+            rows=self.numbers[: len(surfaces)],
+            offset=self.wall_offsets[number],
+            surfaces=surfaces,
+        )
+        return ContactSolution(
+            contact, table, guide_rows, Panels(guide_rows, self.panels, first, field_indices(table, "panels"))
+        )

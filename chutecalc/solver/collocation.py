@@ -1,10 +1,10 @@
-"""Gauss-Legendre rules and their matrices, for the compiled solver.
+"""Compute Gauss-Legendre collocation rules and their matrices for the compiled solver.
 
 The unknown of u' = f(p, u) is held at the Gauss nodes of a panel; an integral from the panel's start to each node and
 to the end is one small matrix product. Newton's method (Newton-Kantorovich) needs no linear solver, because the
-linearised equation is scalar: with J = ∂f/∂u, P = exp ∫J, the next iterate is P (u0 + ∫ (f - J u)/P). As f - J u does
-not change with u to first order, the end value is exact to order 2N in the panel's width, the values between to order
-N + 1.
+linearised equation is scalar: with J = ∂f/∂u and P = exp ∫J, the next iterate is P (u0 + ∫ (f - J u)/P). As f - J u
+does not change with u to first order, the end value is exact to order 2N in the panel's width, the values between to
+order N + 1.
 """
 
 from functools import cache
@@ -93,21 +93,24 @@ _WEIGHTS = {
 
 
 class Rule(NamedTuple):
-    """The matrices of N-point collocation on the panel (0, 1)."""
+    """Matrices of N-point collocation on the panel (0, 1)."""
 
     nodes: Array
     """Gauss nodes, shape (N,)."""
     knots: Array
     """The panel's start, its nodes and its end, shape (N + 2,): where a solved panel's values are held."""
     integral: Array
-    """Values at the nodes to integrals from 0 to each node and to 1, shape (N + 1, N)."""
+    """Matrix from values at the nodes to integrals from 0 to each node and to 1, shape (N + 1, N)."""
     weights: Array
     """Barycentric weights of the knots, shape (N + 2,)."""
 
 
 @cache
 def rule(count: int) -> Rule:
-    """Collocation on ``count`` Gauss nodes: 4, 6, 8, 12, 16 or 24.
+    """Return the rule of N Gauss nodes.
+
+    Args:
+        count: N, one of 4, 6, 8, 12, 16 and 24.
 
     >>> midpoint = rule(4)
     >>> bool(abs(midpoint.integral[-1] @ midpoint.nodes**7 - 1 / 8) < 1e-16)
@@ -118,18 +121,18 @@ def rule(count: int) -> Rule:
     upper = np.append(x, 1.0)
     degrees = np.arange(count)
     legendre = _legendre(upper, count)
-    rises = np.empty((count + 1, count))  # ∫ P_k from -1 to x = (P_k+1 - P_k-1)/(2k + 1)
-    rises[:, 0] = upper + 1.0
-    rises[:, 1:] = (legendre[:, 2:] - legendre[:, : count - 1]) / (2.0 * degrees[1:] + 1.0)
+    integrals = np.empty((count + 1, count))  # ∫ P_k from -1 to x = (P_k+1 - P_k-1)/(2k + 1)
+    integrals[:, 0] = upper + 1.0
+    integrals[:, 1:] = (legendre[:, 2:] - legendre[:, : count - 1]) / (2.0 * degrees[1:] + 1.0)
     gauss = np.concatenate([_WEIGHTS[count][::-1], _WEIGHTS[count]])
     coefficients = (legendre[:-1, :count] * gauss[:, None]).T * (degrees + 0.5)[:, None]
     knots = np.concatenate([[0.0], (x + 1.0) / 2.0, [1.0]])
     gaps = knots[:, None] - knots + np.eye(count + 2)
-    return Rule(knots[1:-1], knots, np.ascontiguousarray(rises @ coefficients) / 2.0, 1.0 / gaps.prod(axis=1))
+    return Rule(knots[1:-1], knots, np.ascontiguousarray(integrals @ coefficients) / 2.0, 1.0 / gaps.prod(axis=1))
 
 
 def _legendre(x: Array, degree: int) -> Array:
-    """P_0 to P_degree at x, shape (len(x), degree + 1), by their recurrence."""
+    """Return P_0 to P_degree at x, shape (len(x), degree + 1), by their recurrence."""
     values = np.empty((len(x), degree + 1))
     values[:, 0], values[:, 1] = 1.0, x
     for k in range(1, degree):
@@ -139,14 +142,18 @@ def _legendre(x: Array, degree: int) -> Array:
 
 @cache
 def transfer(coarse: int, fine: int) -> Array:
-    """Matrix from the values at the knots of one rule to those at the nodes of a finer one, shape (fine, coarse + 2).
+    """Return the matrix from values at the knots of one rule to those at the nodes of a finer one.
 
-    The barycentric form of Lagrange interpolation.
+    It is the barycentric form of Lagrange interpolation, of shape (fine, coarse + 2).
+
+    Args:
+        coarse: number of nodes of the one.
+        fine: number of nodes of the other.
     """
-    own = rule(coarse)
-    gaps = rule(fine).nodes[:, None] - own.knots
+    coarse_rule = rule(coarse)
+    gaps = rule(fine).nodes[:, None] - coarse_rule.knots
     exact = gaps == 0.0
-    terms = own.weights / np.where(exact, 1.0, gaps)
+    terms = coarse_rule.weights / np.where(exact, 1.0, gaps)
     matrix: Array = terms / terms.sum(axis=1, keepdims=True)
     matrix[exact.any(axis=1)] = exact[exact.any(axis=1)]
     return matrix

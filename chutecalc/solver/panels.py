@@ -1,84 +1,116 @@
-"""The panels of many designs along one segment: the stream at any place of it."""
+"""Evaluate the panels of many designs along one segment."""
 
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.core import dense, gauss, state
-from chutecalc.core.slide import Slide
+from chutecalc.core import dense_output, gauss, state
+from chutecalc.core.guide_surface import Guide
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.solver.course import Kind, stream_of
-from chutecalc.solver.effort import compiled_rule
+from chutecalc.solver.chain_input import SegmentLayout, stream_for
+from chutecalc.solver.options import compiled_rule
 
 
-class Way(NamedTuple):
-    """Designs on a segment, as the compiled solver reads them."""
+class GuideRows(NamedTuple):
+    """A segment of many designs, as the compiled solver reads it."""
 
-    kind: Kind
-    numbers: Array
-    """Of all designs, a row each, as they were solved with."""
-    start: int
-    """Where in a row the segment's own begin, its wall first."""
+    layout: SegmentLayout
+    rows: Array
+    """Rows of the designs as they were solved with, shape (designs, numbers)."""
+    offset: int
+    """Offset of the segment's own numbers in a row, its wall first."""
     surfaces: Array
-    """Entry slope, turn and length of the segment, a row each."""
+    """Entry slope, rad, turn, rad, and length, m, of the segment, shape (designs, 3)."""
 
-    def widened(self, count: int) -> "Way":
-        """The same of so many designs, where one has gone for all of them."""
-        numbers, surfaces = np.repeat(self.numbers, count, axis=0), np.repeat(self.surfaces, count, axis=0)
-        return self._replace(numbers=numbers, surfaces=surfaces)
+    def broadcast(self, count: int) -> "GuideRows":
+        """Return the rows of ``count`` designs, where one stands for all of them.
+
+        Args:
+            count: number of designs.
+        """
+        rows, surfaces = np.repeat(self.rows, count, axis=0), np.repeat(self.surfaces, count, axis=0)
+        return self._replace(rows=rows, surfaces=surfaces)
 
     @property
-    def slide(self) -> Slide:
-        """A record of its kind."""
-        return stream_of(self.kind).way
+    def guide(self) -> Guide:
+        """A core record of the segment's layout."""
+        return stream_for(self.layout).guide
 
     @property
-    def read(self) -> tuple[Slide, Array, int, Array]:
-        """As the compiled functions of :mod:`chutecalc.core.profile` take it."""
-        return self.slide, self.numbers, self.start, self.surfaces
+    def core_arguments(self) -> tuple[Guide, Array, int, Array]:
+        """First arguments of the functions of :mod:`chutecalc.core.profile`."""
+        return self.guide, self.rows, self.offset, self.surfaces
 
 
 class Panels:
-    """The panels of n designs along a segment, those of a design one after the other."""
+    """Panels of n designs along a segment, those of a design one after the other."""
 
-    def __init__(self, way: Way, kept: Array, first: Index, count: Index) -> None:
-        """Panels as they were kept; there may be none.
+    def __init__(self, guide_rows: GuideRows, store: Array, first: Index, count: Index) -> None:
+        """Hold stored panels; there may be none.
 
         Args:
-            way: the designs on it.
-            kept: the panels, in one row.
-            first, count: the number of each design's first panel, and how many it has.
+            guide_rows: the segment.
+            store: the panels, in one row.
+            first: number of each design's first panel, shape (designs,).
+            count: how many each has, shape (designs,).
         """
-        self.way = way
-        self.kept, self.first, self.count = kept, np.ascontiguousarray(first), np.ascontiguousarray(count)
+        self.guide_rows = guide_rows
+        self.store, self.first, self.count = store, np.ascontiguousarray(first), np.ascontiguousarray(count)
 
-    def of(self, design: int) -> Array:
-        """A design's panels, a row each: 1 in r, nodes, facet, piece, start and end in c or r, the knots of y or c."""
+    def of_design(self, design: int) -> Array:
+        """Return a design's panels, a row each.
+
+        A row has 1 for a panel in r, nodes, facet, piece, start and end in c or r, and the knots' y or c.
+
+        Args:
+            design: its number, from 0.
+        """
         first = self.first[design]
-        return self.kept.reshape(-1, state.PANEL)[first : first + self.count[design]]
+        return self.store.reshape(-1, state.PANEL_NUMBERS)[first : first + self.count[design]]
 
-    def velocities(self, ends: Array, places: Array, out: Array) -> None:
-        """v² at places, shape (places, designs); ``ends`` as of :func:`chutecalc.core.dense.velocities`."""
-        assert places.shape == out.shape == (len(places), len(self.count))  # the compiled loop does not look
-        dense.velocities(self.kept, self.first, self.count, self._rules, ends, places, out)
+    def velocities_squared(self, ends: Array, shares: Array, out: Array) -> None:
+        """Write v² at shares, m²/s².
 
-    def times(self, places: Array, out: Array) -> None:
-        """Seconds since the contact began, likewise; where no panel is, what stands there stays."""
-        assert places.shape == out.shape == (len(places), len(self.count))
-        dense.times(
-            stream_of(self.way.kind), *self.way[1:], self.kept, self.first, self.count, self._rules, places, out
+        Args:
+            ends: as in :func:`chutecalc.core.dense_output.velocities_squared`, shape (4, designs).
+            shares: shape (shares, designs).
+            out: likewise.
+        """
+        assert shares.shape == out.shape == (len(shares), len(self.count))  # the compiled loop does not check
+        dense_output.velocities_squared(self.store, self.first, self.count, self._rules, ends, shares, out)
+
+    def times(self, shares: Array, out: Array) -> None:
+        """Write the time since contact began, s; entries where no panel is stay as they are.
+
+        Args:
+            shares: shape (shares, designs).
+            out: likewise.
+        """
+        assert shares.shape == out.shape == (len(shares), len(self.count))
+        dense_output.times(
+            stream_for(self.guide_rows.layout),
+            *self.guide_rows[1:],
+            self.store,
+            self.first,
+            self.count,
+            self._rules,
+            shares,
+            out,
         )
 
-    def knots(self) -> Array:
-        """Places of the panels' knots after their starts, shape (knots, designs); NaN for what a design has too few."""
-        nodes = self.kept.reshape(-1, state.PANEL)[:, 1].astype(np.intp)
+    def knot_shares(self) -> Array:
+        """Return the shares of the panels' knots after their starts, shape (knots, designs).
+
+        It is NaN past a design's last knot.
+        """
+        nodes = self.store.reshape(-1, state.PANEL_NUMBERS)[:, 1].astype(np.intp)
         ends = np.concatenate([np.zeros(1, dtype=np.intp), np.cumsum(nodes + 1)])
         counts = ends[self.first + self.count] - ends[self.first]
-        places = np.full((max(counts.max(initial=0), 1), len(counts)), np.nan)
-        dense.knot_places(self.kept, self.first, self.count, self._rules, places)
-        return places
+        shares = np.full((max(counts.max(initial=0), 1), len(counts)), np.nan)
+        dense_output.knot_shares(self.store, self.first, self.count, self._rules, shares)
+        return shares
 
     @cached_property
     def _rules(self) -> dict[int, gauss.Rule]:
-        return {count: compiled_rule(count) for count in set(self.kept[1 :: state.PANEL].astype(int).tolist())}
+        return {count: compiled_rule(count) for count in set(self.store[1 :: state.PANEL_NUMBERS].astype(int).tolist())}

@@ -1,156 +1,166 @@
-"""The stream at any place of a solved leg: what its panels and its flight say there.
+"""Evaluate a solved segment at any position: in contact from its panels, in flight from its parabola.
 
-Places are arrays of shape (places, designs), as the panels' own values are; what is returned has that shape too.
+Positions are arrays of shape (positions, designs), as are all results.
 """
 
 from functools import cached_property
 
 import numpy as np
 
-from chutecalc.core import balance, profile, walls
+from chutecalc.core import critical_velocity, profile, wall_loads
 from chutecalc.design import stretched
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.surface import point
-from chutecalc.solver.leg import ContactLeg, Ends, Leg
+from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolution
 
 
 class FlightProfile:
-    """A leg's flight at distances flown, m, shape (places, designs)."""
+    """The flight of a segment's solution, at distances flown."""
 
-    def __init__(self, leg: Leg, flow: Array, distances: Array) -> None:
-        self.leg, self.flow, self.flown, self.shape = leg, flow, distances, distances.shape
+    def __init__(self, solved: SegmentSolution, flow: Array, distances: Array) -> None:
+        self.solved, self.flow, self.flight_length, self.shape = solved, flow, distances, distances.shape
 
     @cached_property
-    def _told(self) -> tuple[Array, ...]:
-        """Time since the leg began, x, z, velocity and slope."""
-        out = np.empty((5, *self.flown.shape))
-        profile.flying(self.leg.path, self.leg.flight_time, self.flown, out)
+    def _table(self) -> tuple[Array, ...]:
+        """Time since the segment's solution began, x, z, velocity and slope."""
+        out = np.empty((5, *self.flight_length.shape))
+        profile.tabulate_flight(self.solved.path, self.solved.flight_time, self.flight_length, out)
         return tuple(out)
 
     @property
     def time(self) -> Array:
-        """Since the leg began, s."""
-        return self._told[0]
+        """Time since the segment's solution began, s."""
+        return self._table[0]
 
     @cached_property
     def distance(self) -> Array:
-        """From the inlet along the stream, m."""
-        return self.leg.start.distance + self.flown
+        """Distance from the inlet along the stream, m."""
+        return self.solved.start.distance + self.flight_length
 
     @property
     def position(self) -> tuple[Array, Array]:
-        """X and z, m."""
-        return self._told[1], self._told[2]
+        """Position x and z, m."""
+        return self._table[1], self._table[2]
 
     @property
     def velocity(self) -> Array:
-        """m/s."""
-        return self._told[3]
+        """Velocity, m/s."""
+        return self._table[3]
 
     @property
     def slope(self) -> Array:
-        """Below horizontal, rad."""
-        return self._told[4]
+        """Slope below horizontal, rad."""
+        return self._table[4]
 
     @property
     def area(self) -> Array:
-        """Q/v, m²."""
+        """Flow area Q/v, m²; NaN at rest."""
         return np.where(self.velocity > 0.0, self.flow / np.where(self.velocity > 0.0, self.velocity, 1.0), np.nan)
 
 
-class SlideProfile:
-    """A leg's contact at places, shares of the segment's length, shape (places, designs).
+class ContactProfile:
+    """The contact of a segment's solution, at shares of the segment's length.
 
-    NaN where there is no stream, or no such quantity. Quantities are worked out when they are first asked for.
+    Results are NaN where there is no stream or no such quantity, and are computed when first read.
     """
 
-    def __init__(self, leg: Leg, contact: ContactLeg, flow: Array, places: Array) -> None:
-        """The contact at places: NaN where none is wanted; outside the part travelled gives NaN."""
-        self.leg, self.contact, self.flow, self.place, self.shape = leg, contact, flow, places, places.shape
+    def __init__(self, solved: SegmentSolution, contact: ContactSolution, flow: Array, shares: Array) -> None:
+        """Evaluate the contact at shares.
+
+        Args:
+            solved: the segment's solution.
+            contact: what it has along the guiding surface.
+            flow: volume rate Q, m³/s, shape (1,) or (designs,).
+            shares: shape (shares, designs); NaN, and shares outside the part travelled, give NaN.
+        """
+        self.solved, self.contact, self.flow, self.share, self.shape = solved, contact, flow, shares, shares.shape
 
     @cached_property
     def velocity_squared(self) -> Array:
-        """m²/s²."""
-        y = np.empty(self.place.shape)
-        self.contact.panels.velocities(self.contact.ends, self.place, y)
+        """Velocity squared, m²/s²."""
+        y = np.empty(self.share.shape)
+        self.contact.panels.velocities_squared(self.contact.bounds, self.share, y)
         return y
 
     @cached_property
     def velocity(self) -> Array:
-        """m/s."""
+        """Velocity, m/s."""
         return np.sqrt(self.velocity_squared)
 
     @cached_property
     def time(self) -> Array:
-        """Since the leg began, s."""
-        time = np.full(self.place.shape, np.nan)
-        self.contact.panels.times(self.place, time)
-        return self.leg.flight_time + np.where(self.place == self.contact.arrival.place, 0.0, time)
+        """Time since the segment's solution began, s."""
+        time = np.full(self.share.shape, np.nan)
+        self.contact.panels.times(self.share, time)
+        return self.solved.flight_time + np.where(self.share == self.contact.arrival.share, 0.0, time)
 
     @property
     def distance(self) -> Array:
-        """From the inlet along the stream, m."""
-        return self.leg.entry.distance + self.contact.surface.length * (self.place - self.contact.arrival.place)
+        """Distance from the inlet along the stream, m."""
+        return self.solved.entry.distance + self.contact.surface.length * (self.share - self.contact.arrival.share)
 
     @cached_property
     def _point(self) -> tuple[Array, Array, Array]:
-        return point(self.contact.surface, self.place)
+        return point(self.contact.surface, self.share)
 
     @property
     def position(self) -> tuple[Array, Array]:
-        """X and z, m."""
+        """Position x and z, m."""
         return self._point[:2]
 
     @property
     def slope(self) -> Array:
-        """Below horizontal, rad."""
+        """Slope below horizontal, rad."""
         return self._point[2]
 
     @cached_property
     def area(self) -> Array:
-        """Q/v, m²; NaN where the stream stands still."""
-        moving = self.velocity > 0.0
-        return np.where(moving, self.flow / np.where(moving, self.velocity, 1.0), np.nan)
+        """Flow area Q/v, m²; NaN at rest."""
+        with_velocity_squared = self.velocity > 0.0
+        return np.where(with_velocity_squared, self.flow / np.where(with_velocity_squared, self.velocity, 1.0), np.nan)
 
     @cached_property
-    def lying(self) -> tuple[Array, ...]:
-        """How the stream lies in the section, see :func:`chutecalc.core.profile.lying`: a table each."""
-        out = np.empty((walls.LIE, *self.place.shape))
-        profile.lying(*self.contact.way.read, self.place, self.velocity_squared, out)
+    def stream_section(self) -> tuple[Array, ...]:
+        """Tables of the stream in its section, see :func:`chutecalc.core.wall_loads.write_stream_section`."""
+        out = np.empty((wall_loads.STREAM_SECTION_ROWS, *self.share.shape))
+        profile.tabulate_stream_section(*self.contact.guide_rows.core_arguments, self.share, self.velocity_squared, out)
         return tuple(out)
 
     @property
     def depth(self) -> Array:
-        """M."""
-        return self.lying[0]
+        """Depth, m."""
+        return self.stream_section[0]
 
     @property
     def width(self) -> Array:
-        """Of the free surface, m."""
-        return self.lying[1]
+        """Width of the free surface, m."""
+        return self.stream_section[1]
 
     @property
     def chamfer(self) -> Array:
         """Wetted length of the drawn facets on one side, m."""
-        return self.lying[2]
+        return self.stream_section[2]
 
     @property
     def missing(self) -> Array:
-        """m, the share of the weight that hydrostatic wall pressures do not carry."""
-        return self.lying[3]
+        """Missing load m, the fraction of the weight that hydrostatic wall pressures do not carry."""
+        return self.stream_section[3]
 
     @property
     def top(self) -> Array:
         """Height of the section's drawn top above the floor, m; NaN where it has none."""
-        return self.lying[4]
+        return self.stream_section[4]
 
     @cached_property
-    def pressing(self) -> tuple[Array, ...]:
-        """What the walls bear, see :func:`chutecalc.core.profile.pressing`; on a plate what the impact does."""
-        out = np.empty((walls.PRESS, *self.place.shape))
-        profile.pressing(*self.contact.way.read, self.place, self.velocity_squared, out)
+    def wall_loads(self) -> tuple[Array, ...]:
+        """Tables of the loads on the walls, on a plate those of the impact.
+
+        See :func:`chutecalc.core.wall_loads.write_wall_loads`.
+        """
+        out = np.empty((wall_loads.WALL_LOAD_ROWS, *self.share.shape))
+        profile.tabulate_wall_loads(*self.contact.guide_rows.core_arguments, self.share, self.velocity_squared, out)
         arrival = self.contact.arrival
-        thrown: Mask = (arrival.incidence > 0.0) & self.leg.segment.deflects
+        thrown: Mask = (arrival.incidence > 0.0) & self.solved.segment.deflects
         if thrown.any():
             impact = arrival.impact
             struck = (impact.wall_friction, impact.friction, None, impact.pressure, np.nan, np.nan)
@@ -160,93 +170,115 @@ class SlideProfile:
         return tuple(out)
 
     @property
-    def normal(self) -> Array:
+    def normal_acceleration(self) -> Array:
         """Normal acceleration, m/s²."""
-        return self.pressing[0]
+        return self.wall_loads[0]
 
     @property
     def stress(self) -> Array:
-        """What the wall's friction is read at, f ρ n H, Pa; infinite at rest, where depth is."""
-        return self.pressing[1]
+        """Stress at which wall friction is read, f ρ n H, Pa; infinite at rest, as depth is."""
+        return self.wall_loads[1]
 
     @property
     def wall_friction(self) -> Array:
-        """μ."""
-        return self.pressing[2]
+        """Coefficient of wall friction μ."""
+        return self.wall_loads[2]
 
     @property
     def friction(self) -> Array:
-        """μ_e."""
-        return self.pressing[3]
+        """Equivalent friction μ_e."""
+        return self.wall_loads[3]
 
     @property
-    def even_friction(self) -> Array:
-        """μ_e where all wall pressures carry the weight alike, for the paper's law to compare with."""
-        return self.pressing[4]
+    def equilibrium_friction(self) -> Array:
+        """Equivalent friction μ_e of the equilibrium law, where all wall pressures together carry the weight."""
+        return self.wall_loads[4]
 
     @property
     def pressures(self) -> tuple[Array, ...]:
-        """On floor, chamfers and side walls, Pa; on a plate the impact's."""
-        return self.pressing[5:8]
+        """Greatest pressures on floor, chamfers and side walls, Pa; on a plate the impact's on the floor."""
+        return self.wall_loads[5:8]
 
     def wear(self, wall: int) -> Array:
-        """Friction power per area there, μ p v, W/m², where slip is the mean velocity; on a plate the impact's."""
+        """Return the friction power per area μ p v, W/m², with the mean velocity as slip.
+
+        On the floor of a plate it is the impact's.
+
+        Args:
+            wall: 0 for the floor, 1 for the chamfers, 2 for the side walls.
+        """
         wear: Array = self.pressures[wall] * self.wall_friction * self.velocity
-        thrown = (self.contact.arrival.incidence > 0.0) & self.leg.segment.deflects
+        thrown = (self.contact.arrival.incidence > 0.0) & self.solved.segment.deflects
         return np.where(thrown, self.contact.arrival.impact.wear, wear) if wall == 0 else wear
 
     @cached_property
-    def balance(self) -> Array:
-        """The velocity below which friction wins here, m/s, see :func:`chutecalc.core.balance.balances`."""
-        out = np.empty(self.place.shape)
-        balance.balances(*self.contact.way.read, self.place, self.velocity, out)
+    def critical_velocity(self) -> Array:
+        """Velocity below which friction exceeds gravity's pull, m/s, see :mod:`chutecalc.core.critical_velocity`."""
+        out = np.empty(self.share.shape)
+        critical_velocity.critical_velocities(*self.contact.guide_rows.core_arguments, self.share, self.velocity, out)
         return out
 
-    def moving(self, velocity_squared: float) -> "SlideProfile":
-        """The same with some velocity at all places, m²/s²."""
-        other = SlideProfile(self.leg, self.contact, self.flow, self.place)
-        other.__dict__["velocity_squared"] = np.full(self.place.shape, velocity_squared)
+    def with_velocity_squared(self, velocity_squared: float) -> "ContactProfile":
+        """Return a profile at the same shares with one velocity at all of them.
+
+        Args:
+            velocity_squared: m²/s².
+        """
+        other = ContactProfile(self.solved, self.contact, self.flow, self.share)
+        other.__dict__["velocity_squared"] = np.full(self.share.shape, velocity_squared)
         return other
 
-    def known(self, values: Array) -> Array:
-        """NaN where there is no stream."""
-        known: Array = stretched(np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape)
-        return known
+    def where_flowing(self, values: Array) -> Array:
+        """Return values with NaN where there is no stream.
+
+        Args:
+            values: shape (shares, designs) or one that broadcasts to it.
+        """
+        where_flowing: Array = stretched(
+            np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape
+        )
+        return where_flowing
 
 
-class EndProfile(SlideProfile):
+class EndContactProfile(ContactProfile):
     """The end of a chute in contact, shape (1, designs)."""
 
     def __init__(self, ends: Ends, flow: Array) -> None:
         self.ends, self.flow = ends, flow
-        self.__dict__.update(velocity=ends.velocity[None], lying=tuple(ends.lying), pressing=tuple(ends.pressing))
+        self.__dict__.update(
+            velocity=ends.velocity[None], stream_section=tuple(ends.stream_section), wall_loads=tuple(ends.wall_loads)
+        )
 
     @property
     def distance(self) -> Array:
-        """From the inlet along the stream, m."""
+        """Distance from the inlet along the stream, m."""
         return self.ends.distance[None]
 
     @property
     def position(self) -> tuple[Array, Array]:
-        """X and z, m."""
+        """Position x and z, m."""
         return self.ends.x[None], self.ends.z[None]
 
     @property
     def slope(self) -> Array:
-        """Below horizontal, rad."""
+        """Slope below horizontal, rad."""
         return self.ends.slope[None]
 
     def wear(self, wall: int) -> Array:
-        """Friction power per area there, W/m²."""
+        """Return the friction power per area μ p v, W/m².
+
+        Args:
+            wall: 0 for the floor, 1 for the chamfers, 2 for the side walls.
+        """
         wear: Array = self.pressures[wall] * self.wall_friction * self.velocity
         return wear
 
 
-class EndFlight(FlightProfile):
+class EndFlightProfile(FlightProfile):
     """The end of a chute in flight, shape (1, designs)."""
 
     def __init__(self, ends: Ends, flow: Array) -> None:
         self.flow = flow
         self.__dict__["distance"] = ends.distance[None]
         there = (np.nan, ends.x, ends.z, ends.velocity, ends.slope)
-        self.__dict__["_told"] = tuple(np.atleast_2d(values) for values in there)
+        self.__dict__["_table"] = tuple(np.atleast_2d(values) for values in there)

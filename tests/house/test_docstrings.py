@@ -41,9 +41,9 @@ PENDING: set[str] = {
     "chutecalc.results.trajectory",
     "chutecalc.solver.chain",
     "chutecalc.solver.collocation",
-    "chutecalc.solver.course",
-    "chutecalc.solver.effort",
-    "chutecalc.solver.leg",
+    "chutecalc.solver.chain_input",
+    "chutecalc.solver.options",
+    "chutecalc.solver.segment_solution",
     "chutecalc.solver.panels",
     "chutecalc.solver.profile",
 }

@@ -7,7 +7,7 @@ import chutecalc
 from chutecalc.design import Status
 from chutecalc.solver import chain
 from chutecalc.solver.chain import run_chain
-from chutecalc.solver.course import take
+from chutecalc.solver.chain_input import borrow_state
 from tests import seeds
 from tests.robustness import extrapolation
 from tests.robustness.extrapolation import Flow, Real
@@ -109,12 +109,12 @@ def test_errors_through_falls_and_impacts_are_within_their_estimates(kind):
     compared = 0
     for rtol in (1e-4, 1e-6, 1e-8, 1e-10, 1e-12):
         for complete in (False, True):
-            legs, _ = run_chain(base.design, rtol, complete)
-            for leg, velocity in zip(legs, right, strict=True):
-                ran = (leg.status == Status.OK) & np.isfinite(velocity)
-                off = np.abs(leg.exit.velocity[ran] / velocity[ran].astype(float) - 1)
-                bad = ~(off <= np.abs(leg.exit.error[ran]) + ROUNDING)
-                assert not bad.any(), (rtol, complete, leg.segment.name, off[bad], leg.exit.error[ran][bad])
+            segment_solutions, _ = run_chain(base.design, rtol, complete)
+            for solved, velocity in zip(segment_solutions, right, strict=True):
+                ran = (solved.status == Status.OK) & np.isfinite(velocity)
+                off = np.abs(solved.exit.velocity[ran] / velocity[ran].astype(float) - 1)
+                bad = ~(off <= np.abs(solved.exit.error[ran]) + ROUNDING)
+                assert not bad.any(), (rtol, complete, solved.segment.name, off[bad], solved.exit.error[ran][bad])
                 compared += ran.sum()
     assert compared > 10 * 5 * COUNT * 0.4  # a good part stalls
 
@@ -164,20 +164,20 @@ def random_chain(random):
 OFF = 1e-6
 
 
-def told(leg):
+def told(solved):
     """What an error is told of at a leg's end: the velocity, or the place where the stream stalls."""
-    if leg.status[0] != Status.STALL:
-        return leg.exit.velocity[0]
-    return leg.contact.stretch.place[0]
+    if solved.status[0] != Status.STALL:
+        return solved.exit.velocity[0]
+    return solved.contact.end.share[0]
 
 
 def off_at_the_inlet(kinds):
-    course = take(kinds)
-    course.inlet.error = OFF
-    return course
+    state = borrow_state(kinds)
+    state.inlet.error = OFF
+    return state
 
 
-def never_again(kinds, course):
+def never_again(kinds, state):
     """Nobody else gets what is off."""
 
 
@@ -189,27 +189,27 @@ def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_do
             design = chutecalc.parse(random_chain(random)).design
         except chutecalc.SpecError:  # a hood or curve that does not turn the right way
             continue
-        monkeypatch.setattr(chain, "take", off_at_the_inlet)
-        monkeypatch.setattr(chain, "give_back", never_again)
-        legs, _ = run_chain(design, 1e-13)
+        monkeypatch.setattr(chain, "borrow_state", off_at_the_inlet)
+        monkeypatch.setattr(chain, "return_state", never_again)
+        segment_solutions, _ = run_chain(design, 1e-13)
         monkeypatch.undo()
         slower, faster = (
             run_chain(design._replace(inlet_velocity=design.inlet_velocity * (1 + off)), 1e-13)[0]
             for off in (-OFF, OFF)
         )
-        if not len(legs) == len(slower) == len(faster):  # at an edge
+        if not len(segment_solutions) == len(slower) == len(faster):  # at an edge
             continue
-        for leg, less, more in zip(legs, slower, faster, strict=True):
-            if leg.status[0] >= Status.MISSED or not leg.status[0] == less.status[0] == more.status[0]:
+        for solved, less, more in zip(segment_solutions, slower, faster, strict=True):
+            if solved.status[0] >= Status.MISSED or not solved.status[0] == less.status[0] == more.status[0]:
                 continue
-            change = abs(told(more) - told(less)) / 2 / (1.0 if leg.status[0] == Status.STALL else told(leg))
-            estimate = abs(leg.exit.error[0])
+            change = abs(told(more) - told(less)) / 2 / (1.0 if solved.status[0] == Status.STALL else told(solved))
+            estimate = abs(solved.exit.error[0])
             # differences are off by their own curvature, OFF² times what errors have grown to the third, and by what
             # the three solutions are, 1e-13 and what that has grown to
             slack = 1e-3 * estimate + 1e-12 * (1.0 + estimate / OFF) ** 2
-            assert change <= estimate + slack, (number, leg.segment, change, estimate)
-            assert change >= 0.9 * estimate - slack - 1e-11, (number, leg.segment, change, estimate)
-            ends, kinds = ends + 1, kinds | {(leg.segment.kind, int(leg.status[0]))}
+            assert change <= estimate + slack, (number, solved.segment, change, estimate)
+            assert change >= 0.9 * estimate - slack - 1e-11, (number, solved.segment, change, estimate)
+            ends, kinds = ends + 1, kinds | {(solved.segment.kind, int(solved.status[0]))}
     assert ends > seeds.times(200)
     assert {("fall", 0), ("plate", 0), ("hood", 0), ("curve", 0), ("curve", 1), ("curve", 3), ("straight", 1)} <= kinds
 

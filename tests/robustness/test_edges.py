@@ -132,9 +132,9 @@ def compare(chute, flow, slowly, rtol, complete, case):
     known = status >= 0
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        legs, _ = run_chain(chute.design, rtol, complete)
-    end = legs[0].exit  # of a hood that is struck again: the first time
-    agrees = np.broadcast_to(legs[0].status, COUNT) == status
+        segment_solutions, _ = run_chain(chute.design, rtol, complete)
+    end = segment_solutions[0].exit  # of a hood that is struck again: the first time
+    agrees = np.broadcast_to(segment_solutions[0].status, COUNT) == status
     assert agrees[known].all(), (np.flatnonzero(known & ~agrees), case, rtol, complete)
     with np.errstate(invalid="ignore"):
         faster = end.velocity / velocity - 1.0
@@ -156,7 +156,9 @@ def test_more_wall_friction_is_never_faster(kind, shape, law):
     friction = np.degrees(np.arctan(chute.design.segments[0].wall.slopes[0]))
 
     def ends(more):
-        _, ended = run_chain(chute.vary({"liners.wall.friction_deg": friction * more}).design, 1e-10, complete=False)
+        _, ended = run_chain(
+            chute.vary({"liners.wall.friction_deg": friction * more}).design, 1e-10, dense_output=False
+        )
         return ended
 
     slow, fast = ends(1.0 + 1e-6), ends(1.0)

@@ -53,8 +53,8 @@ def tapers(shape, kind, seed=3):
 
 
 def first_leg(design, rtol, complete=True):
-    legs, _ = run_chain(design, rtol, complete)
-    return legs[0]
+    segment_solutions, _ = run_chain(design, rtol, complete)
+    return segment_solutions[0]
 
 
 @pytest.mark.parametrize("kind", ["crest", "spoon"])
@@ -66,10 +66,10 @@ def test_errors_along_a_taper_are_within_their_estimates(shape, kind):
     right = known.exit
     for rtol in (1e-6, 1e-10):
         for complete in (False, True):
-            leg = first_leg(design, rtol, complete)
-            end = leg.exit
-            assert (leg.status == known.status).all()
-            ran = leg.status == Status.OK
+            solved = first_leg(design, rtol, complete)
+            end = solved.exit
+            assert (solved.status == known.status).all()
+            ran = solved.status == Status.OK
             off = np.abs(end.velocity[ran] / right.velocity[ran] - 1.0)
             assert (off <= end.error[ran] + right.error[ran] + ROUNDING).all(), (shape, kind, rtol, complete)
 

@@ -31,7 +31,7 @@ def test_stall_inside_a_segment():
     )
     finding = found(solution, "stall")
     assert (finding.severity, finding.segment) == ("failure", "straight")
-    assert finding.s_m[0] == solution.trajectory.legs[0].exit.distance[0]
+    assert finding.s_m[0] == solution.trajectory.segment_solutions[0].exit.distance[0]
     way, slope = (finding.numbers[name][0] for name in ("way_m", "slope_deg"))
     assert way == pytest.approx(finding.s_m[0], rel=1e-15)
     assert slope == pytest.approx(5.0, rel=1e-15)

@@ -29,22 +29,22 @@ CHAIN = {
 def panels(monkeypatch):
     """How many panels have been tried by each design of each stretch."""
     tried = []
-    solve = chain.designs.solve
+    solve = chain.batch_call.solve
 
-    def counting(course, *arguments):
-        done = solve(course, *arguments)
-        legs = np.asarray(course.legs).reshape(-1, len(FIELDS))[: course.count]
-        on_surfaces = legs[legs[:, FIELDS.index("segment")] != 1]  # that one is a fall
-        tried.extend(on_surfaces[:, FIELDS.index("tried")].astype(int).tolist())
+    def counting(chute, *arguments):
+        done = solve(chute, *arguments)
+        segment_solutions = np.asarray(chute.solutions).reshape(-1, len(FIELDS))[: chute.count]
+        on_surfaces = segment_solutions[segment_solutions[:, FIELDS.index("segment")] != 1]  # that one is a fall
+        tried.extend(on_surfaces[:, FIELDS.index("attempts")].astype(int).tolist())
         return done
 
-    monkeypatch.setattr(chain.designs, "solve", counting)
+    monkeypatch.setattr(chain.batch_call, "solve", counting)
     return tried
 
 
 def test_a_design_whose_first_pair_agrees_is_not_refined(panels):
     radii = np.linspace(2.0, 4.0, 500)
-    run_chain(chutecalc.parse(CHAIN).vary({"segments.3.radius_m": radii}).design, 1e-10, complete=False)
+    run_chain(chutecalc.parse(CHAIN).vary({"segments.3.radius_m": radii}).design, 1e-10, dense_output=False)
     assert panels == [1] * (1 + 500)  # the straight once for all, the curve once for each
 
 
@@ -52,14 +52,14 @@ def test_a_stall_takes_few_panels(panels):
     """The way whole, some in c as long as the ellipses of those refused say, one in r; by halves it is one more."""
     stalls = CHAIN | {"inlet": {"velocity_m_s": 2.0, "slope_deg": 60.0}, "segments": [CHAIN["segments"][2]]}
     many = chutecalc.parse(stalls).vary({"liners.steel.friction_deg": np.linspace(45.0, 60.0, 50)})
-    assert (run_chain(many.design, 1e-10, complete=False)[1].status == Status.STALL).all()
+    assert (run_chain(many.design, 1e-10, dense_output=False)[1].status == Status.STALL).all()
     assert np.mean(panels) < 5.2
 
 
 def test_what_comes_before_the_varied_segment_is_solved_once(panels):
     many = chutecalc.parse(CHAIN).vary({"segments.3.radius_m": np.linspace(2.0, 4.0, 500)})
-    legs, _ = run_chain(many.design, 1e-10, complete=False)
-    assert [leg.exit.velocity.shape for leg in legs] == [(1,), (1,), (500,)]
+    segment_solutions, _ = run_chain(many.design, 1e-10, dense_output=False)
+    assert [solved.exit.velocity.shape for solved in segment_solutions] == [(1,), (1,), (500,)]
 
 
 def test_a_varied_receiver_solves_the_chute_once(panels):
@@ -71,16 +71,16 @@ def test_a_varied_receiver_solves_the_chute_once(panels):
 
 
 def test_exits_keep_nothing_of_the_way():
-    legs, _ = run_chain(chutecalc.parse(CHAIN).design, 1e-10, complete=False)
-    assert all(leg.contact.panels.kept.size == 0 for leg in legs if leg.contact)
+    segment_solutions, _ = run_chain(chutecalc.parse(CHAIN).design, 1e-10, dense_output=False)
+    assert all(solved.contact.panels.store.size == 0 for solved in segment_solutions if solved.contact)
 
 
 def test_columns_that_are_not_asked_for_are_not_worked_out(monkeypatch):
     def never(*arguments):
         raise AssertionError("worked out")
 
-    monkeypatch.setattr(profile.profile, "pressing", never)
-    monkeypatch.setattr(profile.balance, "balances", never)
+    monkeypatch.setattr(profile.profile, "tabulate_wall_loads", never)
+    monkeypatch.setattr(profile.critical_velocity, "critical_velocities", never)
     monkeypatch.setattr(Panels, "times", never)
     solution = chutecalc.solve(chutecalc.parse(CHAIN))
     table = solution.stations(columns=("velocity_m_s", "depth_m"))

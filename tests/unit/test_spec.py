@@ -324,8 +324,8 @@ def test_a_curve_tangent_to_a_slanting_stream_keeps_the_base_designs_slope_in_a_
     (note,) = [finding for finding in alone.findings() if finding.code == "geometry_follows_flow"]
     assert note.severity == "note"
     swept = chutecalc.solve(base.vary({"inlet.velocity_m_s": [2.0, 1.0]}))
-    surface = swept.trajectory.legs[1].contact.surface
-    assert surface.slope[0] == alone.trajectory.legs[1].contact.surface.slope[0]
+    surface = swept.trajectory.segment_solutions[1].contact.surface
+    assert surface.slope[0] == alone.trajectory.segment_solutions[1].contact.surface.slope[0]
     assert swept.exit_velocity[0] == alone.exit_velocity[0]
     assert swept.segments[1].entry["velocity_m_s"][1] < swept.segments[0].exit["velocity_m_s"][1]  # an impact
 
@@ -471,7 +471,11 @@ def test_a_sweep_keeps_the_slope_of_a_curve_below_a_vertical_fall():
             segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
         )
     )
-    entry = chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]})).trajectory.legs[1].contact.surface.slope
+    entry = (
+        chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]}))
+        .trajectory.segment_solutions[1]
+        .contact.surface.slope
+    )
     assert np.degrees(np.broadcast_to(entry, 2)).tolist() == [90.0, 90.0]
 
 

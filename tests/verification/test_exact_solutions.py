@@ -83,7 +83,7 @@ def test_stall_on_a_straight_of_constant_friction():
     stop = velocity**2 / (2 * G * (FRICTION * np.cos(slope) - np.sin(slope)))
 
     assert solution.status[0] == "stall"
-    assert abs(solution.trajectory.legs[0].exit.distance[0] - stop) < 1e-8
+    assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - stop) < 1e-8
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def test_straight_rectangular_chute_with_friction_growing_with_depth(velocity, s
     assert np.abs(exact - distance[reached]).max() < 1e-10 * length
     if solution.status[0] == "stall":  # at v = 0 the same formula gives the distance to the stop
         stop = rectangular_straight_distance(drive, drag, velocity, 0.0)
-        assert abs(solution.trajectory.legs[0].exit.distance[0] - stop) < 1e-8
+        assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - stop) < 1e-8
 
 
 def test_the_implicit_straight_solution_solves_its_equation():
@@ -138,7 +138,7 @@ def test_lift_off_from_a_frictionless_crest():
     lift = np.arccos((velocity**2 / (G * radius) + 2 * np.cos(np.radians(start))) / 3)
 
     assert solution.status[0] == "contact_lost"
-    assert abs(solution.trajectory.legs[0].exit.distance[0] - radius * (lift - np.radians(start))) < 1e-8
+    assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - radius * (lift - np.radians(start))) < 1e-8
 
 
 def test_a_slow_stream_drops_off_a_rising_hood():
@@ -155,7 +155,7 @@ def test_a_slow_stream_drops_off_a_rising_hood():
     drop = -np.arccos((velocity**2 / (G * radius) + 2 * np.cos(np.radians(start))) / 3)
 
     assert solution.status[0] == "contact_lost"
-    assert abs(solution.trajectory.legs[0].exit.distance[0] - radius * (drop - np.radians(start))) < 1e-8
+    assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - radius * (drop - np.radians(start))) < 1e-8
 
 
 def test_choke_where_the_depth_passes_the_wall():
@@ -175,6 +175,6 @@ def test_choke_where_the_depth_passes_the_wall():
     choked, stop = (velocity**2 - at_choke**2) / brake, velocity**2 / brake
 
     assert solution.status[0] == "choke"
-    assert abs(solution.trajectory.legs[0].exit.distance[0] - choked) < 1e-8
+    assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - choked) < 1e-8
     (finding,) = [item for item in solution.findings() if item.code == "choke"]
     assert finding.numbers["further_m"][0] == pytest.approx(stop - choked, abs=1e-8)

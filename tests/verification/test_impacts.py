@@ -166,8 +166,8 @@ def test_a_crest_is_met_again_up_to_the_velocity_that_clears_it(start):
     cosine = np.cos(np.radians(start))
     for square, met in ((0.999 / cosine, True), (1.001 / cosine, False), (1.001 * cosine, True)):
         solution = crest(float(np.sqrt(3.0 * G * square)), start, 85.0)
-        assert solution.trajectory.legs[0].status[0] == Status.CONTACT_LOST, square  # at once
-        assert (len(solution.trajectory.legs) > 1) == met, square
+        assert solution.trajectory.segment_solutions[0].status[0] == Status.CONTACT_LOST, square  # at once
+        assert (len(solution.trajectory.segment_solutions) > 1) == met, square
 
 
 def test_in_a_batch_each_crest_is_met_as_it_is_alone():

@@ -182,7 +182,7 @@ def test_one_design_varied_equals_its_own_spec_to_the_last_bit():
 def test_a_sweep_of_the_last_segment_solves_the_first_ones_once():
     base = chutecalc.parse(MIXED)
     solution = chutecalc.solve(base.vary({"segments.floor.length_m": np.linspace(1.0, 9.0, 50)}))
-    assert [len(leg.exit.velocity) for leg in solution.trajectory.legs] == [1, 1, 1, 1, 50]
+    assert [len(solved.exit.velocity) for solved in solution.trajectory.segment_solutions] == [1, 1, 1, 1, 50]
 
 
 def test_more_wall_friction_is_never_faster():

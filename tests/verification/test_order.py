@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.core.gauss import Curve, Equation, integrate
+from chutecalc.core.gauss import Equation, Iterate, integrate
 from chutecalc.design import Status
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.collocation import rule, transfer
-from chutecalc.solver.effort import compiled_rule
+from chutecalc.solver.options import compiled_rule
 from tests.conftest import chute
 
 
@@ -34,7 +34,7 @@ def test_a_transfer_is_exact_for_polynomials(pair):
 def test_the_end_of_a_panel_converges_with_twice_the_number_of_nodes(count, order):
     """u' = -u²/2 + cos t on (0, 1.6), halving panels: log2 of the errors' ratio, above what doubles leave of them."""
     nodes, own = rule(count).nodes, compiled_rule(count)
-    equation, curve = Equation(), Curve()
+    equation, curve = Equation(), Iterate()
 
     def solve(panels):
         u = 1.0
@@ -44,10 +44,10 @@ def test_the_end_of_a_panel_converges_with_twice_the_number_of_nodes(count, orde
             guess = np.full(count, u)
             for _ in range(8):
                 for j in range(count):
-                    equation.forcing[j], equation.rate[j] = h * (np.cos(t[j]) + guess[j] ** 2 / 2), -h * guess[j]
+                    equation.forcing[j], equation.jacobian[j] = h * (np.cos(t[j]) + guess[j] ** 2 / 2), -h * guess[j]
                 integrate(own, equation, u, curve)
-                guess = np.array(curve.knots)[1 : count + 1]
-            u = curve.knots[count + 1]
+                guess = np.array(curve.solution)[1 : count + 1]
+            u = curve.solution[count + 1]
         return u
 
     exact = solve(64)
@@ -79,7 +79,7 @@ def test_a_kink_costs_no_accuracy_at_any_tolerance():
 
 def test_a_panel_never_crosses_a_kink():
     solution = chutecalc.solve(kinked())
-    panels = solution.trajectory.legs[0].contact.panels.of(0)
+    panels = solution.trajectory.segment_solutions[0].contact.panels.of_design(0)
     facets = [int(facet) for facet in panels[:, 2]]
     assert [facet for facet, _ in groupby(facets)] == [1, 0, 1]  # wall, chamfer, wall
     assert len(facets) <= 6  # and each in a panel or two

@@ -67,7 +67,7 @@ def test_place_of_the_stall(case):
     solution = chutecalc.solve(spoon(first))
     radius = float(first["radius_m"])
 
-    theta = np.pi / 2 - solution.trajectory.legs[-1].exit.slope[0]
+    theta = np.pi / 2 - solution.trajectory.segment_solutions[-1].exit.slope[0]
 
     assert solution.status[0] == "stall"
     assert abs(theta - float(first["stall_theta_rad"])) * radius < 1e-8
@@ -100,7 +100,7 @@ def test_exit_of_512_random_spoons(rtol, complete):
         velocity, depth, error = solution.exit_velocity, solution.exit_depth, solution.error_estimate
         assert np.abs(depth / column["exit_depth_m"] - 1).max() < rtol
     else:
-        _, end = chutecalc.solver.chain.run_chain(designs.design, rtol, complete=False)
+        _, end = chutecalc.solver.chain.run_chain(designs.design, rtol, dense_output=False)
         velocity, error = end.velocity, end.error
 
     off = np.abs(velocity / column["exit_velocity_m_s"] - 1)

@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import chutecalc
-from chutecalc.core import floats, section, slide
+from chutecalc.core import floats, guide_surface, section
 from chutecalc.core.impact import added_friction
 from chutecalc.design import Status
 from chutecalc.physics.wall import wall_friction, yield_locus
@@ -45,10 +45,12 @@ def test_the_law_is_its_definition(rows, internal):
 def test_no_added_stress_adds_friction_at_the_rate_of_its_piece():
     """(τ(σ + p) - τ(σ))/p tends to dτ/dσ as p goes to 0, on every piece of the locus and of the bound."""
     wall = yield_locus(*np.array(ROWS).T[:, :, None] * 1e3, np.array([np.sin(np.radians(40.0))]))
-    way = slide.Slide(section.Facets(1, False, floats.zeros(1)), section.Section(0, False), None, len(wall.starts))
-    way.starts, way.intercepts, way.slopes = (np.ascontiguousarray(field[:, 0]) for field in wall)
+    guide = guide_surface.Guide(
+        section.Facets(1, False, floats.zeros(1)), section.Section(0, False), None, len(wall.starts)
+    )
+    guide.starts, guide.intercepts, guide.slopes = (np.ascontiguousarray(field[:, 0]) for field in wall)
     for stress in (1.0, 700.0, 1500.0, 9000.0):
-        none, little = (added_friction(way, stress, p) for p in (0.0, 1e-3 * stress))
+        none, little = (added_friction(guide, stress, p) for p in (0.0, 1e-3 * stress))
         assert none > 0.0
         assert none == pytest.approx(little, rel=1e-9)
 
@@ -234,12 +236,12 @@ def test_a_stream_that_leaves_a_hood_passes_the_rows_of_its_locus_on_the_way():
         "segments": [{"kind": "hood", "radius_m": radius, "from_slope_deg": -50.14, "to_slope_deg": 5.5}],
     }
     for rtol in (1e-6, 1e-10):
-        leg = chutecalc.solve(chutecalc.parse(spec), rtol).trajectory.legs[0]
-        assert leg.status[0] == Status.CONTACT_LOST
+        solved = chutecalc.solve(chutecalc.parse(spec), rtol).trajectory.segment_solutions[0]
+        assert solved.status[0] == Status.CONTACT_LOST
         # over a kink a step h is off by h² of what the slope jumps, as above
-        assert leg.exit.distance[0] == pytest.approx(run.t_events[0][0], rel=1e-6)
-        assert leg.exit.velocity[0] == pytest.approx(np.sqrt(run.y_events[0][0][0]), rel=1e-6)
-        assert leg.contact.panels.count[0] < 60
+        assert solved.exit.distance[0] == pytest.approx(run.t_events[0][0], rel=1e-6)
+        assert solved.exit.velocity[0] == pytest.approx(np.sqrt(run.y_events[0][0][0]), rel=1e-6)
+        assert solved.contact.panels.count[0] < 60
 
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-10, 1e-12])
@@ -260,7 +262,7 @@ def test_a_stream_that_clings_to_a_balance_next_to_rest_is_solved_at_every_toler
         rtol,
     )
     assert solution.status[0] == "stall"
-    assert solution.trajectory.legs[0].contact.panels.count[0] < 60
+    assert solution.trajectory.segment_solutions[0].contact.panels.count[0] < 60
 
 
 def test_errors_beside_adhesion_are_within_their_estimates():

@@ -68,7 +68,7 @@ def traces(solution: SolvedChute) -> list[Trace]:
         rows = slice(number * STATIONS, (number + 1) * STATIONS)
         reached = np.isfinite(stations["s_m"][0, rows])
         if reached.any():
-            guide = part.leg.segment if part.contact is not None else None
+            guide = part.solved.segment if part.contact is not None else None
             side = guide.side if isinstance(guide, Contact) else 0.0
             columns = {name: stations[name][0, rows][reached] for name in stations}
             found.append(Trace(part.name, part.kind, side, columns))
@@ -174,9 +174,9 @@ def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineColle
 
 def _surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
     """Yield the line or arc of each contact segment that has a position."""
-    for leg in {leg.number: leg for leg in reversed(solution.trajectory.legs)}.values():
-        if leg.contact is not None:
-            x, z, _ = point(leg.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
+    for solved in {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}.values():
+        if solved.contact is not None:
+            x, z, _ = point(solved.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
             if np.isfinite(x[:, 0] + z[:, 0]).all():
                 yield x[:, 0], z[:, 0]
 
@@ -185,9 +185,9 @@ def _lost_flights(solution: SolvedChute, surfaces: Sequence[tuple[Array, Array]]
     """Yield the paths of streams that miss the next segment, until they are below everything drawn."""
     lowest = min((float(z.min()) for _, z in surfaces), default=np.inf)
     further = max((float(np.ptp(z)) for _, z in surfaces), default=1.0)
-    for leg in solution.trajectory.legs:
-        if leg.status[0] == Status.MISSED:
-            x, z, forward, downward, gravity = leg.path[:, 0]
+    for solved in solution.trajectory.segment_solutions:
+        if solved.status[0] == Status.MISSED:
+            x, z, forward, downward, gravity = solved.path[:, 0]
             drop = z - min(lowest, z) + 0.2 * further
             time = np.linspace(0.0, (np.sqrt(downward**2 + 2.0 * gravity * drop) - downward) / gravity, STATIONS)
             yield x + forward * time, z - (downward + 0.5 * gravity * time) * time

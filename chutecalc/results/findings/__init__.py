@@ -41,8 +41,8 @@ def find(parts: Sequence[SampledPart], received: Numbers, exit_distance: Array, 
                 continue
             continues = np.zeros(designs, dtype=bool)
             for later in parts[number + 1 :]:
-                leg = later.part.leg
-                continues = continues | (leg.status != Status.NOT_REACHED) & (leg is not sampled.part.leg)
+                solved = later.part.solved
+                continues = continues | (solved.status != Status.NOT_REACHED) & (solved is not sampled.part.solved)
             last = bool(surfaces) and sampled.part is surfaces[-1]
             at_end = received if number == len(parts) - 1 else {}
             scene = Scene(

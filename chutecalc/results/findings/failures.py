@@ -20,7 +20,7 @@ def stall(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    leg, arrival = scene.leg, scene.contact.arrival
+    solved, arrival = scene.solved, scene.contact.arrival
     at_impact = arrival.status == Status.STALL
     template = (
         "the stream stalls on impact: it strikes at {incidence_deg} and {velocity_m_s}, and an impact steeper than"
@@ -28,7 +28,7 @@ def stall(scene: Scene) -> Iterator[Case]:
     )
     yield Case(
         at_impact,
-        leg.entry.distance,
+        solved.entry.distance,
         template,
         {
             "incidence_deg": np.degrees(arrival.incidence),
@@ -36,13 +36,16 @@ def stall(scene: Scene) -> Iterator[Case]:
             "steepest_deg": _steepest_impact(scene),
         },
     )
-    inside = (leg.status == Status.STALL) & ~at_impact
+    inside = (solved.status == Status.STALL) & ~at_impact
     template = (
         "the stream stalls: its velocity falls to 0 after {way_m} on the segment, at a slope of {slope_deg}; make the"
         " slope steeper or reduce the wall friction"
     )
     yield Case(
-        inside, leg.exit.distance, template, {"way_m": scene.part.length(), "slope_deg": np.degrees(leg.exit.slope)}
+        inside,
+        solved.exit.distance,
+        template,
+        {"way_m": scene.part.length(), "slope_deg": np.degrees(solved.exit.slope)},
     )
 
 
@@ -53,13 +56,13 @@ def choke(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    leg, stretch = scene.leg, scene.contact.stretch
-    choked = leg.status == Status.CHOKE
-    beyond, share, end = stretch.beyond, stretch.place, stretch.beyond_status
+    solved, stretch = scene.solved, scene.contact.end
+    choked = solved.status == Status.CHOKE
+    beyond, share, end = stretch.beyond_share, stretch.share, stretch.beyond_status
     wall_height = scene.segment.wall_height(share)
-    numbers = {"wall_height_m": wall_height, "velocity_m_s": leg.exit.velocity}
+    numbers = {"wall_height_m": wall_height, "velocity_m_s": solved.exit.velocity}
     begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m};"
-    s = leg.exit.distance
+    s = solved.exit.distance
     further = (beyond - share) * scene.contact.surface.length
     for status, fate in (
         (Status.STALL, "higher walls alone do not help, as the stream would stop {further_m} further on"),
@@ -86,14 +89,14 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     """
     if scene.segment.deflects:
         return
-    leg, surface = scene.leg, scene.contact.surface
-    lost = leg.status == Status.CONTACT_LOST
-    weight = scene.design.gravity * np.cos(leg.exit.slope)
+    solved, surface = scene.solved, scene.contact.surface
+    lost = solved.status == Status.CONTACT_LOST
+    weight = scene.design.gravity * np.cos(solved.exit.slope)
     numbers = {
-        "velocity_m_s": leg.exit.velocity,
-        "slope_deg": np.degrees(leg.exit.slope),
+        "velocity_m_s": solved.exit.velocity,
+        "slope_deg": np.degrees(solved.exit.slope),
         "balance_m_s": np.sqrt(weight / np.abs(surface.curvature)),
-        "radius_m": leg.exit.velocity**2 / weight,
+        "radius_m": solved.exit.velocity**2 / weight,
     }
     begin = (
         "the stream leaves the surface at {velocity_m_s}, at a slope of {slope_deg}: there it would keep contact at "
@@ -103,7 +106,7 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
             else "{balance_m_s} or less, or on a radius of {radius_m} or more"
         )
     )
-    s = leg.exit.distance
+    s = solved.exit.distance
     yield Case(lost & scene.continues, s, f"{begin}; it flies on", numbers, Severity.WARNING)
     alone = f"{begin}; no later segment catches it"
     yield Case(lost & ~scene.continues, s, alone, numbers)
@@ -121,19 +124,19 @@ def missed(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    leg = scene.leg
-    lost = leg.status == Status.MISSED
+    solved = scene.solved
+    lost = solved.status == Status.MISSED
     if not scene.part.guided:
         template = (
             "the stream never reaches the end of the fall: it is already below that level or past that distance, or it"
             " falls straight down; change drop_m or run_m"
         )
-        yield Case(lost, leg.start.distance, template)
+        yield Case(lost, solved.start.distance, template)
         return
     gap = scene.contact.arrival.gap
-    numbers = {"velocity_m_s": leg.start.velocity, "slope_deg": np.degrees(leg.start.slope)}
+    numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
     begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
-    s = leg.start.distance
+    s = solved.start.distance
     beyond = f"{begin}it passes {{gap_m}} beyond its end; make the segment longer or move it"
     yield Case(lost & (gap > 0.0), s, beyond, numbers | {"gap_m": gap})
     short = f"{begin}it falls short and passes the end {{gap_m}} behind the surface; move it towards the stream"

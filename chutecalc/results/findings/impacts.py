@@ -31,12 +31,12 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
     )
     yield Case(
         (arrival.incidence > STEEPEST_IMPACT) & (arrival.status <= Status.STALL),
-        scene.leg.entry.distance,
+        scene.solved.entry.distance,
         template,
         {
             "incidence_deg": np.degrees(arrival.incidence),
             "velocity_m_s": arrival.velocity,
-            "after_m_s": arrival.impact.after,
+            "after_m_s": arrival.impact.velocity_after,
             "pressure_kpa": arrival.impact.pressure / 1000.0,
         },
     )
@@ -53,5 +53,5 @@ def flown_past(scene: Scene) -> Iterator[Case]:
         "the stream flies past the segment, {gap_m} from its end, to one further on; move the segment into the stream"
         " or leave it out"
     )
-    mask, gap = scene.leg.status == Status.PASSED, scene.contact.arrival.gap
-    yield Case(mask, scene.leg.start.distance, template, {"gap_m": gap})
+    mask, gap = scene.solved.status == Status.PASSED, scene.contact.arrival.gap
+    yield Case(mask, scene.solved.start.distance, template, {"gap_m": gap})

@@ -44,7 +44,7 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
         least = bound * (1.0 - ROUNDING)
         on_floor = worst.value >= least
         mask = on_floor | ((impact.pressure > 0.0) & (wall_friction(wall, impact.stress) >= least))
-        s = np.where(on_floor, scene.distance(worst.share), scene.leg.entry.distance)
+        s = np.where(on_floor, scene.distance(worst.share), scene.solved.entry.distance)
         yield Case(mask, s, template, numbers)
         return
     template = (
@@ -53,7 +53,7 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
     )
     numbers["friction_deg"] = np.degrees(np.arctan(wall.slopes[0]))
     mask = np.isfinite(worst.value) & (wall.slopes[0] > bound * (1.0 + ROUNDING))
-    s = scene.leg.entry.distance
+    s = scene.solved.entry.distance
     yield Case(mask, s, template, numbers)
 
 
@@ -81,6 +81,6 @@ def outside_locus(scene: Scene) -> Iterator[Case]:
         "the floor carries {least_kpa} to {most_kpa}, but the yield locus was measured from {first_kpa} to {last_kpa};"
         " beyond that range friction is extrapolated: measure it there too"
     )
-    s = np.where(below, scene.distance(scene.extreme("wall_stress_kpa", LEAST).share), scene.leg.entry.distance)
+    s = np.where(below, scene.distance(scene.extreme("wall_stress_kpa", LEAST).share), scene.solved.entry.distance)
     numbers = {"least_kpa": least, "most_kpa": most, "first_kpa": low, "last_kpa": high}
     yield Case(below | above, s, template, numbers)

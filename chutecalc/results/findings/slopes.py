@@ -82,7 +82,7 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
         "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
         " (equivalent friction angle + 5°, practice)"
     )
-    mask = (scene.leg.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
+    mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     yield Case(
-        mask, scene.leg.exit.distance, template, {"slope_deg": np.degrees(slope), "needed_deg": np.degrees(needed)}
+        mask, scene.solved.exit.distance, template, {"slope_deg": np.degrees(slope), "needed_deg": np.degrees(needed)}
     )

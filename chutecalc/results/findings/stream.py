@@ -7,7 +7,7 @@ import numpy as np
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
-from chutecalc.solver.leg import TANGENT
+from chutecalc.solver.segment_solution import TANGENT
 
 THICKEST = 1.0
 THICKEST_ON_ARC = 0.1
@@ -134,6 +134,6 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
         "the curve is drawn tangent to the stream, from {slope_deg}, so its shape changes with the flow; set"
         " from_slope_deg to fix it"
     )
-    s = scene.leg.start.distance
+    s = scene.solved.start.distance
     mask = slope < 90.0 - np.degrees(TANGENT)
     yield Case(mask, s, template, {"slope_deg": slope})

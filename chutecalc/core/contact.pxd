@@ -1,0 +1,14 @@
+cimport cython
+from libc cimport math
+from chutecalc.core cimport flight, floats, friction, guide_surface, joint, placement, records, solution_rows, state, stepping
+
+cdef int MAX_STRIKES
+
+cdef void solve_contact(records.ChuteState chute, state.SolverOptions options, records.Segment segment, state.Stream stream, int known_roots) noexcept nogil
+cdef void enter_surface(records.ChuteState chute, records.Segment segment, guide_surface.Guide guide) noexcept nogil
+@cython.locals(choked=bint)
+cdef void leave_surface(records.ChuteState chute, records.Segment segment, state.Stream stream) noexcept nogil
+cdef (double, double) contact_loss_error(guide_surface.Guide guide, double share, double y, double error) noexcept nogil
+cdef void miss_segment(records.ChuteState chute, records.Segment segment) noexcept nogil
+@cython.locals(airborne=bint)
+cdef void solve_restrikes(records.ChuteState chute, state.SolverOptions options, records.Segment segment) noexcept nogil

@@ -1,0 +1,150 @@
+"""Solve a contact segment: arrival, motion along it and departure."""
+
+import math
+
+from chutecalc.core import (
+    flight,
+    floats,
+    friction,
+    guide_surface,
+    joint,
+    placement,
+    records,
+    solution_rows,
+    state,
+    stepping,
+)
+
+MAX_STRIKES = 50  # on one segment; a bound, so that no input can hang
+
+
+def solve_contact(
+    chute: "records.ChuteState",
+    options: "state.SolverOptions",
+    segment: "records.Segment",
+    stream: "state.Stream",
+    known_roots: int,
+) -> None:
+    """Solve a contact segment: arrival, motion along it, and departure."""
+    records.copy_point(chute.start, chute.current)
+    chute.segment_status, chute.flight_time = state.NOT_REACHED, floats.NAN
+    stream.attempts, stream.choke_share, segment.error_sign = 0, floats.NAN, 1.0
+    if chute.status != state.OK:
+        solution_rows.skip_segment(chute, segment, stream)
+        return
+    before = stream.store.count
+    if chute.already_landed:  # the fall before has solved the flight
+        chute.arrival.time = chute.arrival.distance = 0.0
+        if chute.arrival.status > state.STALL:
+            chute.arrival.time = chute.arrival.distance = floats.NAN
+        chute.already_landed = False
+    else:
+        joint.meet_segment(chute, segment, stream.guide, known_roots)
+    chute.flight_time = chute.arrival.time
+    if segment.final and chute.arrival.status == state.PASSED:  # no segment follows that could catch it
+        chute.arrival.status = state.MISSED
+    chute.segment_status = chute.arrival.status
+    if chute.arrival.status > state.STALL:
+        miss_segment(chute, segment)
+        return
+    enter_surface(chute, segment, stream.guide)
+    error = joint.entry_error(chute, stream.guide)
+    if error < 0.0:  # errors are positive: change the sign of all others
+        segment.error_sign = -1.0
+    records.copy_point(chute.end, chute.entry)
+    chute.end.error = math.fabs(error)
+    stream.share, stream.y, stream.error = (
+        chute.arrival.share,
+        chute.entry.velocity * chute.entry.velocity,
+        2.0 * chute.end.error,
+    )
+    if chute.arrival.status == state.OK:
+        if segment.plate:
+            stream.status = state.OK
+        else:
+            stepping.solve_segment(stream, options)
+        if stream.status < state.OK:
+            chute.status = stream.status
+            return
+        leave_surface(chute, segment, stream)
+    records.copy_point(chute.current, chute.end)
+    chute.status, chute.airborne = chute.segment_status, False
+    solution_rows.write_solution(chute, segment, stream, stream.store.count - before)
+    if not segment.final and chute.segment_status == state.CONTACT_LOST:
+        chute.status = state.OK
+        chute.airborne = True
+    elif segment.plate and chute.segment_status == state.OK:
+        chute.airborne = True
+
+
+def enter_surface(chute: "records.ChuteState", segment: "records.Segment", guide: "guide_surface.Guide") -> None:
+    """Put the stream on the surface where it meets it."""
+    chute.entry.distance = chute.start.distance + chute.arrival.distance
+    chute.entry.velocity = chute.impact.velocity_after
+    placement.set_point(
+        chute.entry, segment, guide, chute.arrival.share, chute.arrival.error, chute.arrival.share_error
+    )
+
+
+def leave_surface(chute: "records.ChuteState", segment: "records.Segment", stream: "state.Stream") -> None:
+    """Put the stream where it ends on the surface.
+
+    On the surface an error is that of the velocity at a fixed position. Where the stream leaves the surface its
+    position has an error too: on a plate where it strikes, on a crest or under a hood where it loses contact.
+    """
+    choked = stream.choke_share == stream.choke_share
+    share = stream.choke_share if choked else stream.share
+    y = stream.choke_y if choked else stream.y
+    error = stream.choke_error if choked else stream.error
+    chute.segment_status = state.CHOKED if choked else stream.status
+    if chute.segment_status != state.STALL:
+        error *= 0.5
+    shift = 0.0
+    if share == chute.arrival.share and chute.segment_status != state.STALL:
+        error, shift = chute.arrival.error, chute.arrival.share_error
+    elif chute.segment_status == state.CONTACT_LOST:
+        error, shift = contact_loss_error(stream.guide, share, y, error)
+    chute.end.distance = chute.entry.distance + stream.guide.length * (share - chute.arrival.share)
+    chute.end.velocity = math.sqrt(y)
+    placement.set_point(chute.end, segment, stream.guide, share, error, shift)
+
+
+def contact_loss_error(guide: "guide_surface.Guide", share: float, y: float, error: float) -> tuple[float, float]:
+    """Return the relative error of the velocity where contact is lost, n(c, y) = 0, and the error of the share."""
+    slope = guide.entry_slope + guide.turn * share
+    rise = friction.rhs_any_branch(guide, share, y)
+    turned = -guide.side * guide.gravity * math.sin(slope) * guide.turn
+    shift = flight.safe_quotient(-2.0 * error * y * guide.signed_curvature, turned + guide.signed_curvature * rise)
+    return error + 0.5 * rise / y * shift, shift
+
+
+def miss_segment(chute: "records.ChuteState", segment: "records.Segment") -> None:
+    """Handle a flight that does not meet its segment: it continues to the next one, or the chute ends."""
+    records.clear_point(chute.entry)
+    records.clear_point(chute.end)
+    chute.impact.velocity_after = segment.stream.share = segment.stream.y = floats.NAN
+    solution_rows.write_solution(chute, segment, segment.stream, 0)
+    if chute.arrival.status == state.PASSED:
+        chute.airborne = True
+    else:
+        chute.status = state.MISSED
+        records.clear_point(chute.current)
+
+
+def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions", segment: "records.Segment") -> None:
+    """Solve again where a stream that lost contact meets the same segment further on.
+
+    It may have dropped off a hood, or been thrown off a rising crest.
+    """
+    for _ in range(MAX_STRIKES):
+        if segment.plate or chute.segment_status != state.CONTACT_LOST:
+            return
+        status, airborne, before, sign = chute.status, chute.airborne, chute.count, segment.error_sign
+        chute.status, chute.airborne = state.OK, True
+        chute.strikes += 1
+        solve_contact(chute, options, segment, segment.stream, 2)
+        if chute.segment_status >= state.MISSED:  # not caught: undo the attempt
+            chute.count = before
+            chute.status, chute.airborne = status, airborne
+            records.copy_point(chute.current, chute.start)
+            chute.segment_status, segment.error_sign = state.NOT_REACHED, sign

@@ -1,0 +1,81 @@
+"""Solve a free fall: to a level, to a distance, or onto the next segment."""
+
+from chutecalc.core import flight, floats, guide_surface, joint, placement, records, solution_rows, state
+
+MAX_FALL = 1e5  # m, as for every length: a longer fall has missed its target
+
+
+def solve_fall(chute: "records.ChuteState", segment: "records.Segment") -> None:
+    """Solve a free fall to a level, to a distance from the segment before, or onto the next segment."""
+    records.copy_point(chute.start, chute.current)
+    chute.segment_status, chute.flight_time = state.NOT_REACHED, floats.NAN
+    joint.clear_arrival(chute)
+    if chute.status != state.OK:
+        solution_rows.skip_segment(chute, segment, segment.stream)
+    elif segment.drop == segment.drop or segment.run == segment.run:
+        fall_to_level(chute, segment)
+    else:
+        fall_onto_next(chute, segment, segment.next, segment.next.stream.guide)
+    if segment.drop == segment.drop or segment.run == segment.run:
+        chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
+        chute.drawn_x_error, chute.drawn_z_error = chute.current.x_error, chute.current.z_error
+
+
+def fall_to_level(chute: "records.ChuteState", segment: "records.Segment") -> None:
+    """Solve a fall to a level or to a horizontal distance."""
+    flight.launch(chute.flight, chute.current, chute.gravity)
+    if segment.drop == segment.drop:
+        time = flight.time_to_drop(chute.flight, chute.current.z - chute.drawn_z + segment.drop)
+    else:
+        time = flight.time_to_run(chute.flight, chute.drawn_x + segment.run - chute.current.x)
+    chute.segment_status = state.OK
+    if not chute.flight.z - flight.z_at(chute.flight, time) <= MAX_FALL:
+        chute.segment_status = chute.status = state.MISSED
+        records.clear_point(chute.end)
+    else:
+        chute.flight_time = time
+        set_flight_end(chute, time)
+        flight.propagate_error(chute.flight, chute.start, time)
+        if segment.drop == segment.drop:
+            later = flight.safe_quotient(chute.flight.z_error - chute.drawn_z_error, chute.flight.downward_now)
+        else:
+            later = flight.safe_quotient(chute.drawn_x_error - chute.flight.x_error, chute.flight.forward)
+        flight.shift_error(chute.flight, later, chute.end)
+    records.copy_point(chute.entry, chute.end)
+    records.copy_point(chute.current, chute.end)
+    chute.airborne = False
+    solution_rows.write_solution(chute, segment, segment.stream, 0)
+
+
+def set_flight_end(chute: "records.ChuteState", time: float) -> None:
+    """Set ``end`` to the stream after a time of flight, without its errors."""
+    chute.arrival.distance = flight.path_length(chute.flight, time)
+    chute.end.distance = chute.start.distance + chute.arrival.distance
+    chute.end.x, chute.end.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
+    chute.end.velocity, chute.end.slope = (
+        flight.velocity_at(chute.flight, time),
+        flight.slope_at(chute.flight, time),
+    )
+
+
+def fall_onto_next(
+    chute: "records.ChuteState",
+    segment: "records.Segment",
+    next_segment: "records.Segment",
+    guide: "guide_surface.Guide",
+) -> None:
+    """Solve a fall onto the next segment; a stream that misses it flies on from where this flight began."""
+    chute.airborne = True
+    placement.place_segment(chute, next_segment, guide)
+    if chute.status != state.OK:
+        return
+    joint.meet_segment(chute, next_segment, guide, 0)
+    chute.already_landed = True
+    records.clear_point(chute.end)
+    if chute.arrival.status <= state.STALL:
+        chute.segment_status, chute.flight_time = state.OK, chute.arrival.time
+        records.copy_point(chute.end, chute.entry)  # its errors
+        set_flight_end(chute, chute.arrival.time)
+        records.copy_point(chute.current, chute.end)
+    records.copy_point(chute.entry, chute.end)
+    solution_rows.write_solution(chute, segment, segment.stream, 0)
