@@ -126,10 +126,10 @@ def run_recipe(recipe: replay.Recipe, numbers: Array) -> Array | None:
 class Traced(np.lib.mixins.NDArrayOperatorsMixin):
     """An array of one number that follows from varied numbers.
 
-    Attributes:
-        tape: that records it.
-        value: present value, an array of one number.
-        slot: of the value on the tape.
+    Args:
+        tape: the tape that records it.
+        value: its present value, an array of one number.
+        slot: slot of the value on the tape.
     """
 
     def __init__(self, tape: Tape, value: Any, slot: Slot) -> None:

@@ -17,10 +17,13 @@ Number = float | Any
 class Quantity:
     """Declares a field as a quantity: ``Annotated[Number, Quantity("length", gt=0)]``.
 
-    Attributes:
+    Args:
         dimension: one of :data:`chutecalc.fields.units.UNITS`.
+        gt, ge, lt, le: limits, named as in pydantic, in the first unit of the dimension.
         shape: empty for one number, ``(2,)`` for a list of two, ``(None, 2)`` for any count of rows of two.
-        bounds: limits by pydantic's names ``gt``, ``ge``, ``lt``, ``le``, in the dimension's first unit.
+
+    Attributes:
+        bounds: the limits given, by their names.
     """
 
     def __init__(

@@ -120,7 +120,7 @@ class Printer:
         """Print stations along the stream.
 
         Args:
-            stations: stations of one design, from :meth:`chutecalc.SolvedChute.stations`.
+            stations: stations of one design, from :meth:`chutecalc.Solution.stations`.
         """
         table = self._new_table(["segment"])
         for k, segment in enumerate(stations["segment"][0].tolist()):

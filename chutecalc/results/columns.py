@@ -2,7 +2,7 @@
 
 To add a column, add an entry. Tables, charts, CSV, JSON, sweeps, ``chutecalc columns`` and docs/nomenclature.md read
 the catalogue. A formula takes the part of the trajectory (see :class:`chutecalc.results.part.SegmentContext`) and the
-profile of the stream there (see :class:`chutecalc.solver.profile.SlideProfile`), whose arrays are of shape
+profile of the stream there (see :class:`chutecalc.solver.profile.ContactProfile`), whose arrays are of shape
 (stations, designs), SI and radians.
 """
 

@@ -29,7 +29,7 @@ class Arc(Guide):
 
         Args:
             context: what the numbers follow from, beside this table.
-            side: ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
+            side: sign of the surface, ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
         """
         exit_ = in_si(self.to_slope_deg, "angle")
         entry = context.tangent if self.from_slope_deg is None else in_si(self.from_slope_deg, "angle")

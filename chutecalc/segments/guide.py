@@ -37,7 +37,7 @@ class Guide(Segment):
 
         Args:
             context: what the numbers follow from, beside this table.
-            side: ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
+            side: sign of the surface, ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
             entry_slope: at its start, rad below horizontal; None if it is tangent to the stream that falls into it.
             exit_slope: at its end, rad below horizontal.
             radius: of an arc, m; None for a straight.

@@ -17,7 +17,7 @@ from chutecalc.segments.flat import Flat
 
 
 def downhill(table: dict[str, Any]) -> Iterator[Violation]:
-    """A straight floor does not rise.
+    """Yield a violation where a straight floor rises.
 
     Args:
         table: of a straight, with documented keys.

@@ -160,7 +160,12 @@ class Chain:
     """Designs, and the solutions of their segments."""
 
     def __init__(self, design: Design, options: state.SolverOptions) -> None:
-        """Solve the designs."""
+        """Solve the designs.
+
+        Args:
+            design: the chutes.
+            options: tolerance and rules, from :func:`chutecalc.solver.options.solver_options`.
+        """
         self.design, self.options, self.layout, numbers = design, options, layout_of(design), design_rows(design)
         self.numbers, self.wall_offsets, self.first_varied = numbers
         self.count = len(self.numbers)

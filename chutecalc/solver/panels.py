@@ -39,7 +39,7 @@ class GuideRows(NamedTuple):
 
     @property
     def core_arguments(self) -> tuple[Guide, Array, int, Array]:
-        """First arguments of the functions of :mod:`chutecalc.core.profile`."""
+        """First arguments of the functions of :mod:`chutecalc.core.profile`, numbers in SI units."""
         return self.guide, self.rows, self.offset, self.surfaces
 
 
@@ -51,7 +51,7 @@ class Panels:
 
         Args:
             guide_rows: the segment.
-            store: the panels, in one row.
+            store: numbers of all panels in one row, see :meth:`of_design`.
             first: number of each design's first panel, shape (designs,).
             count: how many each has, shape (designs,).
         """
@@ -74,8 +74,8 @@ class Panels:
 
         Args:
             ends: as in :func:`chutecalc.core.dense_output.velocities_squared`, shape (4, designs).
-            shares: shape (shares, designs).
-            out: likewise.
+            shares: shares of the segment, shape (shares, designs).
+            out: v², m²/s², of the same shape.
         """
         assert shares.shape == out.shape == (len(shares), len(self.count))  # the compiled loop does not check
         dense_output.velocities_squared(self.store, self.first, self.count, self._rules, ends, shares, out)
@@ -84,8 +84,8 @@ class Panels:
         """Write the time since contact began, s; entries where no panel is stay as they are.
 
         Args:
-            shares: shape (shares, designs).
-            out: likewise.
+            shares: shares of the segment, shape (shares, designs).
+            out: times, s, of the same shape.
         """
         assert shares.shape == out.shape == (len(shares), len(self.count))
         dense_output.times(

@@ -15,7 +15,13 @@ from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolu
 
 
 class FlightProfile:
-    """The flight of a segment's solution, at distances flown."""
+    """The flight of a segment's solution, at distances flown.
+
+    Args:
+        solved: solution of the segment that begins with the flight.
+        flow: volume rate Q, m³/s, shape (1,) or (designs,).
+        distances: distances flown, m, shape (positions, designs).
+    """
 
     def __init__(self, solved: SegmentSolution, flow: Array, distances: Array) -> None:
         self.solved, self.flow, self.flight_length, self.shape = solved, flow, distances, distances.shape
@@ -186,12 +192,12 @@ class ContactProfile:
 
     @property
     def friction(self) -> Array:
-        """Equivalent friction μ_e."""
+        """Equivalent friction coefficient μ_e."""
         return self.wall_loads[3]
 
     @property
     def equilibrium_friction(self) -> Array:
-        """Equivalent friction μ_e of the equilibrium law, where all wall pressures together carry the weight."""
+        """Equivalent friction coefficient μ_e of the equilibrium law, where all wall pressures together carry the weight."""
         return self.wall_loads[4]
 
     @property
@@ -241,7 +247,12 @@ class ContactProfile:
 
 
 class EndContactProfile(ContactProfile):
-    """The end of a chute in contact, shape (1, designs)."""
+    """The end of a chute in contact, shape (1, designs).
+
+    Args:
+        ends: ends of the designs.
+        flow: volume rate Q, m³/s, shape (1,) or (designs,).
+    """
 
     def __init__(self, ends: Ends, flow: Array) -> None:
         self.ends, self.flow = ends, flow
@@ -275,7 +286,12 @@ class EndContactProfile(ContactProfile):
 
 
 class EndFlightProfile(FlightProfile):
-    """The end of a chute in flight, shape (1, designs)."""
+    """The end of a chute in flight, shape (1, designs).
+
+    Args:
+        ends: ends of the designs.
+        flow: volume rate Q, m³/s, shape (1,) or (designs,).
+    """
 
     def __init__(self, ends: Ends, flow: Array) -> None:
         self.flow = flow

@@ -2,7 +2,6 @@
 
 python -m tests.house.test_docstrings            prints how many functions describe their arguments and show an example
 python -m tests.house.test_docstrings MODULE...  prints what is wrong with the docstrings of modules
-python -m tests.house.test_docstrings --pending  prints the modules that do not pass
 """
 
 import ast
@@ -20,34 +19,6 @@ import pytest
 import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
-PENDING: set[str] = {
-    "chutecalc.api.batch",
-    "chutecalc.api.chute",
-    "chutecalc.api.function",
-    "chutecalc.api.tape",
-    "chutecalc.core.section",
-    "chutecalc.fields.quantity",
-    "chutecalc.results.belts",
-    "chutecalc.results.columns",
-    "chutecalc.results.described",
-    "chutecalc.results.exits",
-    "chutecalc.results.findings",
-    "chutecalc.results.findings.failures",
-    "chutecalc.results.findings.finding",
-    "chutecalc.results.findings.warnings",
-    "chutecalc.results.segments",
-    "chutecalc.results.solution",
-    "chutecalc.results.stations",
-    "chutecalc.results.trajectory",
-    "chutecalc.solver.chain",
-    "chutecalc.solver.collocation",
-    "chutecalc.solver.chain_input",
-    "chutecalc.solver.options",
-    "chutecalc.solver.segment_solution",
-    "chutecalc.solver.panels",
-    "chutecalc.solver.profile",
-}
-"""Modules whose docstrings do not pass yet. One that passes has to leave the set."""
 
 NO_VERB = {
     *("a", "all", "an", "as", "by", "each", "every", "for", "from", "how", "if", "in", "it", "its", "no", "of", "one"),
@@ -313,14 +284,7 @@ def faults(module):
 
 @pytest.mark.parametrize("module", FILES)
 def test_docstrings(module):
-    if module in PENDING:
-        assert faults(module), f"{module} passes: take it out of PENDING"
-    else:
-        assert not faults(module), "\n".join(faults(module))
-
-
-def test_what_is_pending_exists():
-    assert FILES.keys() >= PENDING
+    assert not faults(module), "\n".join(faults(module))
 
 
 SAMPLE = '''
@@ -370,9 +334,7 @@ def counts():
 
 
 def main(arguments):
-    if arguments == ["--pending"]:
-        print("\n".join(module for module in FILES if faults(module)))
-    elif arguments:
+    if arguments:
         for module in arguments:
             print("\n".join(f"{module}: {fault}" for fault in faults(module)))
     else:

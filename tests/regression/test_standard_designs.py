@@ -8,10 +8,10 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.design import Status
+from chutecalc.results.findings import CRITERIA
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
 from tests.conftest import ROOT, STANDARD_DESIGNS
-from tests.house.test_readme import finding_codes
 
 FAILS = [path for path in STANDARD_DESIGNS if path.parent.name == "fails"]
 TABLES = {path: tomllib.loads(path.read_text(encoding="utf-8")) for path in STANDARD_DESIGNS}
@@ -49,7 +49,9 @@ def test_every_outcome_and_every_finding_is_shown_by_one():
     solutions = {path: chutecalc.solve(chutecalc.load(path)) for path in STANDARD_DESIGNS}
     ends = {str(segment.status[0]) for solution in solutions.values() for segment in solution.segments}
     assert ends == set(Status.LABELS)
-    assert {finding.code for solution in solutions.values() for finding in solution.findings()} == finding_codes()
+    assert {finding.code for solution in solutions.values() for finding in solution.findings()} == {
+        criterion.code for criterion in CRITERIA
+    }
     assert [path for path, solution in solutions.items() if solution.status[0] != "ok"] == FAILS
 
 

@@ -11,7 +11,7 @@ WAYS = {"exit": "at the end of the chute", "max": "largest on guiding surfaces",
 
 
 def row_columns() -> dict[str, Column]:
-    """What a sweep's rows can tell of a design, by name.
+    """Return all columns that a sweep's rows can have, by name.
 
     >>> row_columns()["max_depth_m"].label("metric")
     'max depth H, m'
