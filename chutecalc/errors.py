@@ -51,8 +51,8 @@ class Fault(NamedTuple):
         Args:
             source: name of the file.
 
-        >>> Fault("segments.2.radius_m", "has to be greater than 0 m", "change it", "-3", 12).text("spoon.toml")
-        'spoon.toml:12: segments.2.radius_m = -3 has to be greater than 0 m. Change it.'
+        >>> Fault("segments.2.radius_m", "must be greater than 0 m", "change it", "-3", 12).text("spoon.toml")
+        'spoon.toml:12: segments.2.radius_m = -3 must be greater than 0 m. Change it.'
         """
         location = source if self.line is None else f"{source}:{self.line}"
         what = " = ".join(part for part in (self.path, self.given) if part)

@@ -30,7 +30,7 @@ def prepare_command() -> None:
     """Speed up the start of a command. Call it before pydantic is imported, and only in a process that is ours.
 
     Modules and classes loaded at the start live until the end. Searching them for garbage takes a few per cent of a
-    short run, and solving creates no reference cycles that would have to be found. Looking for pydantic plugins reads
+    short run, and solving creates no reference cycles that need collecting. Looking for pydantic plugins reads
     the metadata of every installed package.
     """
     gc.set_threshold(COLLECTOR_THRESHOLD)

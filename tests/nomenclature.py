@@ -80,7 +80,7 @@ TABLES = {
 
 
 def renewed(page: str) -> str:
-    """The page with its tables as they have to be."""
+    """The page with its tables as they must be."""
     for name, made in TABLES.items():
         before, mark, rest = page.partition(MARK.format(name) + "\n\n")
         if not mark:

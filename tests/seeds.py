@@ -31,7 +31,7 @@ def _number(name: str, least: int, otherwise: str = "") -> int | None:
     """The number in a variable; None where it is not set."""
     text = os.environ.get(name, "")
     if text and not (text.isascii() and text.isdigit() and int(text) >= least):
-        raise pytest.UsageError(f"{name}={text}: has to be a whole number from {least} on{otherwise}")
+        raise pytest.UsageError(f"{name}={text}: must be a whole number from {least} on{otherwise}")
     return int(text) if text else None
 
 

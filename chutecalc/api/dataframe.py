@@ -55,7 +55,7 @@ def designs_frame(solution: SolvedChute, columns: Iterable[str], library: str) -
 def _data_frame(library: str) -> Any:
     """The library's DataFrame."""
     if library not in LIBRARIES:
-        raise UsageError(f"library has to be {' or '.join(LIBRARIES)}, not {library!r}")
+        raise UsageError(f"library must be {' or '.join(LIBRARIES)}, not {library!r}")
     if find_spec(library) is None:
         raise ExtraMissingError(f"to_dataframe needs {library}: pip install '{LIBRARIES[library]}'")
     return import_module(library).DataFrame

@@ -117,7 +117,7 @@ def check_names(given: Any, what: str) -> tuple[str, ...]:
     """
     names = () if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
     if not names or not all(isinstance(name, str) for name in names):
-        raise UsageError(f"{what} has to be a list of names, not {given!r}")
+        raise UsageError(f"{what} must be a list of names, not {given!r}")
     return names
 
 
@@ -160,7 +160,7 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
     except (TypeError, ValueError, IndexError):
         wrong = True
     if wrong:
-        raise UsageError(f"limits of {path} have to be two numbers, the lower one first, not {limits!r}")
+        raise UsageError(f"limits of {path} must be two numbers, the lower one first, not {limits!r}")
     here: Any = spec
     parts = path.split(".")
     try:

@@ -49,7 +49,7 @@ class Solution(SolvedChute):
                 f"plot draws one design, and this solution has {self.count}: solve the design to draw alone"
             )
         if units not in UNITS:
-            raise UsageError(f"units has to be {' or '.join(UNITS)}, not {units!r}")
+            raise UsageError(f"units must be {' or '.join(UNITS)}, not {units!r}")
         require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
 

@@ -34,7 +34,7 @@ class Tape:
         self._constants: dict[tuple[float, float], Slot] = {}
 
     def new_variable(self, value: float) -> "Traced":
-        """Return a number that is varied. All have to be made before anything else is recorded.
+        """Return a number that is varied. All must be made before anything else is recorded.
 
         Args:
             value: its present value, in any unit.

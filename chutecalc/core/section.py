@@ -216,7 +216,7 @@ def angle_area(angle: float) -> float:
 
 
 def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]:
-    """Return angle, χ and A dχ/dA, m and A dm/dA of a stream on the arc, from the series of :mod:`chutecalc.physics.circle`."""
+    """Return angle, χ and A dχ/dA, m and A dm/dA of a stream on the arc, by :mod:`chutecalc.physics.circle`."""
     scaled_area = floats.quotient(area, facets.radius * facets.radius)
     if not scaled_area >= 0.0:
         return floats.NAN, floats.NAN, floats.NAN, floats.NAN, floats.NAN

@@ -53,7 +53,7 @@ class Campaign:
     >>> case = Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1)
     >>> group = Group(case, seeds=3)
     >>> campaign = Campaign([group], Store("no-such-folder"))
-    >>> campaign.outcome(group).needed == (case,)  # its bed has to be level before other seeds are poured
+    >>> campaign.outcome(group).needed == (case,)  # its bed must be level before other seeds are poured
     True
     """
 
@@ -166,7 +166,7 @@ def expected_seconds(campaign: Campaign) -> tuple[int, float]:
     For a group without a level pour that is one case more than it has seeds.
 
     Args:
-        campaign: The campaign, of which only what is not on disk has to be run.
+        campaign: The campaign, of which only what is not on disk must be run.
 
     Returns:
         Number of cases, and seconds, roughly.

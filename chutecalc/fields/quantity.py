@@ -95,7 +95,7 @@ class Quantity:
         if shape:
             count = shape[0]
             if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
-                raise PydanticCustomError("quantity", f"has to be {_LISTS[self.shape]}, each")
+                raise PydanticCustomError("quantity", f"must be {_LISTS[self.shape]}, each")
             return [self._checked(item, shape[1:]) for item in value]
         return self.check_number(value)
 
@@ -110,22 +110,22 @@ class Quantity:
         """
         if isinstance(value, np.ndarray):
             if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
-                raise PydanticCustomError("quantity", "has to be a number, or a one-dimensional array of numbers, each")
+                raise PydanticCustomError("quantity", "must be a number, or a one-dimensional array of numbers, each")
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
-            raise PydanticCustomError("quantity", "has to be a number")
+            raise PydanticCustomError("quantity", "must be a number")
         else:
             try:
                 value = smallest = largest = float(value)
             except OverflowError:
                 value = smallest = largest = np.inf
         if not (isfinite(smallest) and isfinite(largest)):
-            raise PydanticCustomError("quantity", "has to be finite and")
+            raise PydanticCustomError("quantity", "must be finite and")
         bounds = self.bounds
         low = smallest > bounds.get("gt", -np.inf) and smallest >= bounds.get("ge", -np.inf)
         high = largest < bounds.get("lt", np.inf) and largest <= bounds.get("le", np.inf)
         if not (low and high):
-            raise PydanticCustomError("quantity", "has to be")
+            raise PydanticCustomError("quantity", "must be")
         return value
 
     def bounds_text(self, unit: str) -> str:

@@ -168,22 +168,22 @@ class Table(BaseModel):
         if kind == "string_pattern_mismatch":
             return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
         if kind == "literal_error":
-            return _detail(location, f"has to be {item['ctx']['expected']}", "change the value")
+            return _detail(location, f"must be {item['ctx']['expected']}", "change the value")
         expected = _EXPECTED.get(kind)
         return _detail(location, expected or item["msg"], "change it")
 
 
 _NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
 _EXPECTED = {
-    "string_type": "has to be text in quotes",
-    "dict_type": "has to be a table",
-    "model_type": "has to be a table",
-    "model_attributes_type": "has to be a table",
-    "list_type": "has to be a list of tables, each under [[…]]",
-    "too_short": "has to have at least one table",
-    "bool_type": "has to be true or false",
-    "float_type": "has to be a number",
-    "finite_number": "has to be a finite number",
+    "string_type": "must be text in quotes",
+    "dict_type": "must be a table",
+    "model_type": "must be a table",
+    "model_attributes_type": "must be a table",
+    "list_type": "must be a list of tables, each under [[…]]",
+    "too_short": "must have at least one table",
+    "bool_type": "must be true or false",
+    "float_type": "must be a number",
+    "finite_number": "must be a finite number",
 }
 
 

@@ -54,7 +54,7 @@ def with_axes(field: Array, dimensions: int) -> Array:
 
     Args:
         field: Table in any unit, a row for each interval.
-        dimensions: Axes that each row has to have.
+        dimensions: Axes that each row must have.
 
     Returns:
         A view of the table.

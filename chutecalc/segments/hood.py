@@ -39,6 +39,6 @@ to_slope_deg = 80
             entry, exit_: slopes at its start and end, rad below horizontal.
         """
         problem = (
-            f"has to be steeper than the start of the hood, {degrees(entry)}: only a roof that steepens guides a stream"
+            f"must be steeper than the start of the hood, {degrees(entry)}: only a roof that steepens guides a stream"
         )
         return exit_ <= entry, problem, "give a steeper slope, or use a curve"

@@ -197,7 +197,7 @@ class ContactProfile:
 
     @property
     def equilibrium_friction(self) -> Array:
-        """Equivalent friction coefficient μ_e of the equilibrium law, where all wall pressures together carry the weight."""
+        """Equivalent friction coefficient μ_e by the equilibrium law, with wall pressures that carry the weight."""
         return self.wall_loads[4]
 
     @property

@@ -19,7 +19,7 @@ def known_format(table: dict[str, Any]) -> Iterator[Violation]:
         table: the spec, with documented keys.
     """
     if "format" in table and type(table["format"]) is not int:
-        yield Violation(("format",), "has to be 1", "change the value")
+        yield Violation(("format",), "must be 1", "change the value")
 
 
 def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
@@ -45,9 +45,7 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
     if not all(isinstance(item, int | float | np.ndarray) for row in rows for item in row):
         return
     if len(rows) < 2:
-        yield Violation(
-            ("yield_locus_kpa",), "has to have at least two rows", "add a row [normal stress, shear stress]"
-        )
+        yield Violation(("yield_locus_kpa",), "must have at least two rows", "add a row [normal stress, shear stress]")
     for number, (one, other) in enumerate(pairwise(rows), 2):
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
             problem = f"is out of order at row {number}: normal stress has to rise, and shear stress must not fall"

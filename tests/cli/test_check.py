@@ -301,10 +301,10 @@ def test_no_spec(folder, capsys):
     ("old", "new", "message"),
     [
         ("format = 1", "<<<<<<< HEAD", "spoon.baseline.toml:2: is not valid TOML"),
-        ("format = 1", "format = 2", "spoon.baseline.toml:2: format = 2 has to be 1"),
-        ("tolerance = 1e-09", "tolerance = 7", "tolerance = 7 has to be at least 1e-13 and at most 0.1"),
-        ("velocity_m_s = 6.", 'velocity_m_s = "6"\n#', "has to be a number"),
-        ("velocity_m_s = 6.", "velocity_m_s = nan\n#", "has to be a finite number"),
+        ("format = 1", "format = 2", "spoon.baseline.toml:2: format = 2 must be 1"),
+        ("tolerance = 1e-09", "tolerance = 7", "tolerance = 7 must be at least 1e-13 and at most 0.1"),
+        ("velocity_m_s = 6.", 'velocity_m_s = "6"\n#', "must be a number"),
+        ("velocity_m_s = 6.", "velocity_m_s = nan\n#", "must be a finite number"),
         ('kind = "curve"', "", "kind is missing"),
     ],
 )
@@ -321,7 +321,7 @@ def test_a_broken_baseline(folder, capsys, old, new, message):
 def test_a_bad_spec_ends_with_2_and_nothing_is_written(folder, capsys):
     Path("other.toml").write_text(chutecalc.STARTER.replace("radius_m = 3.0", "radius_m = -3.0"), encoding="utf-8")
     assert main(["check", "--update", "--junit", "check.xml"]) == 2
-    assert "other.toml:36: segments.2.radius_m = -3.0 has to be greater than 0 m" in capsys.readouterr().err
+    assert "other.toml:36: segments.2.radius_m = -3.0 must be greater than 0 m" in capsys.readouterr().err
     assert sorted(path.name for path in folder.iterdir()) == ["other.toml", "spoon.baseline.toml", "spoon.toml"]
 
 
@@ -345,7 +345,7 @@ def test_what_a_folder_holds(folder, capsys):
     Path("settings.toml").write_text("[tool]\nline = 1\n", encoding="utf-8")
     found = find_designs(["deep", ".", "spoon.baseline.toml", "spoon.toml"])
     assert [chute.source for chute in found.chutes] == [os.path.join("deep", "er", "one.toml"), "spoon.toml"]
-    assert main(["check", "settings.toml"]) == 2  # named, it has to be one
+    assert main(["check", "settings.toml"]) == 2  # named, it must be one
     assert "flow is missing" in capsys.readouterr().err
     Path("deep/er/one.toml").unlink()
     for arguments, words in ((["deep"], "there is no spec in deep"), (["nowhere"], "no such file")):

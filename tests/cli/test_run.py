@@ -208,7 +208,7 @@ def test_all_faults_of_all_specs_and_nothing_solved(capsys, tmp_path, starter):
     assert shown.out == ""
     assert len(shown.err.splitlines()) == 4
     assert shown.err.count("rate_t_h or rate_kg_s or rate_stph") == 2
-    assert shown.err.count("radius_m = -3.0 has to be greater than 0 m") == 2
+    assert shown.err.count("radius_m = -3.0 must be greater than 0 m") == 2
 
 
 def test_an_existing_file_survives_a_failing_run(capsys, tmp_path, starter):

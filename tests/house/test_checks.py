@@ -117,7 +117,7 @@ def test_a_random_seed_is_told_and_gives_the_same_again(tmp_path):
 )
 def test_what_is_no_number_is_refused(variable, text, monkeypatch):
     monkeypatch.setenv(variable, text)
-    with pytest.raises(pytest.UsageError, match=f"{variable}={text}: has to be a whole number from "):
+    with pytest.raises(pytest.UsageError, match=f"{variable}={text}: must be a whole number from "):
         seeds.settle()
 
 

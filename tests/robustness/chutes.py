@@ -31,7 +31,7 @@ def told(data: dict[str, Any]) -> Iterator[None]:
 
 
 def draws(*seed: int) -> Iterator[Drawn]:
-    """Chutes of one seed, without end. Some are not admissible: those have to be told as faults."""
+    """Chutes of one seed, without end. Some are not admissible: those must be told as faults."""
     for data in random_specs(*seed):
         with told(data):
             yield drawn(data)

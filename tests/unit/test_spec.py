@@ -80,7 +80,7 @@ def test_a_metre_in_millimetres_is_exact():
         ('name = "spoon"', 'section = "nobody"', "segments.2.section", '"nobody"', "not defined", "name one of body"),
         ('name = "spoon"', "liner = 3", "segments.2.liner", "3", "text in quotes", "change"),
         ('title = "Fall and spoon, coal"', "title = 3", "title", "3", "text in quotes", "change"),
-        ("format = 1", "format = 2", "format", "2", "has to be 1", "change"),
+        ("format = 1", "format = 2", "format", "2", "must be 1", "change"),
         ("internal_friction_deg = 55", "", "material.internal_friction_deg", "", "or pressure_ratio", "add"),
         ("internal_friction_deg = 55", "pressure_ratio = 1.5", "material.pressure_ratio", "1.5", "at most 1", "change"),
         ("slope_deg = 90", "slope_deg = -90", "inlet.slope_deg", "-90", "greater than -90°", "change"),

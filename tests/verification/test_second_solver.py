@@ -210,7 +210,7 @@ def put(data, path, value):
 
 @pytest.mark.parametrize("name", EDGES)
 def test_edges_are_where_the_second_solver_has_them(name):
-    """Between two chutes of different outcome, this solver's edge; chutecalc has to have it within 1e-9."""
+    """Between two chutes of different outcome, this solver's edge; chutecalc must have it within 1e-9."""
     tables, path, low, high = EDGES[name]
     data = spec(**{key: value for key, value in tables.items() if key != "inlet"})
     data["inlet"] = tables["inlet"]

@@ -40,7 +40,7 @@ class SectionAdjustment:
         varied = [path[1] for path in parts if path[0] == "sections" and len(path) == 3 and path[2] in ANGLE]
         self.names = [] if keep == "base" else [name for name in varied if name in chute.spec.sections]
         if keep not in KEEP:
-            raise UsageError(f"--keep has to be {', '.join(KEEP)}, not {keep}")
+            raise UsageError(f"--keep must be {', '.join(KEEP)}, not {keep}")
         if keep != "base" and not varied:
             raise UsageError(f"--keep {keep} applies while a chamfer angle varies. Add one, such as beta=15:90:5.")
         for name in self.names:

@@ -253,7 +253,7 @@ class Sweep:
 
     @cached_property
     def _at_ends(self) -> bool:
-        """Whether all columns are those of the end of the chute, so that nothing before it has to be computed."""
+        """Whether all columns are those of the end of the chute, so that nothing before it must be computed."""
         last = {f"exit_{name}" for name in AT_EXIT}
         return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in self.columns)
 
