@@ -61,11 +61,15 @@ def console(text: str) -> str:
     """A ``console`` block with what its commands print."""
     lines: list[str] = []
     status = 0
-    for command in re.findall(r"^\$ (.*)$", text, re.MULTILINE):
-        lines.append(f"$ {command}")
+    for command in [*re.findall(r"^\$ (.*)$", text, re.MULTILINE), ""]:
         if command == "echo $?":
-            lines.append(str(status))
+            lines += [f"$ {command}", str(status)]
+            status = 0
             continue
+        assert status == 0, f"{lines}: a command that fails is followed by echo $?"
+        if not command:
+            break
+        lines.append(f"$ {command}")
         words, _, head = command.partition(" | head -")
         written = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="")
         with contextlib.redirect_stdout(written), contextlib.redirect_stderr(written):

@@ -11,7 +11,7 @@ from chutecalc.api.chute import Chute, check_tolerance
 from chutecalc.api.solution import DEFAULT_COLUMNS
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.results.columns import AT_EXIT
+from chutecalc.results.columns import AT_EXIT, column_names
 from chutecalc.results.exits import Exits, solve_exits
 from chutecalc.runtime import cores
 
@@ -47,7 +47,7 @@ def exits(
     array([3.578, 3.878])
     """
     check_tolerance(rtol)
-    names = [columns] if isinstance(columns, str) else list(columns)
+    names = column_names(columns)
     unknown = [name for name in names if name not in AT_EXIT]
     if unknown:
         which = ", ".join(unknown)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import ExtraMissingError, UsageError
-from chutecalc.results.columns import NUMERIC
+from chutecalc.results.columns import NUMERIC, column_names
 from chutecalc.results.solved import SolvedChute
 
 LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
@@ -28,7 +28,7 @@ def stations_frame(
         library: ``pandas`` or ``polars``.
     """
     make = _data_frame(library)
-    names = list(columns)
+    names = column_names(columns)
     table = solution.stations(points, spacing, [*dict.fromkeys([*names, "s_m"])] if names else ())
     reached = np.isfinite(table["s_m"])
     rows: dict[str, Any] = {"design": np.nonzero(reached)[0]} if solution.count > 1 else {}
@@ -43,7 +43,7 @@ def designs_frame(solution: SolvedChute, columns: Iterable[str], library: str) -
         columns: names of columns at the exit.
         library: ``pandas`` or ``polars``.
     """
-    make, names = _data_frame(library), list(columns)
+    make, names = _data_frame(library), column_names(columns)
     unknown = [name for name in names if name not in NUMERIC]
     if unknown:
         raise UsageError(f"there is no column {', '.join(unknown)} at an exit: `chutecalc columns` lists the columns")

@@ -31,7 +31,7 @@ class DemOutputs(Outputs):
 
 @with_groups
 def dem(
-    spec: str | None = typer.Argument(None, metavar="[SPEC]", help="A chute, for the section of one of its segments."),
+    spec: str | None = typer.Argument(None, metavar="SPEC", help="A chute, for the section of one of its segments."),
     segment: str | None = typer.Option(None, metavar="NAME", help="Take the section at the end of this segment."),
     *,
     trough: TroughOptions,

@@ -1,4 +1,4 @@
-"""``chutecalc new``: writes a spec to start from."""
+"""``chutecalc new``: write a spec to start from."""
 
 import typer
 
@@ -8,7 +8,7 @@ EXAMPLES = ("chutecalc new", "chutecalc new spoon.toml")
 
 
 def new(
-    file: str = typer.Argument("chute.toml", metavar="[FILE]", help="To write; - for standard output."),
+    file: str = typer.Argument("chute.toml", metavar="FILE", help="File to write; - for standard output."),
 ) -> int:
     """Write a commented spec to start from. It lists all shapes of section and kinds of segment.
 

@@ -1,4 +1,4 @@
-"""``chutecalc schema``: prints the JSON Schema of a spec."""
+"""``chutecalc schema``: print the JSON Schema of a spec."""
 
 import typer
 
@@ -6,7 +6,10 @@ EXAMPLES = ("chutecalc schema > chute.schema.json",)
 
 
 def schema() -> int:
-    """Print the JSON Schema of a spec, with which editors complete keys and check values."""
+    """Print the JSON Schema of a spec, for editors.
+
+    With it, they complete keys and check values.
+    """
     import json
 
     from chutecalc.spec.schema import json_schema

@@ -43,7 +43,7 @@ class Transfer:
     """A stream that lands on a belt."""
 
     def __init__(self, design: Design, belt: Receiver, velocity: Array, slope: Array) -> None:
-        """A transfer.
+        """Take the belts and the stream at the exit.
 
         Args:
             design: the chutes.

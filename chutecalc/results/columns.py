@@ -6,7 +6,7 @@ profile of the stream there (see :class:`chutecalc.solver.profile.ContactProfile
 (stations, designs), SI and radians.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum, Flag
 from typing import Any
@@ -221,3 +221,15 @@ AT_EXIT = tuple(name for name in NUMERIC if Needs.WHOLE_PATH not in COLUMNS[name
 NEEDING_DEPTH = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.DEPTH in column.needs)
 NEEDING_WALLS = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.WALLS in column.needs)
 """Names of the columns for which the solver has to work that out at an exit."""
+
+
+def column_names(names: Iterable[str]) -> list[str]:
+    """Return names of columns as a list, also where one name is given alone.
+
+    Args:
+        names: of columns, or one name.
+
+    >>> column_names("depth_m"), column_names(("s_m", "depth_m"))
+    (['depth_m'], ['s_m', 'depth_m'])
+    """
+    return [names] if isinstance(names, str) else list(names)

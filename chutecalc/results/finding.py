@@ -29,7 +29,7 @@ class Finding:
     """One finding about some of the designs; arrays are of shape (designs,)."""
 
     code: str
-    """Short name, such as ``stall``; README lists all codes."""
+    """Short name, such as ``stall``; docs/findings.md describes all of them."""
     severity: Severity
     """``failure``, ``warning`` or ``note``."""
     segment: str

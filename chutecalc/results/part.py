@@ -28,10 +28,10 @@ Profile = FlightProfile | ContactProfile
 
 
 class SegmentContext:
-    """What formulas of columns know of where they are worked out: on a segment, or in a flight to it."""
+    """What formulas of columns read besides the stream: the segment, its chute, and whether a surface guides it."""
 
     def __init__(self, segment: Segment, design: Design, guided: bool) -> None:
-        """A context.
+        """Take what formulas read.
 
         Args:
             segment: its description.
@@ -76,7 +76,7 @@ class Part(SegmentContext):
         before: "Part | None",
         design: Design,
     ) -> None:
-        """A part.
+        """Take a solved segment, or the flight to it.
 
         Args:
             name: of the segment; ``NAME:flight`` for a flight that leads to it.

@@ -57,7 +57,7 @@ class Segments(Sequence[SegmentResult]):
     """
 
     def __init__(self, results: Iterable[SegmentResult]) -> None:
-        """Segments.
+        """Take the results of all segments.
 
         Args:
             results: in order.

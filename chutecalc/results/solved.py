@@ -9,7 +9,7 @@ import numpy as np
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
-from chutecalc.results.columns import COLUMNS, NUMERIC
+from chutecalc.results.columns import COLUMNS, NUMERIC, column_names
 from chutecalc.results.described import status_text
 from chutecalc.results.finding import Finding
 from chutecalc.results.segments import SegmentResult, Segments
@@ -101,7 +101,7 @@ class SolvedChute:
         Returns:
             Arrays of shape (designs,) by name, NaN for designs that fail.
         """
-        return self.trajectory.exit_columns(names)
+        return self.trajectory.exit_columns(column_names(names))
 
     @cached_property
     def receiver(self) -> Numbers:
@@ -157,5 +157,5 @@ class SolvedChute:
         >>> table["segment"][0].tolist()
         ['fall', 'fall', 'fall', 'spoon', 'spoon', 'spoon']
         """
-        names = list(columns) or [name for name in COLUMNS if name != "spec"]
+        names = column_names(columns) or [name for name in COLUMNS if name != "spec"]
         return at_stations(self.trajectory.parts, self.count, points, spacing, names)

@@ -28,7 +28,7 @@ class Trajectory:
     """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
 
     def __init__(self, design: Design, segment_solutions: Sequence[SegmentSolution], codes: Index, count: int) -> None:
-        """A trajectory.
+        """Take the solved segments of the designs.
 
         Args:
             design: the numeric description of the chutes.

@@ -19,7 +19,7 @@ class Hood(Arc):
     to_slope_deg: Slope = Field(description="slope at its end, below horizontal; steeper than at its start")
 
     example: ClassVar = """\
-kind = "hood"                   # a curved roof that carries the stream; has to steepen
+kind = "hood"                   # a curved roof that guides the stream and must steepen
 radius_m = 2.0
 to_slope_deg = 80
 """

@@ -48,7 +48,7 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
         yield Violation(("yield_locus_kpa",), "must have at least two rows", "add a row [normal stress, shear stress]")
     for number, (one, other) in enumerate(pairwise(rows), 2):
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
-            problem = f"is out of order at row {number}: normal stress has to rise, and shear stress must not fall"
+            problem = f"is out of order at row {number}: normal stress must rise, and shear stress must not fall"
             yield Violation(("yield_locus_kpa",), problem, "sort the rows")
     if rows and np.any(np.less_equal(rows[0][0], 0.0)):
         yield Violation(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "remove that row")

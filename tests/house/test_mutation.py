@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from tests.conftest import ROOT
+from tests.mutation.__main__ import accepted
 from tests.mutation.mutants import mutants
 
 TOY = b'''"""Text with 3 numbers."""
@@ -94,3 +95,13 @@ def test_a_toy_from_end_to_end(tmp_path):
     assert "recording" not in said
     assert len(first) == 8
     assert outcomes(1, "--count", "8", "--seed", "3")[0] == first
+
+
+def test_every_accepted_mutant_exists():
+    left = set(accepted(ROOT / "tests" / "mutation_accepted.txt"))
+    for file in {head.partition(" ")[0] for head, _, _ in left}:
+        source = (ROOT / file).read_bytes()
+        for mutant in mutants(file, source):
+            head, (before, after) = f"{file} {mutant.function}".strip(), mutant.difference(source)
+            left -= {(head, before, after), (head, before, "*")}
+    assert not left

@@ -1,7 +1,7 @@
 """Mutation testing: small faults put into the code at random, and whether any test notices them.
 
     python -m tests.mutation --count 350 --seed 7 --rooms physics solver --jobs 2 --json out.json
-    python -m tests.mutation --only chutecalc/physics/wear.py:40:12:number:0.0
+    python -m tests.mutation --only chutecalc/physics/belt.py:40:12:number:0.0
 
 Tests are run once to record which of them reach which line (`reach`); that is kept in `.mutation` until files change.
 Then each mutant (`mutants`) has only the tests that reach it, fastest first, until one fails, in a copy of the project

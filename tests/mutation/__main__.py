@@ -19,7 +19,7 @@ from tests.mutation.mutants import Mutant, mutants
 from tests.mutation.process import ROOT, forked, load, run_pytest
 from tests.mutation.reach import Reach, patient, recorded
 
-ROOMS = ("physics", "core", "solver", "results", "api", "studies")
+ROOMS = ("physics", "core", "sections", "segments", "solver", "results", "api", "studies")
 KILLED, SURVIVED, NOT_REACHED, TIMEOUT, ACCEPTED = "killed", "survived", "not reached", "timeout", "accepted"
 OUTCOMES = (KILLED, TIMEOUT, SURVIVED, NOT_REACHED, ACCEPTED)
 LEFT_OUT = shutil.ignore_patterns(".*", "build", "dist", "out", "*.egg-info", "*.so", "*.pyd")  # mutants run uncompiled
@@ -127,6 +127,8 @@ def main() -> int:
     given = parser.parse_args()
     root = given.root.resolve()
     rooms = {given.package if given.only else f"{given.package}/{room}" for room in given.rooms}
+    if missing := sorted(room for room in rooms if not ((root / room).is_dir() or (root / f"{room}.py").is_file())):
+        parser.error(f"there is no room {', '.join(missing)}")
     files = sorted(file for room in rooms for file in [*(root / room).rglob("*.py"), root / f"{room}.py"])
     sources = {file.relative_to(root).as_posix(): file.read_bytes() for file in files if file.exists()}
     if given.only:

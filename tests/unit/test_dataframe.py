@@ -56,6 +56,13 @@ def test_a_row_for_each_design(two):
         two.designs_dataframe(columns=["wear"])
 
 
+def test_one_column_by_its_name(two):
+    pytest.importorskip("pandas", reason="pandas is not installed")
+    assert list(two.to_dataframe(points=2, columns="depth_m").columns) == ["design", "depth_m"]
+    assert list(two.designs_dataframe("depth_m").columns) == ["design", "status", "exit_depth_m"]
+    assert list(two.stations(points=2, columns="depth_m")) == list(two.exit_columns("depth_m")) == ["depth_m"]
+
+
 def test_all_columns_of_one_design():
     pytest.importorskip("pandas", reason="pandas is not installed")
     solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))

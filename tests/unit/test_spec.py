@@ -158,7 +158,7 @@ def test_a_hood_that_the_falling_stream_is_steeper_than_is_told_when_it_is_known
         inlet={"velocity_m_s": 2.0, "slope_deg": 60.0},
         segments=[{"kind": "fall", "drop_m": 3.0}, {"kind": "hood", "radius_m": 1.0, "to_slope_deg": 70.0}],
     )
-    with pytest.raises(chutecalc.SpecError, match=r"segments\.2\.to_slope_deg a roof has to steepen") as caught:
+    with pytest.raises(chutecalc.SpecError, match=r"segments\.2\.to_slope_deg a roof must steepen") as caught:
         chutecalc.solve(bad)
     assert "from_slope_deg" in caught.value.faults[0].remedy
 

@@ -25,7 +25,7 @@ def picture_format(file: str) -> str:
     """
     ending = Path(file).suffix.lower().removeprefix(".")
     if ending not in PICTURE_FORMATS:
-        raise UsageError(f"--plot cannot draw {file}: the name has to end in .svg, .png or .pdf")
+        raise UsageError(f"--plot cannot draw {file}: the name must end in .svg, .png or .pdf")
     require_extra("--plot", PLOT)
     return ending
 

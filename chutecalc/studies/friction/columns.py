@@ -15,7 +15,7 @@ FRICTION_COLUMNS = {
         COLUMNS["depth_m"],
         Column("pressure_ratio", "K", "K", "pressure on a chamfer over that on the centre section", "number", "", 4),
         replace(COLUMNS["equivalent_friction"], digits=5),
-        Column("status", "status", "", "ok, or impossible: a section that cannot be"),
+        Column("status", "status", "", "ok, or impossible: a section that cannot exist"),
     )
 }
 """Columns of the friction study, in the order of the CSV."""

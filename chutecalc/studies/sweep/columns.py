@@ -17,8 +17,8 @@ def row_columns() -> dict[str, Column]:
     'max depth H, m'
     """
     found = {
-        "status": Column("status", "status", "", "how the design ends; impossible: a section that cannot be"),
-        "findings": Column("findings", "findings", "", "codes of the findings, see README"),
+        "status": Column("status", "status", "", "how the design ends; impossible: a section that cannot exist"),
+        "findings": Column("findings", "findings", "", "codes of the findings, see docs/findings.md"),
         "error_estimate": Column("error_estimate", "error", "", "of the exit velocity, relative", "number", "", 14),
     }
     for way, where in WAYS.items():
