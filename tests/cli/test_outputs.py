@@ -10,7 +10,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.errors import ExitStatus
+from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.dataset import Dataset, block_of
 from chutecalc.output.formats import output_formats
 from tests.conftest import ROOT
@@ -47,6 +47,48 @@ def test_csv_and_parquet_have_the_same_rows(command, tmp_path, capsys):
     assert len(rows) == len(typed) > 0
     for row, values in zip(rows, typed, strict=True):
         assert row == {name: "" if value is None else str(value) for name, value in values.items()}
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
+def test_csv_and_excel_have_the_same_rows(command, tmp_path, capsys):
+    openpyxl = pytest.importorskip("openpyxl")
+    files = [str(tmp_path / f"rows.{name}") for name in ("csv", "xlsx")]
+    assert main([*command, "--csv", files[0], "--xlsx", files[1]]) == 0
+    with open(files[0], encoding="utf-8", newline="") as stream:
+        names, *rows = csv.reader(stream)
+    sheet = openpyxl.load_workbook(files[1]).active
+    heading, *typed = sheet.iter_rows(values_only=True)
+    assert list(heading) == names
+    assert len(rows) == len(typed) > 0
+    for row, values in zip(rows, typed, strict=True):
+        for text, value in zip(row, values, strict=True):
+            same = math.isclose(float(text), value, rel_tol=1e-15) if isinstance(value, int | float) else text == value
+            assert same or (not text and value is None), (text, value)
+
+
+def test_excel_files_are_the_same_bytes_each_time_and_keep_text_text(tmp_path):
+    formula = '=HYPERLINK("x")'
+    dataset = Dataset({"name": str, "x_m": float}, [{"name": np.array([formula]), "x_m": np.array([np.inf])}])
+    written = []
+    for _ in range(2):
+        stream = io.BytesIO()
+        rows = output_formats()["xlsx"].rows(stream, dataset)
+        for block in dataset.blocks:
+            rows.write(block)
+        rows.close()
+        written.append(stream.getvalue())
+    assert written[0] == written[1]
+    openpyxl = pytest.importorskip("openpyxl")
+    cells = list(openpyxl.load_workbook(io.BytesIO(written[0])).active.iter_rows())[1]
+    assert [(cell.value, cell.data_type) for cell in cells] == [(formula, "s"), ("inf", "s")]
+
+
+def test_a_sheet_has_an_end(monkeypatch):
+    monkeypatch.setattr("chutecalc.output.formats.xlsx.ROWS_OF_A_SHEET", 3)
+    rows = output_formats()["xlsx"].rows(io.BytesIO(), Dataset({"x_m": float}, []))
+    rows.write({"x_m": np.zeros(2)})
+    with pytest.raises(UsageError, match="use --csv or --parquet"):
+        rows.write({"x_m": np.zeros(1)})
 
 
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
