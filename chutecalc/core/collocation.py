@@ -215,7 +215,9 @@ def insert_resistance(
     """
     for j in range(nodes):
         y, drag, wall_drag = iterate.solution[j + 1], 1.0 + at.excess[j], trial.wall_drag[j]
-        load_change = at.excess_growth[j] * (wall_drag + centrifugal * y) + (at.adhesion_rise[j] - at.adhesion_fall[j])
+        load_change = at.excess_sensitivity[j] * (wall_drag + centrifugal * y) + (
+            at.adhesion_rise[j] - at.adhesion_fall[j]
+        )
         equation.forcing[j] = trial.sine[j] - drag * wall_drag - at.adhesion[j] - load_change
         load_change = floats.quotient(load_change, y)
         adhesion_change = floats.quotient(

@@ -26,9 +26,9 @@ def hydrostatic_loads(facets: "section.Facets", k: int, at: "section.Loads", fir
     """
     if facets.circle and k == 0:
         for j in range(first, last):
-            _, excess, excess_growth, missing, missing_growth = section.arc(facets, at.area[j])
-            at.excess[j], at.excess_growth[j] = excess, 0.5 * excess_growth
-            at.missing[j], at.missing_growth[j] = missing, 0.5 * missing_growth
+            _, excess, excess_sensitivity, missing, missing_sensitivity = section.arc(facets, at.area[j])
+            at.excess[j], at.excess_sensitivity[j] = excess, 0.5 * excess_sensitivity
+            at.missing[j], at.missing_sensitivity[j] = missing, 0.5 * missing_sensitivity
         return
     foot, foot_width, sine = facets.area[k], facets.width[k], facets.sine[k]
     two_over_sine, four_cot, apex_width_squared = (
@@ -51,12 +51,12 @@ def hydrostatic_loads(facets: "section.Facets", k: int, at: "section.Loads", fir
         foot_ratio = foot * per_area
         own_part, foot_part = square * own_excess, (below + sine * rise * wetted) * per_area
         at.excess[j] = own_part * (1.0 - foot_ratio) + foot_part
-        at.excess_growth[j] = own_part * width_ratio + 0.5 * (
+        at.excess_sensitivity[j] = own_part * width_ratio + 0.5 * (
             own_part * foot_ratio + (width_ratio * rise * per_width - foot_part)
         )
         own_part, foot_part = square * own_shortfall, (shortfall + sine * shortfall_rise * wetted) * per_area
         at.missing[j] = own_part * (1.0 - foot_ratio) + foot_part
-        at.missing_growth[j] = own_part * width_ratio + 0.5 * (
+        at.missing_sensitivity[j] = own_part * width_ratio + 0.5 * (
             own_part * foot_ratio + (width_ratio * shortfall_rise * per_width - foot_part)
         )
 
@@ -73,7 +73,9 @@ def apply_friction_law(equilibrium: bool, at: "section.Loads", first: int, last:
         for j in range(first, last):
             carried = 1.0 - at.missing[j]
             at.excess[j] = floats.quotient(at.excess[j], carried)
-            at.excess_growth[j] = floats.quotient(at.excess_growth[j] + at.excess[j] * at.missing_growth[j], carried)
+            at.excess_sensitivity[j] = floats.quotient(
+                at.excess_sensitivity[j] + at.excess[j] * at.missing_sensitivity[j], carried
+            )
 
 
 def friction_law_at(guide: "guide_surface.Guide", facet: int, area: float) -> tuple[float, float]:
@@ -130,7 +132,7 @@ def set_adhesion(
         adhesion = floats.quotient(guide.intercepts[piece], guide.density * guide.gravity * depth)
         at.adhesion[j] = adhesion * (1.0 + at.excess[j] - at.missing[j])
         at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
-        at.adhesion_rise[j] = (at.excess_growth[j] - at.missing_growth[j]) * adhesion
+        at.adhesion_rise[j] = (at.excess_sensitivity[j] - at.missing_sensitivity[j]) * adhesion
 
 
 def rhs_at_node(guide: "guide_surface.Guide", piece: int, share: float, y: float, number: int) -> tuple[float, float]:
@@ -163,7 +165,7 @@ def rhs_and_jacobian(
         1.0 + guide.facets.loads.excess[0],
         guide_surface.normal_acceleration(guide, share, y) / guide.gravity,
     )
-    load_change = guide.slopes[piece] * guide.facets.loads.excess_growth[0] * pressed
+    load_change = guide.slopes[piece] * guide.facets.loads.excess_sensitivity[0] * pressed
     load_change += guide.facets.loads.adhesion_rise[0] - guide.facets.loads.adhesion_fall[0]
     centrifugal = guide.slopes[piece] * drag * guide.signed_curvature / guide.gravity
     return change, 2.0 * guide.length * guide.gravity * (floats.quotient(load_change, y) - centrifugal)

@@ -14,7 +14,7 @@ cdef class Section:
 
 @cython.final
 cdef class Loads:
-    cdef public double[::1] area, excess, excess_growth, missing, missing_growth, adhesion, adhesion_fall, adhesion_rise
+    cdef public double[::1] area, excess, excess_sensitivity, missing, missing_sensitivity, adhesion, adhesion_fall, adhesion_rise
 
 @cython.final
 cdef class Facets:

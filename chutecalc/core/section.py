@@ -32,9 +32,9 @@ class Loads:
     def __init__(self) -> None:
         self.area = floats.zeros(matrix.ROOM)
         """Flow areas, m²; all else follows from them."""
-        self.excess, self.excess_growth = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
+        self.excess, self.excess_sensitivity = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
         """χ, hydrostatic or of the friction law, and half its logarithmic derivative by the area."""
-        self.missing, self.missing_growth = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
+        self.missing, self.missing_sensitivity = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
         """The missing load m, and likewise."""
         self.adhesion, self.adhesion_fall, self.adhesion_rise = (floats.zeros(matrix.ROOM) for _ in range(3))
         """What adhesion adds to friction, over g, and half of its fall and of its rise with the area's logarithm."""
@@ -236,6 +236,6 @@ def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]
         before, now = now, 2.0 * t * now - before
     deficit, third = facets.deficit, 2.0 / 3.0  # A d/dA = (2/3) u d/du
     excess = u * (level - deficit * u * bent)
-    excess_growth = third * u * (level + u * level_slope - deficit * u * (2.0 * bent + u * bent_slope))
+    excess_sensitivity = third * u * (level + u * level_slope - deficit * u * (2.0 * bent + u * bent_slope))
     missing = deficit * u * lacking
-    return side * angle, excess, excess_growth, missing, third * deficit * u * (lacking + u * lacking_slope)
+    return side * angle, excess, excess_sensitivity, missing, third * deficit * u * (lacking + u * lacking_slope)

@@ -30,7 +30,11 @@ def tabulate_wetting(
         excess, factor = friction.friction_law(equilibrium, facets.loads)
         friction.apply_friction_law(equilibrium, facets.loads, 0, 1)
         out[0, row], out[1, row], out[2, row] = depth, section.wetted_below(cross_section, facets, k, area), width
-        out[3, row], out[4, row], out[5, row] = excess, 2.0 * facets.loads.excess_growth[0], facets.loads.missing[0]
+        out[3, row], out[4, row], out[5, row] = (
+            excess,
+            2.0 * facets.loads.excess_sensitivity[0],
+            facets.loads.missing[0],
+        )
         out[6, row] = factor
 
 

@@ -113,11 +113,11 @@ def test_growth_of_both_loads_on_an_arc_by_differentiating_their_integrals(lack)
             layer = 2 * np.sin(angle) * integral(weight, 0, angle)  # d/dψ0; dA/dψ0 = 2 sin²ψ0
             return load / area, layer / (2 * np.sin(angle) ** 2) - load / area
 
-        excess, excess_growth = loads(lambda psi: (1 - lack * np.sin(psi) ** 2) * 2 * np.sin(psi / 2) ** 2)
+        excess, excess_sensitivity = loads(lambda psi: (1 - lack * np.sin(psi) ** 2) * 2 * np.sin(psi / 2) ** 2)
         missing, _ = loads(lambda psi: lack * np.sin(psi) ** 2 * np.cos(psi))
         assert found.chamfer[0] == pytest.approx(angle, rel=1e-14)
         assert found.excess[0] == pytest.approx(excess, rel=1e-12)
-        assert found.excess_sensitivity[0] == pytest.approx(excess_growth, rel=1e-11)
+        assert found.excess_sensitivity[0] == pytest.approx(excess_sensitivity, rel=1e-11)
         assert found.missing_load[0] == pytest.approx(missing, rel=1e-12, abs=1e-15)
 
 
