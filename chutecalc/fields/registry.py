@@ -1,15 +1,14 @@
 """Finds the variants of a table, one to a module of a package: cross-section shapes, kinds of segment."""
 
 from functools import reduce
-from importlib import import_module
 from operator import or_
-from pkgutil import iter_modules
 from types import ModuleType
 from typing import Annotated, Any, TypeVar, get_args
 
 from pydantic import Field
 
 from chutecalc.fields.table import Table
+from chutecalc.registry import by_name, load_modules
 
 Variant = TypeVar("Variant", bound=Table)
 
@@ -26,19 +25,16 @@ def variants(package: ModuleType, base: type[Variant], tag: str) -> dict[str, ty
         Tag value to table, in the order of the modules.
 
     Raises:
+        ImportError: A module cannot be imported.
         ValueError: Two tables have the same tag value.
     """
-    found: dict[str, type[Variant]] = {}
-    for name in sorted(module.name for module in iter_modules(package.__path__)):
-        module = import_module(f"{package.__name__}.{name}")
-        for item in vars(module).values():
-            if not (isinstance(item, type) and issubclass(item, base) and item.__module__ == module.__name__):
-                continue
-            for value in get_args(item.model_fields[tag].annotation):
-                if value in found:
-                    raise ValueError(f"{tag} = {value!r} stands in {found[value].__module__} and in {module.__name__}")
-                found[value] = item
-    return found
+    return by_name(
+        (value, item, module.__name__)
+        for module in load_modules(package.__name__, package.__path__)
+        for item in vars(module).values()
+        if isinstance(item, type) and issubclass(item, base) and item.__module__ == module.__name__
+        for value in get_args(item.model_fields[tag].annotation)
+    )
 
 
 def union(tables: dict[str, type[Variant]], tag: str) -> Any:

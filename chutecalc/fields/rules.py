@@ -26,7 +26,7 @@ def one_of(*keys: str) -> Callable[[dict[str, Any]], Iterator[Violation]]:
                 problem = f"is given together with {', '.join(given[:-1])}: give only one of {names}"
                 yield Violation((given[-1],), problem, "remove the others")
             else:
-                yield Violation((keys[0],), f"is missing: give one of {names}", f"add {keys[0]}")
+                yield Violation((keys[0],), f"is missing: give one of {names}", f"add {keys[0]}", is_missing=True)
 
     return rule
 

@@ -26,6 +26,8 @@ class Violation(NamedTuple):
     location: tuple[str | int, ...]
     problem: str
     remedy: str
+    is_missing: bool = False
+    """Whether a key is missing. That is no news where the key is there, misspelt or without its unit."""
 
 
 Rules = tuple[Callable[[dict[str, Any]], Iterator[Violation]], ...]
@@ -78,10 +80,10 @@ class Table(BaseModel):
         broken: list[Violation] = []
         table, written, meant = cls._in_first_units(data, broken)
         for rule in cls.rules:
-            broken += [item for item in rule(table) if not (item.location[0] in meant and "missing" in item.problem)]
+            broken += [item for item in rule(table) if not (item.location[0] in meant and item.is_missing)]
         details = [
             _detail((written.get(str(location[0]), location[0]), *location[1:]), problem, remedy)
-            for location, problem, remedy in broken
+            for location, problem, remedy, _ in broken
         ]
         try:
             model = handler(table)

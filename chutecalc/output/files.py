@@ -1,5 +1,6 @@
 """Output files: checked before anything is solved, and written whole or not at all."""
 
+import errno
 import os
 import sys
 from collections.abc import Iterator, Sequence
@@ -51,8 +52,21 @@ def check_openable(target: str | None) -> None:
         raise OutputError(f"{target} is a folder: name a file in it")
     if not path.parent.is_dir():
         raise OutputError(f"{target} cannot be written: there is no folder {path.parent}")
-    if not os.access(path if path.exists() and not path.is_file() else path.parent, os.W_OK):
-        raise OutputError(f"{target} cannot be written: Permission denied")
+    try:
+        if path.exists() and not path.is_file():  # a device or a pipe
+            if not os.access(path, os.W_OK):
+                raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        else:
+            part = _part_of(path)
+            part.touch()
+            part.unlink()
+    except OSError as error:
+        raise OutputError(f"{target} cannot be written: {error.strerror}") from None
+
+
+def _part_of(path: Path) -> Path:
+    """Return the file that is written first, and then takes the place of the target."""
+    return path.with_name(f".{path.name}.{os.getpid()}.part")
 
 
 @contextmanager
@@ -81,7 +95,7 @@ def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:
     path = Path(os.path.realpath(target))
     if path.is_dir():
         raise OutputError(f"{target} is a folder: name a file in it")
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    part = _part_of(path)
     try:
         with _opened(str(part), target, mode) as stream:
             yield stream

@@ -173,6 +173,8 @@ def criterion(
     """
 
     def register(cases: Callable[[Scene], Iterable[Case]]) -> Callable[[Scene], Iterable[Case]]:
+        if code in {each.code for each in CRITERIA}:
+            raise ValueError(f"the finding {code!r} is registered twice, the second time in {cases.__module__}")
         CRITERIA.append(Criterion(code, severities, summary, limit, source, tuple(needs), in_falls, cases))
         return cases
 

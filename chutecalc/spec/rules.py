@@ -30,7 +30,7 @@ def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
     """
     if "internal_friction_deg" not in table and "pressure_ratio" not in table:
         problem, remedy = "is missing: give it or pressure_ratio", "add the effective angle of internal friction"
-        yield Violation(("internal_friction_deg",), problem, remedy)
+        yield Violation(("internal_friction_deg",), problem, remedy, is_missing=True)
 
 
 def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
@@ -67,7 +67,7 @@ def one_inlet(table: dict[str, Any]) -> Iterator[Violation]:
         if "belt" in table and key in table:
             yield Violation((key,), "follows from the belt", "remove it, or remove [inlet.belt]")
         elif "belt" not in table and key not in table:
-            yield Violation((key,), "is missing", f"add {names}, or describe the belt in [inlet.belt]")
+            yield Violation((key,), "is missing", f"add {names}, or describe the belt in [inlet.belt]", is_missing=True)
 
 
 def names(table: dict[str, Any]) -> Iterator[Violation]:
@@ -115,7 +115,9 @@ def _reference(
         return
     known = ", ".join(defined)
     if named is None and len(defined) > 1:
-        yield Violation((*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}")
+        yield Violation(
+            (*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}", is_missing=True
+        )
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
             problem = f"names {name}, which is not defined in [{kinds}]"
@@ -142,7 +144,12 @@ def placement(table: dict[str, Any]) -> Iterator[Violation]:
         if before.get("onto_next") is True and table_of is not None and table_of.guides:
             for key, example in table_of.placed.items():
                 if not _given(segment, key):
-                    yield Violation((*location, key), "is missing, and needed after onto_next = true", f"add {example}")
+                    yield Violation(
+                        (*location, key),
+                        "is missing, and needed after onto_next = true",
+                        f"add {example}",
+                        is_missing=True,
+                    )
         elif starts := _given(segment, "start_m"):
             remedy = "put a fall with onto_next = true before the segment, or remove this key"
             yield Violation((*location, starts[0]), "is only for a segment after onto_next = true", remedy)

@@ -164,3 +164,10 @@ def test_help_has_examples(command, capsys):
     examples = capsys.readouterr().out.partition("Examples:")[2].strip().splitlines()
     assert all(line.strip().startswith(f"chutecalc {command}") for line in examples)
     assert examples
+
+
+def test_a_name_too_long_for_the_file_that_is_written_first_is_found_before_the_work(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("chutecalc.api.chute.solve", lambda *_: pytest.fail("solved"))
+    assert main(["run", SPOON, "--csv", str(tmp_path / ("x" * 250))]) == ExitStatus.USAGE
+    assert "cannot be written: File name too long" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())

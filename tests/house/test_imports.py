@@ -9,7 +9,7 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "runtime", "core"},
+    {"errors", "registry", "runtime", "core"},
     {"physics"},
     {"design", "fields"},
     {"sections"},

@@ -61,7 +61,9 @@ def test_a_new_module_is_a_new_variant_and_two_of_one_name_are_refused(tmp_path,
         found = variants(import_module(package.name), Section, "shape")
         assert [(shape, table.__module__) for shape, table in found.items()] == [("own", "shapes_of_a_test.one")]
         (package / "two.py").write_text(SHAPE.format("own"), encoding="utf-8")
-        with pytest.raises(ValueError, match=r"'own' stands in shapes_of_a_test.one and in shapes_of_a_test.two"):
+        with pytest.raises(
+            ValueError, match=r"'own' is registered twice, in shapes_of_a_test.one and in shapes_of_a_test.two"
+        ):
             variants(sys.modules[package.name], Section, "shape")
     finally:
         for name in [name for name in sys.modules if name.startswith(package.name)]:

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import chutecalc
+from chutecalc.results.criterion import criterion
+from chutecalc.results.finding import Severity
 from tests.conftest import chute, vee
 
 G = 9.80665
@@ -592,3 +594,8 @@ def test_a_fall_that_is_never_reached_says_so():
     (missed,) = all_of(solution, "missed")
     assert (missed.segment, missed.severity) == ("last", "failure")
     assert missed.message().startswith("the stream never reaches the end of the fall")
+
+
+def test_a_code_is_registered_once():
+    with pytest.raises(ValueError, match="the finding 'stall' is registered twice, the second time in tests"):
+        criterion("stall", Severity.NOTE, summary="")(lambda scene: [])

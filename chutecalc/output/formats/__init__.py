@@ -6,12 +6,11 @@ all files of this package are loaded whenever a command starts.
 
 from collections.abc import Callable
 from functools import cache
-from importlib import import_module
-from pkgutil import iter_modules
 from typing import IO, Any, NamedTuple, Protocol
 
 from chutecalc.output.dataset import Block, Dataset
 from chutecalc.output.extras import Extra
+from chutecalc.registry import by_name, load_modules
 
 
 class RowWriter(Protocol):
@@ -51,9 +50,12 @@ class OutputFormat(NamedTuple):
 def output_formats() -> dict[str, OutputFormat]:
     """Return all formats by name.
 
+    Raises:
+        ImportError: A module of this package cannot be imported.
+        ValueError: Two formats have the same name.
+
     >>> [name for name in output_formats() if name in ("csv", "json", "parquet")]
     ['csv', 'json', 'parquet']
     """
-    modules = (import_module(f"{__name__}.{module.name}") for module in iter_modules(__path__))
-    formats: list[OutputFormat] = [module.FORMAT for module in modules]
-    return {each.name: each for each in formats}
+    modules = load_modules(__name__, __path__)
+    return by_name((module.FORMAT.name, module.FORMAT, module.__name__) for module in modules)

@@ -5,19 +5,17 @@ one: the modules are found by the package itself, and a criterion is all that is
 """
 
 from collections.abc import Sequence
-from importlib import import_module
-from pkgutil import iter_modules
 
 import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
+from chutecalc.registry import load_modules
 from chutecalc.results.criterion import CRITERIA, Scene
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.sampled import SampledPart
 
-for _module in sorted(module.name for module in iter_modules(__path__)):
-    import_module(f"{__name__}.{_module}")
+load_modules(__name__, __path__)
 
 NEEDED = tuple(dict.fromkeys(needed for criterion in CRITERIA for needed in criterion.needs))
 """The extremes along a part that criteria read."""
