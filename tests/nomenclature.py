@@ -45,7 +45,8 @@ def findings() -> str:
 
 def keys() -> str:
     """Every key of a spec in its first unit, table by table."""
-    return table(("table", "key", "unit", "meaning"), _keys(ChuteSpec.model_json_schema()))
+    rows = sorted(_keys(ChuteSpec.model_json_schema()), key=lambda row: row[0])
+    return table(("table", "key", "unit", "meaning"), rows)
 
 
 def _keys(schema: dict[str, Any]) -> Iterator[Row]:
@@ -69,7 +70,13 @@ def _table_name(model: str, properties: dict[str, Any]) -> str:
     return NAMES.get(model, model.lower())
 
 
-NAMES = {"": "(top)", "Belt": "inlet.belt", "Facet": "facets of a section", "Liner": "liners", "Section": "sections"}
+NAMES = {
+    "": "(top)",
+    "Belt": "inlet.belt",
+    "Facet": "sections: facets, a facet",
+    "Liner": "liners",
+    "Section": "sections",
+}
 TABLES = {
     "columns along the stream": lambda: columns(COLUMNS),
     "columns of the receiving belt": lambda: columns(RECEIVER_COLUMNS),

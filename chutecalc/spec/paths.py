@@ -1,6 +1,5 @@
 """Puts values at key paths: ``segments.2.radius_m``, or by name ``segments.spoon.radius_m``."""
 
-import copy
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
@@ -26,12 +25,19 @@ def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> d
     >>> with_values({"flow": {"rate_t_h": 1000}}, {"flow.rate_kg_s": 250.0}, "spec")
     {'flow': {'rate_kg_s': 250.0}}
     """
-    changed = copy.deepcopy(data)
+    changed: dict[str, Any] = _copied(data)
     done: dict[tuple[int, str], str] = {}
     faults = [fault for path, value in changes.items() if (fault := _put(changed, path, value, done))]
     if faults:
         raise SpecError(faults, source)
     return changed
+
+
+def _copied(item: Any) -> Any:
+    """Copy tables and lists. One that is shared between two keys becomes two, so that each can be changed alone."""
+    if isinstance(item, dict):
+        return {key: _copied(value) for key, value in item.items()}
+    return [_copied(value) for value in item] if isinstance(item, list) else item
 
 
 def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str], str]) -> Fault | None:

@@ -232,7 +232,11 @@ def test_impossible_designs_keep_their_rows(capsys, tmp_path):
         assert (row["status"] == "impossible") == impossible
         assert (row["exit_velocity_m_s"] == "") == impossible
     assert main(["sweep", "beta=10:50:5", "--keep", "depth", path]) == 0
-    assert "left out: 4 impossible designs" in capsys.readouterr().out
+    assert "left out: 4 impossible designs, whose" in capsys.readouterr().out
+    assert main(["sweep", "beta=20,40", "--keep", "depth", path]) == 0
+    out = capsys.readouterr().out
+    assert "2 designs: 1 impossible, 1 ok\n" in out
+    assert "left out: 1 impossible design, whose" in out
 
 
 def test_values_that_only_together_cannot_be(capsys, tmp_path):
@@ -316,6 +320,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["beta", VEE, "--keep", "depth"], "--keep depth cannot be used with sections.flanks: its shape is vee"),
         (["radius=1,2", SPOON, "--keep", "width"], "while a chamfer angle varies. Add one, such as beta=15:90:5"),
         (["base=0.3,0.4", SPOON, "--keep", "width"], "while a chamfer angle varies. Add one, such as beta=15:90:5"),
+        (["rate=1,2", VEE, "--keep", "width"], "--keep width needs a section of shape chamfered, and the spec has"),
         (["beta", SPOON, "--columns", "exit_velocity"], "Did you mean exit_velocity_m_s?"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
         (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),

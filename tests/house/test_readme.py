@@ -10,7 +10,10 @@ import pytest
 
 import chutecalc
 from chutecalc.errors import ExitStatus
+from chutecalc.output.formats import output_formats
 from chutecalc.results.findings import CRITERIA
+from chutecalc.sections.registry import SHAPES
+from chutecalc.segments.registry import KINDS
 from tests.house.test_imports import LEVEL
 from tests.pages import PAGES, ROOT, blocks, console, program, spec, workplace
 
@@ -126,6 +129,32 @@ def test_every_finding_is_described():
     assert len(table) == len(set(table))
     assert table == sections
     assert {criterion.code for criterion in CRITERIA} == set(table)
+
+
+def first_words(page, heading):
+    """The first word in backticks of each row of the table below this heading, with the others of the row."""
+    text = (ROOT / "docs" / page).read_text(encoding="utf-8")
+    table = text[text.index(heading) :].split("\n\n")[0]
+    rows = [re.findall(r"`([^`]+)`", row) for row in table.splitlines()[2:]]
+    return [(first, rest) for first, *rest in rows]
+
+
+def test_every_shape_of_a_section_is_described():
+    rows = first_words("spec.md", "| shape | keys |")
+    assert sorted(shape for shape, _ in rows) == sorted(SHAPES)
+    for shape, keys in rows:
+        assert set(keys) == SHAPES[shape].model_fields.keys() - {"shape", "wall_height_m"}, shape
+
+
+def test_every_kind_of_segment_is_described():
+    rows = first_words("spec.md", "| kind | keys | what it is |")
+    assert sorted(kind for kind, _ in rows) == sorted(KINDS)
+
+
+def test_every_output_format_is_described():
+    rows = first_words("running.md", "| option | writes |")
+    options = [option.removesuffix(" FILE") for option, _ in rows]
+    assert sorted(options) == sorted(f"--{name}" for name in output_formats())
 
 
 def test_every_exit_status_is_described():

@@ -30,18 +30,18 @@ def told(data: dict[str, Any]) -> Iterator[None]:
         raise
 
 
-def draws(*seed: int) -> Iterator[Drawn]:
+def draws(*seed: int, maker: "type[Maker] | None" = None) -> Iterator[Drawn]:
     """Chutes of one seed, without end. Some are not admissible: those must be told as faults."""
-    for data in random_specs(*seed):
+    for data in random_specs(*seed, maker=maker):
         with told(data):
             yield drawn(data)
 
 
-def random_specs(*seed: int) -> Iterator[dict[str, Any]]:
+def random_specs(*seed: int, maker: "type[Maker] | None" = None) -> Iterator[dict[str, Any]]:
     """Specs of one seed, without end, as they are drawn."""
-    maker = _Maker(seeds.generator(*seed))
+    drawing = (maker or Maker)(seeds.generator(*seed))
     while True:
-        yield maker.chute()
+        yield drawing.chute()
 
 
 def drawn(data: dict[str, Any]) -> Drawn:
@@ -52,7 +52,9 @@ def drawn(data: dict[str, Any]) -> Drawn:
         return Drawn(data, None, error)
 
 
-class _Maker:
+class Maker:
+    """Draws chutes."""
+
     def __init__(self, random: np.random.Generator) -> None:
         self.random = random
         self.usual = False
@@ -217,3 +219,7 @@ class _Maker:
         if segments[number]["kind"] in ("curve", "hood"):
             segments[number].setdefault("from_slope_deg", self.anywhere(20.0, 90.0))
         segments.insert(number, {"kind": "fall", "onto_next": True})
+
+
+MAKERS = (Maker,)
+"""All that draw chutes, each with cases of its own. For a new shape or kind add a class derived from ``Maker``."""

@@ -2,7 +2,7 @@
 
 import tomllib
 from collections import Counter
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,7 @@ import chutecalc
 from chutecalc.fields.table import Table
 from chutecalc.spec.chute_spec import ChuteSpec
 from tests import seeds
-from tests.robustness.chutes import drawn, draws, told
+from tests.robustness.chutes import MAKERS, drawn, draws, told
 from tests.robustness.faults import check_faults
 
 FOUND = sorted((Path(__file__).parent / "found").glob("*.toml"))
@@ -25,11 +25,12 @@ RUNS = (0.12, 0.5)
 BATCHES = seeds.times(20)
 
 
+@pytest.mark.parametrize("maker", MAKERS)
 @pytest.mark.parametrize("first", range(0, seeds.times(200), TOGETHER))
-def test_every_chute_ends_with_a_status_and_its_numbers(first):
+def test_every_chute_ends_with_a_status_and_its_numbers(first, maker):
     """So many solved chutes, and as many refused ones as come between them."""
     solved = refused = 0
-    for data, solution, error in draws(first):
+    for data, solution, error in draws(first, maker=maker):
         with told(data):
             if solution is None:
                 check_faults(error, data)
@@ -57,7 +58,8 @@ def test_what_is_drawn_has_every_key_of_every_table():
     schema = ChuteSpec.model_json_schema()
     tables = {"ChuteSpec": schema} | schema["$defs"]
     every = {(table, key) for table, described in tables.items() for key in described["properties"]}
-    chutes = (data for data, solution, _ in islice(draws(2), 400) if solution is not None)
+    drawn_ones = chain.from_iterable(islice(draws(2, maker=maker), 400) for maker in MAKERS)
+    chutes = (data for data, solution, _ in drawn_ones if solution is not None)
     given = {pair for data in chutes for pair in given_keys(ChuteSpec.model_validate(data))}
     assert {key for _, key in every - given} == {"format", "title", "name"}
     assert given <= every

@@ -453,6 +453,19 @@ def test_designs_are_counted_over_the_whole_spec():
         base.vary({"segments.2.radius_m": [1, 2], "segments.spoon.radius_mm": [3000, 3000]})
 
 
+def test_a_table_that_stands_in_two_places_is_varied_in_one():
+    body = {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45}
+    flat = {"kind": "straight", "slope_deg": 50.0, "length_m": 1.0, "section": ["a", "b"]}
+    start = {"velocity_m_s": 4.0, "slope_deg": 50.0}
+    base = chutecalc.parse(with_tables(sections={"a": body, "b": body}, inlet=start, segments=[flat, flat]))
+    varied = base.vary({"sections.a.base_m": [0.6, 0.7], "segments.2.length_m": 2.0})
+    assert varied.data["sections"]["b"] == body == base.data["sections"]["a"]
+    assert [float(np.squeeze(segment["length_m"])) for segment in varied.data["segments"]] == [1.0, 2.0]
+    both = base.vary({"sections.a.base_m": [0.6, 0.7], "sections.b.base_m": [0.4, 0.3]})
+    assert both.data["sections"]["b"]["base_m"].tolist() == [0.4, 0.3]
+    assert both.data["sections"]["a"]["base_m"].tolist() == [0.6, 0.7]
+
+
 def test_a_batch_that_nobody_carries_on():
     sections = {"b": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 45, "chamfer_m": 0.1}}
     flat = {"kind": "straight", "slope_deg": 5.0, "length_m": 9.0}

@@ -161,11 +161,11 @@ class Maker:
         segments.insert(number, {"kind": "fall", "onto_next": True})
 
 
-def case(seed: int) -> tuple[dict[str, Any], chutecalc.Chute]:
+def case(seed: int, maker: type[Maker] = Maker) -> tuple[dict[str, Any], chutecalc.Chute]:
     """The first chute of this seed that is a chute: some draws are faults of geometry."""
-    maker = Maker(seed)
+    drawing = maker(seed)
     for _ in range(100):
-        data = maker.chute()
+        data = drawing.chute()
         try:
             chute = chutecalc.parse(data)
             chutecalc.solve(chute, rtol=1e-4)  # a hood may not steepen from where a stream falls into it
@@ -292,9 +292,9 @@ NUDGE = 1e-8
 CREEP = 1e-3  # m/s, slower than that chutecalc may call a stall
 
 
-def judge(seed: int) -> tuple[str, list[str]]:
+def judge(seed: int, maker: type[Maker] = Maker) -> tuple[str, list[str]]:
     """How one random chute compares: same, edge, creep, undecided or wrong; and what is wrong."""
-    data, chute = case(seed)
+    data, chute = case(seed, maker)
     return compare(data, theirs_of(chute))
 
 

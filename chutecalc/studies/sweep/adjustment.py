@@ -41,12 +41,14 @@ class SectionAdjustment:
         self.names = [] if keep == "base" else [name for name in varied if name in chute.spec.sections]
         if keep not in KEEP:
             raise UsageError(f"--keep must be {', '.join(KEEP)}, not {keep}")
+        takes = " or ".join(shape for shape, table in SHAPES.items() if table.adjustable)
         if keep != "base" and not varied:
+            if not any(section.adjustable for section in chute.spec.sections.values()):
+                raise UsageError(f"--keep {keep} needs a section of shape {takes}, and the spec has none. Remove it.")
             raise UsageError(f"--keep {keep} applies while a chamfer angle varies. Add one, such as beta=15:90:5.")
         for name in self.names:
             section = chute.spec.sections[name]
             if not section.adjustable:
-                takes = " or ".join(shape for shape, table in SHAPES.items() if table.adjustable)
                 raise UsageError(
                     f"--keep {keep} cannot be used with sections.{name}: its shape is {section.shape}, not {takes}"
                 )

@@ -101,7 +101,7 @@ class FirstRows:
         """
         sweep = self.sweep
         printer.text(sweep.chute.spec.title or sweep.chute.source)
-        printer.text(f"{sweep.chute.source}: {_designs(sweep.count)}, {self._parameters_text()}")
+        printer.text(f"{sweep.chute.source}: {_counted(sweep.count, 'design')}, {self._parameters_text()}")
         printer.text()
         if self.count:
             printer.table(self._table(printer.units))
@@ -135,17 +135,18 @@ class FirstRows:
         """Yield lines on how the designs end, and on rows that are not shown."""
         impossible = self.ends[IMPOSSIBLE]
         if not (self.sweep.profiles or self.sweep.top):
-            yield f"{_designs(self.rows)}: " + ", ".join(f"{number:,} {end}" for end, number in self.ends.most_common())
+            ends = ", ".join(f"{number:,} {end}" for end, number in self.ends.most_common())
+            yield f"{_counted(self.rows, 'design')}: {ends}"
         if impossible:
-            yield f"left out: {impossible:,} impossible designs, whose geometry does not fit together"
+            yield f"left out: {_counted(impossible, 'impossible design')}, whose geometry does not fit together"
         rest = self.rows - impossible - self.count
         if rest:
             where = f"all are in {', '.join(files)}" if files else "write all with --csv, or pick the best with --top"
-            yield f"{rest:,} more rows are not shown: {where}"
+            yield f"not shown: {_counted(rest, 'more row')}; {where}"
 
 
-def _designs(count: int) -> str:
-    return f"{count:,} design" + ("" if count == 1 else "s")
+def _counted(count: int, noun: str) -> str:
+    return f"{count:,} {noun}" + ("" if count == 1 else "s")
 
 
 def _texts(column: Column, values: Any, units: str) -> list[str]:
