@@ -128,7 +128,7 @@ class Solution(SolvedChute):
         if self.count > 1:
             return f" of {self.count} designs: {outcomes(self.status)}"
         if not self.ok[0]:
-            segment_solutions, code = self.trajectory.segment_solutions, self.trajectory.codes[0]
+            segment_solutions, code = self.trajectory.segment_solutions, self.trajectory.status_numbers[0]
             failed = next((solved for solved in segment_solutions if solved.status[0] == code), segment_solutions[-1])
             return f": {self.status[0]} in {failed.segment.name} at s = {number(failed.exit.distance, 'm')}"
         last, depth = self.design.segments[-1].name, number(self.exit_depth, "m deep")

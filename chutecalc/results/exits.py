@@ -63,8 +63,8 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
     taken = columns_needed(design, names)
     if design.segments[-1].deflects:  # where the stream is as the impact on it leaves it
         segment_solutions, ends = run_chain(design, rtol, dense_output=False)
-        codes = stretched(ends.status, (count,))
-        found = Trajectory(design, segment_solutions, codes, count).exit_columns(taken)
+        status_numbers = stretched(ends.status, (count,))
+        found = Trajectory(design, segment_solutions, status_numbers, count).exit_columns(taken)
     else:
         ends = run_ends(layout_of(design), design_rows(design), rtol, *exit_needs(taken))
         found = at_exit(design, ends, taken)
@@ -73,10 +73,10 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
     def whole(numbers: Numbers) -> Numbers:
         return {name: stretched(values, (count,)) for name, values in numbers.items()}
 
-    codes, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
+    status_numbers, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
     return Exits(
-        status=status_text(codes),
-        ok=codes == Status.OK,
+        status=status_text(status_numbers),
+        ok=status_numbers == Status.OK,
         error_estimate=error,
         exit=whole({name: found[name] for name in names}),
         receiver=whole(belt),

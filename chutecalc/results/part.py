@@ -229,13 +229,13 @@ def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
         Arrays of shape (designs,) by name, NaN where a design fails.
     """
     last = design.segments[-1]
-    context, well = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
+    context, ok = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
     at: Profile = (
         EndContactProfile(ends, design.volume_rate) if context.guided else EndFlightProfile(ends, design.volume_rate)
     )
     with np.errstate(all="ignore"):
         columns = {name: ALL_COLUMNS[name].values(context, at)[0] for name in names}
-    return {name: np.where(well, values, np.nan) for name, values in columns.items()}
+    return {name: np.where(ok, values, np.nan) for name, values in columns.items()}
 
 
 def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:

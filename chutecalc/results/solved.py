@@ -69,12 +69,12 @@ class SolvedChute:
     @cached_property
     def status(self) -> Any:
         """``ok``, ``stall``, ``choke``, ``contact_lost`` or ``missed`` for each design, text of shape (designs,)."""
-        return status_text(self.trajectory.codes)
+        return status_text(self.trajectory.status_numbers)
 
     @property
     def ok(self) -> Mask:
         """Whether the stream of each design reaches the end of the chute, shape (designs,)."""
-        ok: Mask = self.trajectory.codes == Status.OK
+        ok: Mask = self.trajectory.status_numbers == Status.OK
         return ok
 
     @property

@@ -27,16 +27,19 @@ SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
 class Trajectory:
     """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
 
-    def __init__(self, design: Design, segment_solutions: Sequence[SegmentSolution], codes: Index, count: int) -> None:
+    def __init__(
+        self, design: Design, segment_solutions: Sequence[SegmentSolution], status_numbers: Index, count: int
+    ) -> None:
         """Take the solved segments of the designs.
 
         Args:
             design: the numeric description of the chutes.
             segment_solutions: the solved segments in the order in which the stream meets them.
-            codes: the :class:`~chutecalc.design.Status` of each design, shape (designs,).
+            status_numbers: number of how each design ends, see :class:`~chutecalc.design.Status`, shape (designs,).
             count: number of designs.
         """
-        self.design, self.segment_solutions, self.codes, self.count = design, tuple(segment_solutions), codes, count
+        self.design, self.segment_solutions = design, tuple(segment_solutions)
+        self.status_numbers, self.count = status_numbers, count
 
     @cached_property
     def parts(self) -> list[Part]:
@@ -101,7 +104,7 @@ class Trajectory:
         for part in self.parts:  # of a hood that is left and struck again there are several
             if part.solved.number == last and part.kind != "flight":
                 ends = part.at(np.ones(1), names)
-                here = (part.solved.status == Status.OK) & (self.codes == Status.OK)
+                here = (part.solved.status == Status.OK) & (self.status_numbers == Status.OK)
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
         return found
 

@@ -32,10 +32,10 @@ def test_stall_inside_a_segment():
     finding = found(solution, "stall")
     assert (finding.severity, finding.segment) == ("failure", "straight")
     assert finding.s_m[0] == solution.trajectory.segment_solutions[0].exit.distance[0]
-    way, slope = (finding.numbers[name][0] for name in ("way_m", "slope_deg"))
-    assert way == pytest.approx(finding.s_m[0], rel=1e-15)
+    travelled, slope = (finding.numbers[name][0] for name in ("travelled_m", "slope_deg"))
+    assert travelled == pytest.approx(finding.s_m[0], rel=1e-15)
     assert slope == pytest.approx(5.0, rel=1e-15)
-    assert f"falls to 0 after {way:.4g} m on the segment, at a slope of 5°" in finding.message()
+    assert f"falls to 0 after {travelled:.4g} m on the segment, at a slope of 5°" in finding.message()
 
 
 def test_stall_at_an_impact():

@@ -38,14 +38,14 @@ def stall(scene: Scene) -> Iterator[Case]:
     )
     inside = (solved.status == Status.STALL) & ~at_impact
     template = (
-        "the stream stalls: its velocity falls to 0 after {way_m} on the segment, at a slope of {slope_deg}; make the"
-        " slope steeper or reduce the wall friction"
+        "the stream stalls: its velocity falls to 0 after {travelled_m} on the segment, at a slope of {slope_deg}; make"
+        " the slope steeper or reduce the wall friction"
     )
     yield Case(
         inside,
         solved.exit.distance,
         template,
-        {"way_m": scene.part.length(), "slope_deg": np.degrees(solved.exit.slope)},
+        {"travelled_m": scene.part.length(), "slope_deg": np.degrees(solved.exit.slope)},
     )
 
 

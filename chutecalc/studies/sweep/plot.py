@@ -76,10 +76,10 @@ def _drawn(sweep: Sweep, block: Block) -> list[str]:
     return shown[:MOST_PANELS]
 
 
-def _top(values: Any, well: Any) -> float:
+def _top(values: Any, ok: Any) -> float:
     """Return where a panel ends: at the largest value, but below the peaks of streams that nearly stall."""
     finite = _finite(values)
-    return float(finite.max() if well.all() else min(finite.max(), CUT_OFF * np.median(finite)))
+    return float(finite.max() if ok.all() else min(finite.max(), CUT_OFF * np.median(finite)))
 
 
 def _finite(values: Any) -> Any:

@@ -24,7 +24,7 @@ from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, select_rows
-from chutecalc.studies.sweep.columns import WAYS, row_columns
+from chutecalc.studies.sweep.columns import PREFIXES, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
 
@@ -220,7 +220,7 @@ class Sweep:
         """Compute a row for each design."""
         by_prefix = {
             prefix: [name.removeprefix(f"{prefix}_") for name in self.columns if name.startswith(f"{prefix}_")]
-            for prefix in WAYS
+            for prefix in PREFIXES
         }
         if self._at_ends:
             ends = exits(variants, self.rtol, by_prefix["exit"], jobs=1)
