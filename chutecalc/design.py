@@ -26,7 +26,9 @@ class Status:
     """From ``MISSED`` on the stream has not touched the segment. A segment that it flies past is ``PASSED``."""
 
     LABELS = ("ok", "stall", "choke", "contact_lost", "missed", "not_reached", "passed")
-    """Their names in tables, JSON and CSV, by number."""
+    """Names of the statuses in tables, JSON and CSV, by number."""
+
+    OK_LABEL = LABELS[OK]
 
 
 class Contact(NamedTuple):

@@ -5,15 +5,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from chutecalc.design import Status
 from chutecalc.errors import UsageError
 from chutecalc.output.extras import PLOT, require_extra
+from chutecalc.results.column import Units
 from chutecalc.results.described import html_table, number, outcomes
 from chutecalc.results.solved import SolvedChute
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-UNITS = ("metric", "us")
 DEFAULT_COLUMNS = ("velocity_m_s", "depth_m", "slope_deg")
 """Columns at the exit that are shown by default."""
 
@@ -48,8 +49,8 @@ class Solution(SolvedChute):
             raise UsageError(
                 f"plot draws one design, and this solution has {self.count}: solve the design to draw alone"
             )
-        if units not in UNITS:
-            raise UsageError(f"units must be {' or '.join(UNITS)}, not {units!r}")
+        if units not in tuple(Units):
+            raise UsageError(f"units must be {' or '.join(Units)}, not {units!r}")
         require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
 
@@ -117,8 +118,8 @@ class Solution(SolvedChute):
                 segment.kind,
                 str(segment.status[0]) if self.count == 1 else outcomes(segment.status),
                 number(segment.entry["velocity_m_s"]),
-                number(np.where(segment.status == "ok", segment.exit["velocity_m_s"], np.nan)),
-                number(np.where(segment.status == "ok", segment.exit["depth_m"], np.nan)),
+                number(np.where(segment.status == Status.OK_LABEL, segment.exit["velocity_m_s"], np.nan)),
+                number(np.where(segment.status == Status.OK_LABEL, segment.exit["depth_m"], np.nan)),
             )
             for segment in self.segments
         ]

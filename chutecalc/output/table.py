@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
-from chutecalc.results.column import quantity_text
+from chutecalc.results.column import Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
@@ -96,7 +96,7 @@ class Printer:
         self.text()
         self.table(self._segments(solution.trajectory.results))
         self.text()
-        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[Severity.FAILURE])
+        self.text(outcome(solution, self.units), style="" if solution.ok[0] else COLOURS[Severity.FAILURE])
         for line in (*self._impacts(solution), *self._belts(solution)):
             self.text(line)
         self.findings(solution.findings())
@@ -243,15 +243,16 @@ def outcome(solution: SolvedChute, units: str) -> str:
         solution: solution of one design.
         units: ``metric`` or ``us``.
     """
-    status = str(solution.status[0])
-    if status != "ok":
-        return f"status {status}"
+    if not solution.ok[0]:
+        return f"status {solution.status[0]}"
     parts = []
     for name in ("velocity_m_s", "depth_m", "slope_deg"):
         column, value = COLUMNS[name], float(solution.exit[name][0])
         if value == value:
             parts.append(f"{column.heading} {column.shown(value, units)} {column.unit_text(units)}")
-    return f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})"
+    return (
+        f"status {solution.status[0]}, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})"
+    )
 
 
 def _exceeds(extreme: float, *ends: float) -> bool:
@@ -280,7 +281,7 @@ def _flow_line(solution: SolvedChute, units: str) -> str:
     """Return the spec and what flows, in a line."""
     material, flow = solution.spec.material, solution.spec.flow
     rate, density = f"{flow.rate_t_h:g} t/h", f"{material.density_kg_m3:g} kg/m³"
-    if units == "us":
+    if units == Units.US:
         rate = f"{convert(flow.rate_t_h, 'mass rate', 't_h', 'stph'):.6g} short tons/h"
         density = f"{convert(material.density_kg_m3, 'density', 'kg_m3', 'lb_ft3'):.4g} lb/ft³"
     strength = f"δ {material.internal_friction_deg:g}°" if material.internal_friction_deg is not None else ""

@@ -6,12 +6,20 @@ import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import TEXT, convert
 
 if TYPE_CHECKING:
     from chutecalc.physics.arrays import Array
+
+
+class Units(StrEnum):
+    """Units of what people read. Data files are always in SI units and degrees."""
+
+    METRIC = "metric"
+    US = "us"
 
 
 @dataclass(frozen=True)
@@ -53,7 +61,7 @@ class Column:
             return ""
         if math.isinf(value):
             return "∞" if value > 0 else "-∞"
-        if units == "us" and self.us_unit:
+        if units == Units.US and self.us_unit:
             return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
         return f"{value:.{self.digits}f}"
 
@@ -68,7 +76,9 @@ class Column:
         >>> round(column.converted(1.5, "us"), 1)
         295.3
         """
-        return convert(values, self.dimension, self.unit, self.us_unit) if units == "us" and self.us_unit else values
+        if units == Units.US and self.us_unit:
+            return convert(values, self.dimension, self.unit, self.us_unit)
+        return values
 
     def label(self, units: str) -> str:
         """Return the label of an axis: name, symbol and unit.
@@ -90,7 +100,7 @@ class Column:
         Args:
             units: ``metric`` or ``us``.
         """
-        unit = self.us_unit if units == "us" and self.us_unit else self.unit
+        unit = self.us_unit if units == Units.US and self.us_unit else self.unit
         return TEXT.get(unit, unit)
 
 
@@ -119,7 +129,7 @@ def quantity_text(name: str, value: float, units: str) -> str:
     """
     known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
     unit = known[-1] if known else ""
-    if units == "us" and unit in _US_UNITS:
+    if units == Units.US and unit in _US_UNITS:
         dimension, other = ("length", "in") if name in _INCHES else _US_UNITS[unit]
         value, unit = convert(value, dimension, unit, other), other
     shown = TEXT.get(unit, unit)

@@ -37,7 +37,9 @@ def outcomes(statuses: Iterable[Any]) -> str:
     '2 ok, 1 stall'
     """
     counts = Counter(map(str, statuses))
-    return ", ".join(f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != "ok", word)))
+    return ", ".join(
+        f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != Status.OK_LABEL, word))
+    )
 
 
 def number(values: Any, unit: str = "", digits: int = 4) -> str:

@@ -13,7 +13,7 @@ from chutecalc.results.described import status_text
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
-from chutecalc.results.part import Part
+from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
 from chutecalc.solver.segment_solution import SegmentSolution
@@ -49,7 +49,7 @@ class Trajectory:
         for solved in self.segment_solutions:
             name, kind = solved.segment.name, solved.segment.kind
             if solved.contact is not None and (solved.flight_time > 0.0).any():
-                parts.append(Part(f"{name}:flight", "flight", solved, contact=None, before=before, design=self.design))
+                parts.append(Part(f"{name}:{FLIGHT}", FLIGHT, solved, contact=None, before=before, design=self.design))
             before = Part(name, kind, solved, contact=solved.contact, before=before, design=self.design)
             parts.append(before)
         return parts
@@ -68,7 +68,7 @@ class Trajectory:
         """Return what came out on each segment of the spec, on all visits together."""
         found: dict[int, SegmentResult] = {}
         for part, result in zip(self.parts, self.results, strict=True):
-            if result.kind != "flight":
+            if not part.is_flight:
                 number = part.solved.number
                 found[number] = joined(found[number], result) if number in found else result
         return Segments(found.values())
@@ -77,7 +77,7 @@ class Trajectory:
         """Return for each segment of the spec the flights that lead to it."""
         pairs = list(zip(self.parts, self.results, strict=True))
         return [
-            [result for part, result in pairs if part.solved.number == number and result.kind == "flight"]
+            [result for part, result in pairs if part.solved.number == number and part.is_flight]
             for number in range(len(self.design.segments))
         ]
 
@@ -102,7 +102,7 @@ class Trajectory:
         last = len(self.design.segments) - 1
         found = {name: np.full(self.count, np.nan) for name in names}
         for part in self.parts:  # of a hood that is left and struck again there are several
-            if part.solved.number == last and part.kind != "flight":
+            if part.solved.number == last and not part.is_flight:
                 ends = part.at(np.ones(1), names)
                 here = (part.solved.status == Status.OK) & (self.status_numbers == Status.OK)
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
