@@ -113,24 +113,24 @@ class FormulaColumn(Column):
 
 _US_UNITS = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
 """Units that messages convert to US units, by their dimension."""
-_INCHES = ("depth_m", "chamfer_m", "wall_height_m")
 
 
-def quantity_text(name: str, value: float, units: str) -> str:
+def quantity_text(name: str, value: float, units: str, us_unit: str = "") -> str:
     """Format a number of a message with its unit.
 
     Args:
         name: of the number; it ends in the unit, as ``depth_m``.
         value: in that unit.
         units: ``metric`` or ``us``.
+        us_unit: unit in the United States; the usual one for its dimension if empty.
 
-    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us")
+    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us", "in")
     ('1.5 m/s', '12 in')
     """
     known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
     unit = known[-1] if known else ""
     if units == Units.US and unit in _US_UNITS:
-        dimension, other = ("length", "in") if name in _INCHES else _US_UNITS[unit]
-        value, unit = convert(value, dimension, unit, other), other
+        dimension, usual = _US_UNITS[unit]
+        value, unit = convert(value, dimension, unit, us_unit or usual), us_unit or usual
     shown = TEXT.get(unit, unit)
     return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

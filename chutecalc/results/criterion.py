@@ -102,7 +102,7 @@ class Case(NamedTuple):
     s: Array
     """Position, distance from the inlet, m, likewise."""
     template: str
-    """The message, with names of numbers in braces."""
+    """The message, with names of numbers in braces; ``{depth_m:in}`` is in inches in US units."""
     numbers: Numbers = {}  # noqa: RUF012 - never changed
     """By name with unit, each of shape (designs,) or 1."""
     severity: Severity | None = None
