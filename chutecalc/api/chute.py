@@ -285,7 +285,7 @@ def _as_array(path: str, value: Any, source: str) -> Any:
     except (TypeError, ValueError):
         array = np.empty(0)
     if array.ndim > 1:
-        problem = f"is given as an array of {array.ndim} dimensions, and takes one: a value for each design"
+        problem = f"is an array of {array.ndim} dimensions; it must have one: a value for each design"
         raise SpecError([Fault(path, problem, "flatten it")], source)
     if array.size == 0:
         raise SpecError([Fault(path, "takes numbers", "give a number or a list of numbers", value_text(value))], source)

@@ -47,7 +47,8 @@ class Solution(SolvedChute):
         """
         if self.count != 1:
             raise UsageError(
-                f"plot draws one design, and this solution has {self.count}: solve the design to draw alone"
+                f"plot draws one design, and this solution has {self.count}: take one design with `chute.put`"
+                " and solve it"
             )
         if units not in tuple(Units):
             raise UsageError(f"units must be {' or '.join(Units)}, not {units!r}")

@@ -209,31 +209,34 @@ class Printer:
         if "discharge_froude" in inlet:
             x, z, low_x, low_z = (text(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
             yield (
-                f"inlet  leaves the belt at {text(inlet, 'slope_deg')} (V²/gr"
-                f" {text(inlet, 'discharge_froude')}); its centre"
-                f" line starts at x {x}, z {z}, its lower edge at x {low_x}, z {low_z}"
+                f"inlet  the stream leaves the belt at {text(inlet, 'slope_deg')} (V²/(g r)"
+                f" {text(inlet, 'discharge_froude')}); centre line from x {x}, z {z}, lower edge from x {low_x},"
+                f" z {low_z}"
             )
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return
         yield (
-            f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} of its speed;"
-            f" {text(belt, 'velocity_across_m_s')} onto it ({text(belt, 'impact_pressure_kpa')}); belt wear"
+            f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} times its"
+            f" speed; {text(belt, 'velocity_across_m_s')} onto it ({text(belt, 'impact_pressure_kpa')}); belt wear"
             f" {text(belt, 'wear_w_m2')}"
         )
         yield (
-            f"receiver  at the belt's speed {self._reached(belt['acceleration_length_m'][0])}, with"
-            f" {text(belt, 'acceleration_power_kw')}; with friction at the impact {text(belt, 'landed_velocity_m_s')}"
-            f" along the belt, at its speed {self._reached(belt['landed_acceleration_length_m'][0])}"
+            f"receiver  {self._reached(belt['acceleration_length_m'][0])}, with"
+            f" {text(belt, 'acceleration_power_kw')}; after friction at the impact:"
+            f" {text(belt, 'landed_velocity_m_s')} along the belt,"
+            f" {self._reached(belt['landed_acceleration_length_m'][0]).removeprefix('reaches ')}"
         )
         yield f"receiver  {_advice(solution, text)}"
 
     def _reached(self, length: float) -> str:
-        """Return after which length the material has the velocity of the belt, as text."""
+        """Return where the material reaches the velocity of the belt, as text."""
         if length == float("inf"):
-            return "never"
+            return "never reaches belt speed"
         distance = quantity_text("length_m", abs(length), self.units)
-        return f"after {distance}" if length >= 0.0 else f"{distance} behind the loading point: it runs back first"
+        if length < 0.0:
+            return f"runs back first, then reaches belt speed {distance} behind the loading point"
+        return f"reaches belt speed after {distance}"
 
 
 def outcome(solution: SolvedChute, units: str) -> str:

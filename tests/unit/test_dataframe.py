@@ -87,7 +87,7 @@ def test_plot_draws_one_design(two):
     from matplotlib.figure import Figure
 
     assert isinstance(chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).plot(units="us"), Figure)
-    with pytest.raises(chutecalc.UsageError, match="draws one design, "):
+    with pytest.raises(chutecalc.UsageError, match=r"take one design with `chute\.put` and solve it"):
         two.plot()
     with pytest.raises(chutecalc.UsageError, match="metric or us"):
         chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).plot(units="furlongs")

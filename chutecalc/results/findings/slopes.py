@@ -50,7 +50,7 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     numbers = {"critical_velocity_m_s": critical, "slope_deg": slope}
     stalled = (velocity == 0.0) & ~flat
     template = (
-        "the stream slows below the critical velocity of {critical_velocity_m_s}, where friction brings it to a stall"
+        "the stream runs below the critical velocity of {critical_velocity_m_s}, where friction brings it to a stall"
         " on a slope of {slope_deg}; make the slope steeper or reduce the friction"
     )
     yield Case(stalled, s, template, numbers)
