@@ -155,6 +155,15 @@ class Design(NamedTuple):
         """Q = ṁ/ρ, m³/s."""
         return self.mass_rate / self.density
 
+    def __repr__(self) -> str:
+        """Return how many designs there are, and their segments.
+
+        >>> import chutecalc
+        >>> chutecalc.parse(chutecalc.STARTER).design
+        <Design of 1: fall, spoon>
+        """
+        return f"<Design of {length(self)}: {', '.join(segment.name for segment in self.segments)}>"
+
 
 Record = TypeVar("Record", bound=tuple[Any, ...])
 """A named tuple whose fields are arrays, such tuples, or values that all designs share."""

@@ -3,13 +3,10 @@
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from chutecalc.design import Status
 from chutecalc.errors import UsageError
 from chutecalc.output.extras import PLOT, require_extra
 from chutecalc.results.column import Units
-from chutecalc.results.described import html_table, number, outcomes
+from chutecalc.results.described import number, outcomes
 from chutecalc.results.solved import SolvedChute
 
 if TYPE_CHECKING:
@@ -111,22 +108,11 @@ class Solution(SolvedChute):
         return f"<Solution{self._described()}>"
 
     def _repr_html_(self) -> str:
-        """A row for each segment, for notebooks: of several designs the ranges."""
-        headings = ("segment", "kind", "status", "entry, m/s", "exit, m/s", "exit depth, m")
-        rows = [
-            (
-                segment.name,
-                segment.kind,
-                str(segment.status[0]) if self.count == 1 else outcomes(segment.status),
-                number(segment.entry["velocity_m_s"]),
-                number(np.where(segment.status == Status.OK_LABEL, segment.exit["velocity_m_s"], np.nan)),
-                number(np.where(segment.status == Status.OK_LABEL, segment.exit["depth_m"], np.nan)),
-            )
-            for segment in self.segments
-        ]
-        return html_table(f"Solution{self._described()}", headings, rows)
+        """Return a table of the segments, for notebooks."""
+        return self.segments.html_table(f"Solution{self._described()}")
 
     def _described(self) -> str:
+        """Return how the designs end, as text."""
         if self.count > 1:
             return f" of {self.count} designs: {outcomes(self.status)}"
         if not self.ok[0]:

@@ -91,6 +91,9 @@ class Part(SegmentContext):
         super().__init__(solved.segment, design, contact is not None)
         self.name, self.kind, self.solved, self.contact, self.before = name, kind, solved, contact, before
 
+    def __repr__(self) -> str:
+        return f"<Part {self.name} ({self.kind})>"
+
     @property
     def is_flight(self) -> bool:
         """Whether the part is a flight that leads to a segment."""

@@ -18,6 +18,9 @@ class SampledPart(NamedTuple):
     """By name, each of shape (samples, designs)."""
     extremes: dict[ExtremeOf, Extreme]
 
+    def __repr__(self) -> str:
+        return f"<SampledPart {self.part.name} ({self.part.kind}): {len(self.shares)} samples>"
+
 
 def sample(part: Part, names: Sequence[str], extremes_of: Sequence[ExtremeOf]) -> SampledPart:
     """Sample a part where that resolves all quantities on it.

@@ -41,6 +41,16 @@ class Trajectory:
         self.design, self.segment_solutions = design, tuple(segment_solutions)
         self.status_numbers, self.count = status_numbers, count
 
+    def __repr__(self) -> str:
+        """Return the parts.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).trajectory
+        <Trajectory: fall, spoon>
+        """
+        designs = f" of {self.count} designs" if self.count > 1 else ""
+        return f"<Trajectory{designs}: {', '.join(part.name for part in self.parts)}>"
+
     @cached_property
     def parts(self) -> list[Part]:
         """The parts in order; flights are parts of their own where any design flies."""
