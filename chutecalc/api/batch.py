@@ -70,7 +70,7 @@ def exits(
 
 
 def _joined(chunks: list[Exits]) -> Exits:
-    """The exits of chunks as one."""
+    """Join the exits of chunks."""
 
     def together(name: str) -> Any:
         parts = [getattr(chunk, name) for chunk in chunks]

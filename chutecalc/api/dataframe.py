@@ -12,7 +12,7 @@ from chutecalc.results.columns import column_names
 from chutecalc.results.solved import SolvedChute
 
 LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
-"""By the name of the library, what to install for it."""
+"""What pip installs for each library, by its name."""
 
 
 def stations_frame(

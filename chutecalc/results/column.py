@@ -27,16 +27,16 @@ class Column:
     """A quantity, and how people read it."""
 
     name: str
-    """In CSV and JSON and from Python, with its unit."""
+    """Name in CSV and JSON and from Python, with its unit."""
     heading: str
-    """Over its column in tables."""
+    """Heading in tables."""
     symbol: str
-    """As docs/nomenclature.md has it; empty where there is none."""
+    """Symbol of docs/nomenclature.md; empty where there is none."""
     meaning: str
     dimension: str = ""
-    """Empty for text; ``number`` for what has no unit."""
+    """Dimension; empty for text, ``number`` for what has no unit."""
     unit: str = ""
-    """As specs spell it, such as ``m_s``; empty for text and for numbers without a unit."""
+    """Unit as specs spell it, such as ``m_s``; empty for text and for numbers without a unit."""
     digits: int = 3
     """Decimals in tables."""
     us_unit: str = ""

@@ -27,7 +27,7 @@ class Extremes(Enum):
 
     NONE = 0
     ON_REQUEST = 1
-    """In sweeps, as ``max_`` and ``min_`` columns."""
+    """Reported in sweeps, as ``max_`` and ``min_`` columns."""
     REPORTED = 2
     """There, and for each segment in tables, JSON and baselines."""
 
@@ -85,7 +85,7 @@ class StreamColumn(Column):
     """A column along the stream, with its formula."""
 
     formula: Callable[[Any, Any], Array] | None = None
-    """Of the part and the profile; None for text."""
+    """Function of the part and the profile that returns the values; None for text."""
     exists: Callable[[Any], bool] = everywhere
     needs: Needs = Needs.DEPTH | Needs.WALLS
     extremes: Extremes = Extremes.ON_REQUEST
@@ -112,7 +112,7 @@ class StreamColumn(Column):
 
 
 def _froude(part: Any, at: Any) -> Array:
-    """v/√(n A/b_s)."""
+    """Return the Froude number, v/√(n A/b_s)."""
     pressed = at.normal_acceleration > LEAST_NORMAL * part.design.gravity
     froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal_acceleration * at.area / at.width), np.nan)
     return froude

@@ -25,15 +25,15 @@ class SegmentResult:
     status: Any
     """``ok``, what ended the stream here, or ``not_reached`` for each design, text of shape (designs,)."""
     entry: Numbers
-    """The stream at its start, after any impact."""
+    """Columns at the start of the segment, after any impact."""
     exit: Numbers
-    """The stream at its end, or where the design fails."""
+    """Columns at its end, or where the design fails."""
     minimum: Numbers
-    """Least values along it, of the columns whose extremes are reported."""
+    """Least values on the segment, of the columns whose extremes are reported."""
     maximum: Numbers
-    """Largest values along it, likewise; infinite where a quantity grows without bound."""
+    """Largest values on the segment, of the same columns; infinite where a quantity grows without bound."""
     duration: Array
-    """Time that the stream takes along it, s, shape (designs,)."""
+    """Time from its start to its end, s, shape (designs,)."""
     impact: Numbers
     """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
 
@@ -52,7 +52,7 @@ class SegmentResult:
     def _ends(self, name: str, unit: str) -> str:
         """Return a column at both ends, as text; empty where no design has it."""
         ends = {
-            label: end[name] for label, end in (("in", self.entry), ("out", self.exit)) if not np.isnan(end[name]).all()
+            label: end[name] for label, end in (("in", self.entry), ("out", self.exit)) if np.isfinite(end[name]).any()
         }
         if len(self.status) == 1:
             return " to ".join(number(values) for values in ends.values()) + f" {unit}" if ends else ""

@@ -38,7 +38,7 @@ class SolvedChute:
     def __init__(
         self, chute: CheckedChute, segment_solutions: Sequence[SegmentSolution], ends: Ends, rtol: float
     ) -> None:
-        """A solution, as :func:`chutecalc.solve` gives it.
+        """Take what the solver found, as :func:`chutecalc.solve` does.
 
         Args:
             chute: that was solved.

@@ -46,14 +46,14 @@ def at_stations(
 
 @lru_cache(maxsize=8)
 def _even(points: int) -> Array:
-    """Evenly spaced shares."""
+    """Return evenly spaced shares."""
     shares = np.linspace(0.0, 1.0, points)
     shares.flags.writeable = False
     return shares
 
 
 def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dict[str, Any]:
-    """The columns at shares of one part, each of shape (designs, stations)."""
+    """Return the columns at shares of one part, each of shape (designs, stations)."""
     shape = (count, len(shares))
     labels = {"segment": part.name, "kind": part.kind}
     numbers = part.at(shares, [name for name in names if name not in labels] or ["s_m"])
@@ -63,7 +63,7 @@ def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dic
 
 
 def _spaced(part: Part, spacing: float) -> Array:
-    """Shares at multiples of a spacing and at both ends, shape (stations, designs); NaN past a design's end."""
+    """Return shares at multiples of a spacing and at both ends, (stations, designs); NaN past a design's end."""
     begin, end = part.span()
     scale = 1.0 if part.contact is None else part.contact.surface.length
     start, length = begin * scale, (end - begin) * scale

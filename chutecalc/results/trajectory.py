@@ -141,7 +141,7 @@ class Trajectory:
         return found
 
     def _result(self, sampled: SampledPart) -> SegmentResult:
-        """A part's ends and extremes."""
+        """Return a part's ends and extremes."""
 
         def whole(values: Any) -> Any:
             return stretched(values, (self.count,))

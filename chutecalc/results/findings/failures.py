@@ -160,5 +160,5 @@ def _never_ends(fall: Fall, start: Point, lost: Mask, gravity: Array) -> Iterato
 
 
 def _steepest_impact(scene: Scene) -> Array:
-    """The incidence, in degrees, from which on an impact on the segment leaves no velocity: tan i = 1/μ_e."""
+    """Return the incidence, deg, from which on an impact on the segment leaves no velocity: tan i = 1/μ_e."""
     return np.degrees(np.arctan(1.0 / scene.contact.arrival.impact.friction))
