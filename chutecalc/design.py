@@ -23,10 +23,13 @@ class Status:
     """
 
     OK, STALL, CHOKE, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
-    """From ``MISSED`` on the stream has not touched the segment. A segment that it flies past is ``PASSED``."""
+    """Number of each status. From ``MISSED`` on the stream has not touched the segment; one that it flies past is
+    ``PASSED``."""
 
     LABELS = ("ok", "stall", "choke", "contact_lost", "missed", "not_reached", "passed")
-    """Their names in tables, JSON and CSV, by number."""
+    """Names of the statuses in tables, JSON and CSV, by number."""
+
+    OK_LABEL = LABELS[OK]
 
 
 class Contact(NamedTuple):
@@ -43,15 +46,15 @@ class Contact(NamedTuple):
     exit_slope: Array
     """Drawn slope at its end, rad below horizontal."""
     radius: Array | None
-    """Of an arc, m; None for a straight."""
+    """Radius of an arc, m; None for a straight."""
     length: Array | None
-    """Of a straight, m; None for an arc, whose length follows from its slopes."""
+    """Length of a straight, m; None for an arc, whose length follows from its slopes."""
     start: tuple[Array, Array] | None
     """x and z of its drawn start, m; None if that is the end of the segment before it."""
     section: Section
-    """At its start, and at its end if it does not taper."""
+    """Section at its start, and at its end if it does not taper."""
     end_section: Section | None
-    """At the end of a taper; else None."""
+    """Section at the end of a taper; else None."""
     wall: Wall
     measured: tuple[Array, Array] | None
     """Least and greatest normal stress of the yield locus, Pa; None for a constant friction angle."""
@@ -90,7 +93,7 @@ class Fall(NamedTuple):
 
     @property
     def onto_next(self) -> bool:
-        """Whether it ends where it lands on the next segment."""
+        """Whether the fall ends where the stream lands on the next segment."""
         return self.drop is None and self.run is None
 
     @property
@@ -111,19 +114,26 @@ class Belt(NamedTuple):
     """The belt that the stream comes from; see :func:`chutecalc.physics.belt.discharge`."""
 
     centre: tuple[Array, Array]
+    """x and z of the centre of its head pulley, m."""
     velocity: Array
+    """Belt velocity, m/s."""
     incline: Array
+    """Incline of the belt, rad, positive uphill."""
     lower_radius: Array
-    """Of the stream's lower edge on the pulley."""
+    """Radius of the stream's lower edge on the pulley, m."""
     middle_radius: Array
+    """Radius of the stream's centre line on the pulley, m."""
 
 
 class Receiver(NamedTuple):
     """The belt that the stream goes to."""
 
     velocity: Array
+    """Belt velocity, m/s."""
     slope: Array
+    """Slope of the belt, rad below horizontal."""
     friction: Array
+    """Friction coefficient of the material on the belt."""
 
 
 Segment = Contact | Fall
@@ -138,9 +148,9 @@ class Design(NamedTuple):
     internal_friction: Array | None
     """δ, rad; None where the spec gives a pressure ratio alone."""
     vertical_ratio: Array
-    """K_v."""
+    """Pressure ratio K_v at vertical walls."""
     equilibrium: bool
-    """Wall pressures scaled until they carry the weight, instead of the paper's friction law."""
+    """Whether wall pressures are scaled until they carry the weight, instead of the paper's friction law."""
     inlet_position: tuple[Array, Array]
     inlet_velocity: Array
     inlet_slope: Array
@@ -150,8 +160,17 @@ class Design(NamedTuple):
 
     @property
     def volume_rate(self) -> Array:
-        """Q = ṁ/ρ, m³/s."""
+        """Volume rate Q = ṁ/ρ, m³/s."""
         return self.mass_rate / self.density
+
+    def __repr__(self) -> str:
+        """Return how many designs there are, and their segments.
+
+        >>> import chutecalc
+        >>> chutecalc.parse(chutecalc.STARTER).design
+        <Design of 1: fall, spoon>
+        """
+        return f"<Design of {length(self)}: {', '.join(segment.name for segment in self.segments)}>"
 
 
 Record = TypeVar("Record", bound=tuple[Any, ...])

@@ -11,7 +11,7 @@ from chutecalc.api.chute import Chute, check_tolerance
 from chutecalc.api.solution import DEFAULT_COLUMNS
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.results.columns import AT_EXIT, column_names
+from chutecalc.results.columns import AT_EXIT, check_columns, column_names
 from chutecalc.results.exits import Exits, solve_exits
 from chutecalc.runtime import cores
 
@@ -48,12 +48,7 @@ def exits(
     """
     check_tolerance(rtol)
     names = column_names(columns)
-    unknown = [name for name in names if name not in AT_EXIT]
-    if unknown:
-        which = ", ".join(unknown)
-        raise UsageError(
-            f"there is no column {which} at an exit: `chutecalc columns` lists the columns; for time, use solve"
-        )
+    check_columns(names, AT_EXIT, " at an exit alone; for time, use solve")
     if jobs is not None and jobs < 1:
         raise UsageError(f"jobs must be 1 or more, not {jobs}")
     edges = range(0, chute.count, CHUNK)
@@ -75,7 +70,7 @@ def exits(
 
 
 def _joined(chunks: list[Exits]) -> Exits:
-    """The exits of chunks as one."""
+    """Join the exits of chunks."""
 
     def together(name: str) -> Any:
         parts = [getattr(chunk, name) for chunk in chunks]

@@ -179,7 +179,7 @@ class Chute:
 
 
 def _count(data: Any, source: str) -> int:
-    """How many designs the arrays in a spec's data describe."""
+    """Return how many designs the arrays in a spec's data describe."""
     lengths: dict[int, str] = {}
 
     def look(item: Any, path: str) -> None:
@@ -278,14 +278,14 @@ def check_tolerance(rtol: float) -> None:
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:
-    """A varied value as a 1-dimensional array of floats."""
+    """Return a varied value as a 1-dimensional array of floats."""
     try:
         array = np.asarray(value)
         array = array.astype(np.float64) if array.dtype.kind in "fiu" else np.empty(0)
     except (TypeError, ValueError):
         array = np.empty(0)
     if array.ndim > 1:
-        problem = f"is given as an array of {array.ndim} dimensions, and takes one: a value for each design"
+        problem = f"is an array of {array.ndim} dimensions; it must have one: a value for each design"
         raise SpecError([Fault(path, problem, "flatten it")], source)
     if array.size == 0:
         raise SpecError([Fault(path, "takes numbers", "give a number or a list of numbers", value_text(value))], source)

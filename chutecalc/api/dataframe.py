@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import ExtraMissingError, UsageError
-from chutecalc.results.columns import NUMERIC, column_names
+from chutecalc.results.columns import column_names
 from chutecalc.results.solved import SolvedChute
 
 LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
-"""By the name of the library, what to install for it."""
+"""What pip installs for each library, by its name."""
 
 
 def stations_frame(
@@ -27,7 +27,7 @@ def stations_frame(
         columns: names of the columns; all by default.
         library: ``pandas`` or ``polars``.
     """
-    make = _data_frame(library)
+    make = _data_frame(library, "to_dataframe")
     names = column_names(columns)
     table = solution.stations(points, spacing, [*dict.fromkeys([*names, "s_m"])] if names else ())
     reached = np.isfinite(table["s_m"])
@@ -43,19 +43,16 @@ def designs_frame(solution: SolvedChute, columns: Iterable[str], library: str) -
         columns: names of columns at the exit.
         library: ``pandas`` or ``polars``.
     """
-    make, names = _data_frame(library), column_names(columns)
-    unknown = [name for name in names if name not in NUMERIC]
-    if unknown:
-        raise UsageError(f"there is no column {', '.join(unknown)} at an exit: `chutecalc columns` lists the columns")
+    make, names = _data_frame(library, "designs_dataframe"), column_names(columns)
     numbers = solution.exit_columns(names)
     rows = {"design": np.arange(solution.count), "status": np.broadcast_to(solution.status, solution.count)}
     return make(rows | {f"exit_{name}": np.broadcast_to(numbers[name], solution.count) for name in names})
 
 
-def _data_frame(library: str) -> Any:
-    """The library's DataFrame."""
+def _data_frame(library: str, caller: str) -> Any:
+    """Import a library and return its ``DataFrame``, for a method named in messages."""
     if library not in LIBRARIES:
         raise UsageError(f"library must be {' or '.join(LIBRARIES)}, not {library!r}")
     if find_spec(library) is None:
-        raise ExtraMissingError(f"to_dataframe needs {library}: pip install '{LIBRARIES[library]}'")
+        raise ExtraMissingError(f"{caller} needs {library}: pip install '{LIBRARIES[library]}'")
     return import_module(library).DataFrame

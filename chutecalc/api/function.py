@@ -46,7 +46,7 @@ class Function:
         outputs: Iterable[str],
         rtol: float,
     ) -> None:
-        """See :meth:`chutecalc.api.chute.Chute.function`.
+        """Record what follows from the parameters, see :meth:`chutecalc.api.chute.Chute.function`.
 
         Args:
             spec: a copy of the spec for this function alone; varied values are put into it.
@@ -118,7 +118,7 @@ class Function:
         return outputs[0] if len(outputs) == 1 else tuple(outputs)
 
     def _within_limits(self, values: Sequence[Any]) -> bool:
-        """Whether all are floats within the given limits."""
+        """Return whether all values are floats within the given limits."""
         return all(
             isinstance(value, float) and parameter.is_within(value)
             for parameter, value in zip(self.parameters, values, strict=True)
@@ -132,7 +132,7 @@ class Function:
                 raise UsageError(f"{parameter.path} must be from {low!r} to {high!r} here, not {float(wrong[0])!r}")
 
     def _replayed(self, rows: Array) -> list[Array] | None:
-        """The outputs by the recording; None where it does not hold for all designs."""
+        """Return the outputs by the recording; None where it does not hold for all designs."""
         with self._lock:
             known = None if self._recipe is None else run_recipe(self._recipe, rows)
         if known is None:
@@ -144,7 +144,7 @@ class Function:
         return self._outputs_of(_filled(self._design, known, self._leaves), ends)
 
     def _rebuilt(self, values: Array) -> list[Array]:
-        """The outputs by building a chute of that many designs, without those that cannot be built."""
+        """Return the outputs by building a chute of that many designs, without those that cannot be built."""
         outputs = [np.full(len(values), np.nan) for _ in self.outputs]
         waiting = [np.arange(len(values))]
         while waiting:
@@ -164,7 +164,7 @@ class Function:
         return outputs
 
     def _outputs_of(self, design: Design, ends: Ends) -> list[Array]:
-        """The outputs of designs from their ends."""
+        """Return the outputs of designs from their ends."""
         if self._direct:
             depth = ends.stream_section[0][0] if ends.stream_section.size else np.full(1, np.nan)
             numbers = (ends.velocity, ends.error, ends.distance, ends.x, ends.z, np.degrees(ends.slope), depth)
@@ -175,7 +175,7 @@ class Function:
         return self._chosen(known, ends.status == Status.OK)
 
     def _chosen(self, known: Mapping[str, Array], ok: Mask) -> list[Array]:
-        """The outputs among numbers by their names."""
+        """Return the outputs among numbers by their names."""
         return [np.where(ok, known[name], np.nan) for name in self.outputs]
 
     def _check_outputs(self, spec: ChuteSpec) -> None:
@@ -231,7 +231,7 @@ class Function:
 
 
 def _rows(values: Sequence[Any]) -> Array:
-    """Arrays and numbers as rows, one for each design."""
+    """Return arrays and numbers as rows, one for each design."""
     try:
         arrays = [np.asarray(value) for value in values]
         if all(array.ndim <= 1 and (array.dtype.kind in "fiu" or not array.size) for array in arrays):
@@ -243,7 +243,7 @@ def _rows(values: Sequence[Any]) -> Array:
 
 
 def _leaves(item: Any) -> Iterator[Traced]:
-    """The traced numbers in a record."""
+    """Yield the traced numbers in a record."""
     if isinstance(item, Traced):
         yield item
     elif isinstance(item, tuple):
@@ -252,7 +252,7 @@ def _leaves(item: Any) -> Iterator[Traced]:
 
 
 def _filled(item: Any, known: Array, leaves: Mapping[int, int]) -> Any:
-    """A record with its traced numbers replaced by their values."""
+    """Return a record with its traced numbers replaced by their values."""
     if not leaves:
         return item
     if isinstance(item, Traced):

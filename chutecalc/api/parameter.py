@@ -33,7 +33,7 @@ class Parameter(NamedTuple):
     unit: str
     """Suffix of the unit of the path."""
     limits: Limits | None
-    """In the unit of the path; None for the bounds of the spec alone."""
+    """Limits in the unit of the path; None for the bounds of the spec alone."""
 
     @property
     def quantity(self) -> Quantity:

@@ -3,17 +3,15 @@
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from chutecalc.errors import UsageError
 from chutecalc.output.extras import PLOT, require_extra
-from chutecalc.results.described import html_table, number, outcomes
+from chutecalc.results.column import Units
+from chutecalc.results.described import number, outcomes
 from chutecalc.results.solved import SolvedChute
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-UNITS = ("metric", "us")
 DEFAULT_COLUMNS = ("velocity_m_s", "depth_m", "slope_deg")
 """Columns at the exit that are shown by default."""
 
@@ -46,10 +44,11 @@ class Solution(SolvedChute):
         """
         if self.count != 1:
             raise UsageError(
-                f"plot draws one design, and this solution has {self.count}: solve the design to draw alone"
+                f"plot draws one design, and this solution has {self.count}: take one design with `chute.put`"
+                " and solve it"
             )
-        if units not in UNITS:
-            raise UsageError(f"units must be {' or '.join(UNITS)}, not {units!r}")
+        if units not in tuple(Units):
+            raise UsageError(f"units must be {' or '.join(Units)}, not {units!r}")
         require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
 
@@ -109,26 +108,15 @@ class Solution(SolvedChute):
         return f"<Solution{self._described()}>"
 
     def _repr_html_(self) -> str:
-        """A row for each segment, for notebooks: of several designs the ranges."""
-        headings = ("segment", "kind", "status", "entry, m/s", "exit, m/s", "exit depth, m")
-        rows = [
-            (
-                segment.name,
-                segment.kind,
-                str(segment.status[0]) if self.count == 1 else outcomes(segment.status),
-                number(segment.entry["velocity_m_s"]),
-                number(np.where(segment.status == "ok", segment.exit["velocity_m_s"], np.nan)),
-                number(np.where(segment.status == "ok", segment.exit["depth_m"], np.nan)),
-            )
-            for segment in self.segments
-        ]
-        return html_table(f"Solution{self._described()}", headings, rows)
+        """Return a table of the segments, for notebooks."""
+        return self.segments.html_table(f"Solution{self._described()}")
 
     def _described(self) -> str:
+        """Return how the designs end, as text."""
         if self.count > 1:
             return f" of {self.count} designs: {outcomes(self.status)}"
         if not self.ok[0]:
-            segment_solutions, code = self.trajectory.segment_solutions, self.trajectory.codes[0]
+            segment_solutions, code = self.trajectory.segment_solutions, self.trajectory.status_numbers[0]
             failed = next((solved for solved in segment_solutions if solved.status[0] == code), segment_solutions[-1])
             return f": {self.status[0]} in {failed.segment.name} at s = {number(failed.exit.distance, 'm')}"
         last, depth = self.design.segments[-1].name, number(self.exit_depth, "m deep")

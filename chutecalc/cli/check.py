@@ -36,7 +36,7 @@ def check(
     """Compare standard designs with their baselines, number by number.
 
     The baseline of spoon.toml is spoon.baseline.toml beside it. Data files have a row for each number that drifted, and
-    one for each design without drift.
+    one for each design without drift, whose columns after tolerance are empty.
     """
     from chutecalc.output.table import Printer
     from chutecalc.studies.regression.baseline import baseline_path

@@ -7,7 +7,6 @@ options instead.
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from enum import StrEnum
 from typing import Any, get_type_hints
 
 import typer
@@ -16,13 +15,6 @@ from chutecalc.errors import UsageError
 
 RTOL = typer.Option(1e-10, metavar="R", help="Relative tolerance of the velocity, 1e-13 to 1e-3.")
 JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Default: one for each processor.")
-
-
-class Units(StrEnum):
-    """Units of what people read. Data files are always in SI units and degrees."""
-
-    METRIC = "metric"
-    US = "us"
 
 
 def option(name: str, kind: Any, default: Any) -> inspect.Parameter:

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, ClassVar
 
 import typer
 
-from chutecalc.cli.options import OptionGroup, Units, option
+from chutecalc.cli.options import OptionGroup, option
 from chutecalc.errors import UsageError
 from chutecalc.output.extras import CHART, require_extra
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
 from chutecalc.output.plots.save import PICTURE_FORMATS, picture_format, save
+from chutecalc.results.column import Units
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

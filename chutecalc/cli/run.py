@@ -96,6 +96,9 @@ def _print(solutions: Sequence[Solution], tables: Sequence[dict[str, Any]] | Non
 
 def _status(solutions: Sequence[Solution], strict: bool) -> int:
     """Return 1 if a design fails or, with ``strict``, has a warning; else 0."""
-    fails = any(solution.status[0] != "ok" for solution in solutions)
-    warned = strict and any(finding.severity == "warning" for solution in solutions for finding in solution.findings())
+    from chutecalc.results.finding import Severity
+
+    fails = any(not solution.ok[0] for solution in solutions)
+    found = (finding for solution in solutions for finding in solution.findings())
+    warned = strict and any(finding.severity == Severity.WARNING for finding in found)
     return ExitStatus.FAILS if fails or warned else ExitStatus.OK

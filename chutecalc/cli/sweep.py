@@ -80,12 +80,12 @@ def sweep(
         " or - for standard input).",
     ),
     keep: Keep = typer.Option(Keep.BASE, help="What stays constant in a section while beta varies."),
-    parallel: bool = typer.Option(False, "--zip", help="Take the lists side by side, not in all combinations."),
+    parallel: bool = typer.Option(False, "--zip", help="Pair the lists element by element instead of combining them."),
     columns: str | None = typer.Option(
         None,
         metavar="NAMES",
-        help="Columns, separated by commas: a name from chutecalc columns after exit_, max_ or min_, a name after"
-        " receiver_, error_estimate, or findings.",
+        help="Columns, separated by commas: a name from chutecalc columns after exit_, max_ or min_; receiver_"
+        " and a column of the receiving belt; error_estimate; or findings.",
     ),
     *,
     best: BestOptions,

@@ -4,7 +4,7 @@ import numpy as np
 
 from chutecalc.output.table import Printer
 from chutecalc.physics.arrays import Array
-from chutecalc.results.column import Column
+from chutecalc.results.column import Column, Units
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
 
@@ -75,7 +75,7 @@ def chart_lines(x: Array, values: Array, column: Column, width: int, units: str,
     figure = plotille.Figure()
     figure.width, figure.height, figure.with_colors = width - MARGIN, HEIGHT, False
     figure.x_label, figure.y_label = f"{x_column.symbol or x_column.heading}, {x_column.unit_text(units)}", ""
-    digits = column.us_digits if units == "us" and column.us_unit else column.digits
+    digits = column.us_digits if units == Units.US and column.us_unit else column.digits
     figure.x_ticks_fkt = lambda low, _: f"{low:.1f}"
     figure.y_ticks_fkt = lambda low, _: f"{low:{TICK_WIDTH}.{digits}f}"
     reached = x[np.isfinite(x)]

@@ -10,7 +10,7 @@ class Extra(NamedTuple):
     """An optional dependency of the package."""
 
     name: str
-    """As pip takes it, ``parquet`` in ``chutecalc[parquet]``."""
+    """Extra as pip takes it, ``parquet`` in ``chutecalc[parquet]``."""
     library: str
     """The library that it installs. Its module has this name in lower case."""
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
-from chutecalc.results.column import quantity_text
+from chutecalc.results.column import Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
@@ -96,7 +96,7 @@ class Printer:
         self.text()
         self.table(self._segments(solution.trajectory.results))
         self.text()
-        self.text(outcome(solution, self.units), style="" if solution.status[0] == "ok" else COLOURS[Severity.FAILURE])
+        self.text(outcome(solution, self.units), style="" if solution.ok[0] else COLOURS[Severity.FAILURE])
         for line in (*self._impacts(solution), *self._belts(solution)):
             self.text(line)
         self.findings(solution.findings())
@@ -209,31 +209,34 @@ class Printer:
         if "discharge_froude" in inlet:
             x, z, low_x, low_z = (text(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
             yield (
-                f"inlet  leaves the belt at {text(inlet, 'slope_deg')} (V²/gr"
-                f" {text(inlet, 'discharge_froude')}); its centre"
-                f" line starts at x {x}, z {z}, its lower edge at x {low_x}, z {low_z}"
+                f"inlet  the stream leaves the belt at {text(inlet, 'slope_deg')} (V²/(g r)"
+                f" {text(inlet, 'discharge_froude')}); centre line from x {x}, z {z}, lower edge from x {low_x},"
+                f" z {low_z}"
             )
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return
         yield (
-            f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} of its speed;"
-            f" {text(belt, 'velocity_across_m_s')} onto it ({text(belt, 'impact_pressure_kpa')}); belt wear"
+            f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} times its"
+            f" speed; {text(belt, 'velocity_across_m_s')} onto it ({text(belt, 'impact_pressure_kpa')}); belt wear"
             f" {text(belt, 'wear_w_m2')}"
         )
         yield (
-            f"receiver  at the belt's speed {self._reached(belt['acceleration_length_m'][0])}, with"
-            f" {text(belt, 'acceleration_power_kw')}; with friction at the impact {text(belt, 'landed_velocity_m_s')}"
-            f" along the belt, at its speed {self._reached(belt['landed_acceleration_length_m'][0])}"
+            f"receiver  {self._reached(belt['acceleration_length_m'][0])}, with"
+            f" {text(belt, 'acceleration_power_kw')}; after friction at the impact:"
+            f" {text(belt, 'landed_velocity_m_s')} along the belt,"
+            f" {self._reached(belt['landed_acceleration_length_m'][0]).removeprefix('reaches ')}"
         )
         yield f"receiver  {_advice(solution, text)}"
 
     def _reached(self, length: float) -> str:
-        """Return after which length the material has the velocity of the belt, as text."""
+        """Return where the material reaches the velocity of the belt, as text."""
         if length == float("inf"):
-            return "never"
+            return "never reaches belt speed"
         distance = quantity_text("length_m", abs(length), self.units)
-        return f"after {distance}" if length >= 0.0 else f"{distance} behind the loading point: it runs back first"
+        if length < 0.0:
+            return f"runs back first, then reaches belt speed {distance} behind the loading point"
+        return f"reaches belt speed after {distance}"
 
 
 def outcome(solution: SolvedChute, units: str) -> str:
@@ -243,15 +246,16 @@ def outcome(solution: SolvedChute, units: str) -> str:
         solution: solution of one design.
         units: ``metric`` or ``us``.
     """
-    status = str(solution.status[0])
-    if status != "ok":
-        return f"status {status}"
+    if not solution.ok[0]:
+        return f"status {solution.status[0]}"
     parts = []
     for name in ("velocity_m_s", "depth_m", "slope_deg"):
         column, value = COLUMNS[name], float(solution.exit[name][0])
         if value == value:
             parts.append(f"{column.heading} {column.shown(value, units)} {column.unit_text(units)}")
-    return f"status ok, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})"
+    return (
+        f"status {solution.status[0]}, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})"
+    )
 
 
 def _exceeds(extreme: float, *ends: float) -> bool:
@@ -280,7 +284,7 @@ def _flow_line(solution: SolvedChute, units: str) -> str:
     """Return the spec and what flows, in a line."""
     material, flow = solution.spec.material, solution.spec.flow
     rate, density = f"{flow.rate_t_h:g} t/h", f"{material.density_kg_m3:g} kg/m³"
-    if units == "us":
+    if units == Units.US:
         rate = f"{convert(flow.rate_t_h, 'mass rate', 't_h', 'stph'):.6g} short tons/h"
         density = f"{convert(material.density_kg_m3, 'density', 'kg_m3', 'lb_ft3'):.4g} lb/ft³"
     strength = f"δ {material.internal_friction_deg:g}°" if material.internal_friction_deg is not None else ""

@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import TEXT, convert
@@ -14,21 +15,28 @@ if TYPE_CHECKING:
     from chutecalc.physics.arrays import Array
 
 
+class Units(StrEnum):
+    """Units of what people read. Data files are always in SI units and degrees."""
+
+    METRIC = "metric"
+    US = "us"
+
+
 @dataclass(frozen=True)
 class Column:
     """A quantity, and how people read it."""
 
     name: str
-    """In CSV and JSON and from Python, with its unit."""
+    """Name in CSV and JSON and from Python, with its unit."""
     heading: str
-    """Over its column in tables."""
+    """Heading in tables."""
     symbol: str
-    """As docs/nomenclature.md has it; empty where there is none."""
+    """Symbol of docs/nomenclature.md; empty where there is none."""
     meaning: str
     dimension: str = ""
-    """Empty for text; ``number`` for what has no unit."""
+    """Dimension; empty for text, ``number`` for what has no unit."""
     unit: str = ""
-    """As specs spell it, such as ``m_s``; empty for text and for numbers without a unit."""
+    """Unit as specs spell it, such as ``m_s``; empty for text and for numbers without a unit."""
     digits: int = 3
     """Decimals in tables."""
     us_unit: str = ""
@@ -53,7 +61,7 @@ class Column:
             return ""
         if math.isinf(value):
             return "∞" if value > 0 else "-∞"
-        if units == "us" and self.us_unit:
+        if units == Units.US and self.us_unit:
             return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
         return f"{value:.{self.digits}f}"
 
@@ -68,7 +76,9 @@ class Column:
         >>> round(column.converted(1.5, "us"), 1)
         295.3
         """
-        return convert(values, self.dimension, self.unit, self.us_unit) if units == "us" and self.us_unit else values
+        if units == Units.US and self.us_unit:
+            return convert(values, self.dimension, self.unit, self.us_unit)
+        return values
 
     def label(self, units: str) -> str:
         """Return the label of an axis: name, symbol and unit.
@@ -90,7 +100,7 @@ class Column:
         Args:
             units: ``metric`` or ``us``.
         """
-        unit = self.us_unit if units == "us" and self.us_unit else self.unit
+        unit = self.us_unit if units == Units.US and self.us_unit else self.unit
         return TEXT.get(unit, unit)
 
 
@@ -103,24 +113,24 @@ class FormulaColumn(Column):
 
 _US_UNITS = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
 """Units that messages convert to US units, by their dimension."""
-_INCHES = ("depth_m", "chamfer_m", "wall_height_m")
 
 
-def quantity_text(name: str, value: float, units: str) -> str:
+def quantity_text(name: str, value: float, units: str, us_unit: str = "") -> str:
     """Format a number of a message with its unit.
 
     Args:
         name: of the number; it ends in the unit, as ``depth_m``.
         value: in that unit.
         units: ``metric`` or ``us``.
+        us_unit: unit in the United States; the usual one for its dimension if empty.
 
-    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us")
+    >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us", "in")
     ('1.5 m/s', '12 in')
     """
     known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
     unit = known[-1] if known else ""
-    if units == "us" and unit in _US_UNITS:
-        dimension, other = ("length", "in") if name in _INCHES else _US_UNITS[unit]
-        value, unit = convert(value, dimension, unit, other), other
+    if units == Units.US and unit in _US_UNITS:
+        dimension, usual = _US_UNITS[unit]
+        value, unit = convert(value, dimension, unit, us_unit or usual), us_unit or usual
     shown = TEXT.get(unit, unit)
     return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

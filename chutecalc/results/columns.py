@@ -6,13 +6,14 @@ profile of the stream there (see :class:`chutecalc.solver.profile.ContactProfile
 (stations, designs), SI and radians.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from enum import Enum, Flag
 from typing import Any
 
 import numpy as np
 
+from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Column
 
@@ -26,7 +27,7 @@ class Extremes(Enum):
 
     NONE = 0
     ON_REQUEST = 1
-    """In sweeps, as ``max_`` and ``min_`` columns."""
+    """Reported in sweeps, as ``max_`` and ``min_`` columns."""
     REPORTED = 2
     """There, and for each segment in tables, JSON and baselines."""
 
@@ -84,7 +85,7 @@ class StreamColumn(Column):
     """A column along the stream, with its formula."""
 
     formula: Callable[[Any, Any], Array] | None = None
-    """Of the part and the profile; None for text."""
+    """Function of the part and the profile that returns the values; None for text."""
     exists: Callable[[Any], bool] = everywhere
     needs: Needs = Needs.DEPTH | Needs.WALLS
     extremes: Extremes = Extremes.ON_REQUEST
@@ -111,7 +112,7 @@ class StreamColumn(Column):
 
 
 def _froude(part: Any, at: Any) -> Array:
-    """v/√(n A/b_s)."""
+    """Return the Froude number, v/√(n A/b_s)."""
     pressed = at.normal_acceleration > LEAST_NORMAL * part.design.gravity
     froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal_acceleration * at.area / at.width), np.nan)
     return froude
@@ -216,6 +217,8 @@ REPORTED = tuple(name for name, column in COLUMNS.items() if column.extremes is 
 """Names of the columns whose least and largest values are reported for each segment."""
 IN_TABLES = tuple(name for name, column in COLUMNS.items() if column.in_tables)
 """Names of the columns that tables for people show."""
+AT_STATION = tuple(name for name in COLUMNS if name != "spec")
+"""Names of the columns of a solution at its stations."""
 AT_EXIT = tuple(name for name in NUMERIC if Needs.WHOLE_PATH not in COLUMNS[name].needs)
 """Names of the columns that exist at an exit alone."""
 NEEDING_DEPTH = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.DEPTH in column.needs)
@@ -233,3 +236,41 @@ def column_names(names: Iterable[str]) -> list[str]:
     (['depth_m'], ['s_m', 'depth_m'])
     """
     return [names] if isinstance(names, str) else list(names)
+
+
+def check_columns(names: Iterable[str], known: Collection[str], where: str = "") -> None:
+    """Check that columns exist.
+
+    Args:
+        names: of columns.
+        known: names of the columns that exist.
+        where: where they exist, for the message.
+
+    Raises:
+        UsageError: a name is unknown.
+
+    >>> check_columns(["depth"], COLUMNS)
+    Traceback (most recent call last):
+    chutecalc.errors.UsageError: there is no column depth. Did you mean depth_m? `chutecalc columns` lists all
+    """
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise UsageError(
+            f"there is no column {', '.join(unknown)}{where}. {closest(unknown, known)}`chutecalc columns` lists all"
+        )
+
+
+def closest(unknown: Iterable[str], known: Collection[str]) -> str:
+    """Return a question that offers known names in place of unknown ones, with a space behind; empty without any.
+
+    Args:
+        unknown: names.
+        known: names.
+
+    >>> closest(["depth", "nope"], COLUMNS)
+    'Did you mean depth_m? '
+    """
+    from difflib import get_close_matches
+
+    matches = [match for name in unknown for match in get_close_matches(name, known, n=1)]
+    return f"Did you mean {', '.join(matches)}? " if matches else ""

@@ -23,7 +23,7 @@ class Scene(NamedTuple):
     last_surface: bool
     """Whether this is the last guiding surface."""
     received: Numbers
-    """At the end of a chute that loads a belt, the receiver columns; else empty."""
+    """Receiver columns, at the end of a chute that loads a belt; else empty."""
     exit_distance: Array
     """Distance from the inlet at the exit, m; there too."""
     designs: int
@@ -98,15 +98,15 @@ class Case(NamedTuple):
     """One thing that a criterion found, for the designs of which it holds."""
 
     mask: Mask
-    """Of shape (designs,) or 1."""
+    """True for the designs concerned, shape (designs,) or 1."""
     s: Array
     """Position, distance from the inlet, m, likewise."""
     template: str
-    """The message, with names of numbers in braces."""
+    """The message, with names of numbers in braces; ``{depth_m:in}`` is in inches in US units."""
     numbers: Numbers = {}  # noqa: RUF012 - never changed
-    """By name with unit, each of shape (designs,) or 1."""
+    """Numbers of the message by name with unit, each of shape (designs,) or 1."""
     severity: Severity | None = None
-    """Of several; without it the criterion's first."""
+    """One of the criterion's severities; its first if None."""
 
 
 class Criterion(NamedTuple):
@@ -117,9 +117,9 @@ class Criterion(NamedTuple):
     summary: str
     """What it finds."""
     limit: str
-    """From where on; empty where there is no number to that."""
+    """Condition for a finding; empty where it has no number."""
     source: str
-    """Where it comes from; empty for what follows from the model itself."""
+    """Source of the limit; empty for what follows from the model itself."""
     needs: tuple[ExtremeOf, ...]
     """Extremes along a part that it reads."""
     in_falls: bool

@@ -12,11 +12,11 @@ from chutecalc.physics.arrays import Index
 _LABELS = np.array(Status.LABELS)
 
 
-def status_text(codes: Index) -> Any:
+def status_text(status_numbers: Index) -> Any:
     """Return statuses as users read them.
 
     Args:
-        codes: status numbers, :class:`chutecalc.design.Status`.
+        status_numbers: as :class:`chutecalc.design.Status` has them, of any shape.
 
     Returns:
         Text of the same shape.
@@ -24,7 +24,7 @@ def status_text(codes: Index) -> Any:
     >>> status_text(np.array([0, 1])).tolist()
     ['ok', 'stall']
     """
-    return _LABELS[codes]
+    return _LABELS[status_numbers]
 
 
 def outcomes(statuses: Iterable[Any]) -> str:
@@ -37,7 +37,9 @@ def outcomes(statuses: Iterable[Any]) -> str:
     '2 ok, 1 stall'
     """
     counts = Counter(map(str, statuses))
-    return ", ".join(f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != "ok", word)))
+    return ", ".join(
+        f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != Status.OK_LABEL, word))
+    )
 
 
 def number(values: Any, unit: str = "", digits: int = 4) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import RECEIVER_NEEDS, receiver_numbers
-from chutecalc.results.described import outcomes, status_text
+from chutecalc.results.described import html_table, number, outcomes, status_text
 from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.results.trajectory import Trajectory
 from chutecalc.solver.chain import run_chain, run_ends
@@ -37,8 +37,18 @@ class Exits:
         >>> chutecalc.exits(chutecalc.parse(chutecalc.STARTER))
         <Exits of 1 design: 1 ok>
         """
+        return f"<{self._described()}>"
+
+    def _repr_html_(self) -> str:
+        """Return a table of the columns, for notebooks: of several designs their ranges."""
+        named = {"exit": self.exit, "receiver": self.receiver}
+        rows = [(part, name, number(values)) for part, numbers in named.items() for name, values in numbers.items()]
+        return html_table(self._described(), ("", "column", "value" if len(self.ok) == 1 else "range"), rows)
+
+    def _described(self) -> str:
+        """Return how many designs end how, as text."""
         count = len(self.ok)
-        return f"<Exits of {count} design{'s' if count != 1 else ''}: {outcomes(self.status)}>"
+        return f"Exits of {count} design{'s' if count != 1 else ''}: {outcomes(self.status)}"
 
 
 def columns_needed(design: Design, names: Sequence[str]) -> list[str]:
@@ -63,8 +73,8 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
     taken = columns_needed(design, names)
     if design.segments[-1].deflects:  # where the stream is as the impact on it leaves it
         segment_solutions, ends = run_chain(design, rtol, dense_output=False)
-        codes = stretched(ends.status, (count,))
-        found = Trajectory(design, segment_solutions, codes, count).exit_columns(taken)
+        status_numbers = stretched(ends.status, (count,))
+        found = Trajectory(design, segment_solutions, status_numbers, count).exit_columns(taken)
     else:
         ends = run_ends(layout_of(design), design_rows(design), rtol, *exit_needs(taken))
         found = at_exit(design, ends, taken)
@@ -73,10 +83,10 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
     def whole(numbers: Numbers) -> Numbers:
         return {name: stretched(values, (count,)) for name, values in numbers.items()}
 
-    codes, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
+    status_numbers, error = (stretched(values, (count,)) for values in (ends.status, ends.error))
     return Exits(
-        status=status_text(codes),
-        ok=codes == Status.OK,
+        status=status_text(status_numbers),
+        ok=status_numbers == Status.OK,
         error_estimate=error,
         exit=whole({name: found[name] for name in names}),
         receiver=whole(belt),

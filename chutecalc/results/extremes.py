@@ -19,9 +19,9 @@ class Extreme(NamedTuple):
     """The least or largest value of a column along a part."""
 
     value: Array
-    """In the column's unit, shape (designs,)."""
+    """Least or largest value in the column's unit, shape (designs,)."""
     share: Array
-    """Where, as a share of the length travelled, shape (designs,)."""
+    """Position as a share of the length travelled, dimensionless, shape (designs,)."""
 
 
 LEAST, LARGEST = -1.0, 1.0
@@ -59,11 +59,11 @@ def extremes(part: Part, sampled: Numbers, shares: Array, extremes_of: Sequence[
 def _present(
     part: Part, sampled: Numbers, limits: Numbers, shares: Array, extremes_of: Sequence[ExtremeOf]
 ) -> dict[ExtremeOf, Extreme]:
-    """Extremes of columns that exist; ``limits`` as of :meth:`chutecalc.results.part.Part.limits`."""
+    """Return the extremes of columns that exist; ``limits`` as of :meth:`chutecalc.results.part.Part.limits`."""
     signs = np.array([sign for _, sign in extremes_of])[:, None]
 
     def evaluate(items: Sequence[int], at: Array) -> Array:
-        """Columns of the shape of ``at``, points, items, designs, with the sign of the extreme."""
+        """Return columns of the shape of ``at``, points, items, designs, with the sign of the extreme."""
         known = part.at(at.reshape(-1, at.shape[2]), {extremes_of[item][0] for item in items})
         found = [known[extremes_of[item][0]].reshape(at.shape)[:, k] for k, item in enumerate(items)]
         found = [np.where(at[:, k] == 1.0, limits[extremes_of[item][0]], found[k]) for k, item in enumerate(items)]
@@ -119,7 +119,7 @@ def _by_subdivision(
 
 
 def _at_an_end(values: Array, shares: Array, peak: Index) -> Mask:
-    """Whether the largest value along the first axis is plainly at an end: the parabola there peaks beyond it.
+    """Return whether the largest value along the first axis is plainly at an end: the parabola peaks beyond it.
 
     Also where there are no values at all, one without bound, or a constant.
     """
@@ -137,7 +137,7 @@ def _at_an_end(values: Array, shares: Array, peak: Index) -> Mask:
 
 
 def _best(values: Array, shares: Array) -> tuple[Extreme, tuple[Array, Array, Array], Index]:
-    """The largest value along the first axis by the parabola through it and its neighbours, its bracket and index.
+    """Return the largest value along the first axis by the parabola through its neighbours, its bracket and index.
 
     Beside a kink there is no parabola: where the second differences on either side disagree, the sample itself counts.
     """
@@ -157,7 +157,7 @@ def _best(values: Array, shares: Array) -> tuple[Extreme, tuple[Array, Array, Ar
 
 
 def _parabola(f: Array, x: Array) -> tuple[Extreme, Array]:
-    """The peak of the parabola through three points, f1 + m (x - x1) + bend (x - x1)², and its bend."""
+    """Return the peak of the parabola through three points, f1 + m (x - x1) + bend (x - x1)², and its bend."""
     with np.errstate(all="ignore"):
         slopes = np.diff(f, axis=0) / np.diff(x, axis=0)
         bend = (slopes[1] - slopes[0]) / (x[2] - x[0])

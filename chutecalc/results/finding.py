@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,17 @@ class Severity(StrEnum):
     """Worth knowing."""
 
 
+class _Quantity(NamedTuple):
+    """A number of a message; the template may say its unit in the United States."""
+
+    name: str
+    value: float
+    units: str
+
+    def __format__(self, us_unit: str) -> str:
+        return quantity_text(self.name, self.value, self.units, us_unit)
+
+
 @dataclass(frozen=True, repr=False, eq=False)
 class Finding:
     """One finding about some of the designs; arrays are of shape (designs,)."""
@@ -39,7 +51,7 @@ class Finding:
     s_m: Array
     """Position: distance from the inlet along the stream, m."""
     template: str
-    """The message, with names of ``numbers`` in braces."""
+    """The message, with names of ``numbers`` in braces; ``{depth_m:in}`` is in inches in US units."""
     numbers: Numbers
     """The numbers that led to the finding; names end in their units."""
 
@@ -54,7 +66,7 @@ class Finding:
             A sentence without its final period.
         """
         return self.template.format(
-            **{name: quantity_text(name, float(values[design]), units) for name, values in self.numbers.items()}
+            **{name: _Quantity(name, float(values[design]), units) for name, values in self.numbers.items()}
         )
 
     def __repr__(self) -> str:

@@ -17,6 +17,8 @@ from chutecalc.results.impacts import impact_of
 from chutecalc.solver.profile import ContactProfile, EndContactProfile, EndFlightProfile, FlightProfile
 from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolution
 
+FLIGHT = "flight"
+"""Kind of the parts that lead through the air to a segment, and what their names end in."""
 FLIGHT_SHARES = np.linspace(0.0, 1.0, 65)
 """Shares at which a flight is sampled: all is smooth along it."""
 AT_REST = (1e-40, 1e-44)
@@ -89,6 +91,14 @@ class Part(SegmentContext):
         super().__init__(solved.segment, design, contact is not None)
         self.name, self.kind, self.solved, self.contact, self.before = name, kind, solved, contact, before
 
+    def __repr__(self) -> str:
+        return f"<Part {self.name} ({self.kind})>"
+
+    @property
+    def is_flight(self) -> bool:
+        """Whether the part is a flight that leads to a segment."""
+        return self.kind == FLIGHT
+
     @cached_property
     def start_time(self) -> Array:
         """Time from the inlet to the start of the part, s, shape (designs,)."""
@@ -104,7 +114,7 @@ class Part(SegmentContext):
     def span(self) -> tuple[Array, Array]:
         """Return where each design enters and leaves the part: m flown in flight, shares of the segment in contact."""
         if self.contact is None:
-            flies = (self.solved.flight_time > 0.0) | (self.kind != "flight")
+            flies = (self.solved.flight_time > 0.0) | (not self.is_flight)
             end = np.where(flies, self.solved.flight_length, np.nan)
             return np.where(np.isnan(end), np.nan, 0.0), end
         ends = self.contact.bounds
@@ -117,7 +127,7 @@ class Part(SegmentContext):
 
     def status(self) -> Index:
         """Return how the part ends for each design, by status number; a flight to a segment is ok where it lands."""
-        if self.kind == "flight":
+        if self.is_flight:
             return np.where(self.solved.flight_time > 0.0, Status.OK, Status.NOT_REACHED)
         return self.solved.status
 
@@ -229,13 +239,13 @@ def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
         Arrays of shape (designs,) by name, NaN where a design fails.
     """
     last = design.segments[-1]
-    context, well = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
+    context, ok = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
     at: Profile = (
         EndContactProfile(ends, design.volume_rate) if context.guided else EndFlightProfile(ends, design.volume_rate)
     )
     with np.errstate(all="ignore"):
         columns = {name: ALL_COLUMNS[name].values(context, at)[0] for name in names}
-    return {name: np.where(well, values, np.nan) for name, values in columns.items()}
+    return {name: np.where(ok, values, np.nan) for name, values in columns.items()}
 
 
 def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:

@@ -13,10 +13,13 @@ class SampledPart(NamedTuple):
 
     part: Part
     shares: Array
-    """Of the part's length, where it was sampled, see :meth:`chutecalc.results.part.Part.shares`."""
+    """Shares of the part's length at which it was sampled, see :meth:`chutecalc.results.part.Part.shares`."""
     columns: Numbers
-    """By name, each of shape (samples, designs)."""
+    """Columns by name, each of shape (samples, designs)."""
     extremes: dict[ExtremeOf, Extreme]
+
+    def __repr__(self) -> str:
+        return f"<SampledPart {self.part.name} ({self.part.kind}): {len(self.shares)} samples>"
 
 
 def sample(part: Part, names: Sequence[str], extremes_of: Sequence[ExtremeOf]) -> SampledPart:

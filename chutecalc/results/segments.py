@@ -8,7 +8,7 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
-from chutecalc.results.described import outcomes
+from chutecalc.results.described import html_table, number, outcomes
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -25,26 +25,38 @@ class SegmentResult:
     status: Any
     """``ok``, what ended the stream here, or ``not_reached`` for each design, text of shape (designs,)."""
     entry: Numbers
-    """The stream at its start, after any impact."""
+    """Columns at the start of the segment, after any impact."""
     exit: Numbers
-    """The stream at its end, or where the design fails."""
+    """Columns at its end, or where the design fails."""
     minimum: Numbers
-    """Least values along it, of the columns whose extremes are reported."""
+    """Least values on the segment, of the columns whose extremes are reported."""
     maximum: Numbers
-    """Largest values along it, likewise; infinite where a quantity grows without bound."""
+    """Largest values on the segment, of the same columns; infinite where a quantity grows without bound."""
     duration: Array
-    """Time that the stream takes along it, s, shape (designs,)."""
+    """Time from its start to its end, s, shape (designs,)."""
     impact: Numbers
     """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
 
     def __repr__(self) -> str:
-        """Return name, kind and outcome.
+        """Return name and outcome, and velocity and depth at both ends: of several designs the ranges.
 
         >>> import chutecalc
         >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).segments["spoon"]
-        <SegmentResult spoon (curve): 1 ok>
+        <SegmentResult spoon: ok, 6.263 to 3.878 m/s, depth 0.09342 to 0.1399 m>
         """
-        return f"<SegmentResult {self.name} ({self.kind}): {outcomes(self.status)}>"
+        designs = f" of {len(self.status)} designs" if len(self.status) > 1 else ""
+        depth = self._ends("depth_m", "m")
+        known = [_outcome(self.status), self._ends("velocity_m_s", "m/s"), depth and f"depth {depth}"]
+        return f"<SegmentResult {self.name}{designs}: {', '.join(filter(None, known))}>"
+
+    def _ends(self, name: str, unit: str) -> str:
+        """Return a column at both ends, as text; empty where no design has it."""
+        ends = {
+            label: end[name] for label, end in (("in", self.entry), ("out", self.exit)) if np.isfinite(end[name]).any()
+        }
+        if len(self.status) == 1:
+            return " to ".join(number(values) for values in ends.values()) + f" {unit}" if ends else ""
+        return ", ".join(f"{number(values, unit)} {label}" for label, values in ends.items())
 
 
 class Segments(Sequence[SegmentResult]):
@@ -81,7 +93,11 @@ class Segments(Sequence[SegmentResult]):
             IndexError: there are fewer segments.
         """
         if not isinstance(key, str):
-            return self._results[key]
+            try:
+                return self._results[key]
+            except IndexError:
+                count = f"{len(self)} segment{'s' if len(self) != 1 else ''}"
+                raise IndexError(f"the chute has {count}: {', '.join(self.names)}") from None
         for result in self._results:
             if result.name == key:
                 return result
@@ -95,6 +111,31 @@ class Segments(Sequence[SegmentResult]):
 
     def __repr__(self) -> str:
         return f"<Segments {', '.join(f'{result.name} ({result.kind})' for result in self._results)}>"
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks."""
+        return self.html_table("Segments")
+
+    def html_table(self, caption: str) -> str:
+        """Return an HTML table with a row for each segment: of several designs the ranges.
+
+        Args:
+            caption: above the table.
+        """
+        headings = ("segment", "kind", "status", "entry, m/s", "exit, m/s", "exit depth, m")
+        rows = []
+        for result in self._results:
+            ok = result.status == Status.OK_LABEL
+            leaves = (number(np.where(ok, result.exit[name], np.nan)) for name in ("velocity_m_s", "depth_m"))
+            rows.append(
+                (result.name, result.kind, _outcome(result.status), number(result.entry["velocity_m_s"]), *leaves)
+            )
+        return html_table(caption, headings, rows)
+
+
+def _outcome(statuses: Any) -> str:
+    """Return a status as text; of several designs how many have each."""
+    return str(statuses[0]) if len(statuses) == 1 else outcomes(statuses)
 
 
 def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:

@@ -9,7 +9,7 @@ import numpy as np
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
-from chutecalc.results.columns import COLUMNS, NUMERIC, column_names
+from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
 from chutecalc.results.described import status_text
 from chutecalc.results.finding import Finding
 from chutecalc.results.segments import SegmentResult, Segments
@@ -38,7 +38,7 @@ class SolvedChute:
     def __init__(
         self, chute: CheckedChute, segment_solutions: Sequence[SegmentSolution], ends: Ends, rtol: float
     ) -> None:
-        """A solution, as :func:`chutecalc.solve` gives it.
+        """Take what the solver found, as :func:`chutecalc.solve` does.
 
         Args:
             chute: that was solved.
@@ -69,12 +69,12 @@ class SolvedChute:
     @cached_property
     def status(self) -> Any:
         """``ok``, ``stall``, ``choke``, ``contact_lost`` or ``missed`` for each design, text of shape (designs,)."""
-        return status_text(self.trajectory.codes)
+        return status_text(self.trajectory.status_numbers)
 
     @property
     def ok(self) -> Mask:
         """Whether the stream of each design reaches the end of the chute, shape (designs,)."""
-        ok: Mask = self.trajectory.codes == Status.OK
+        ok: Mask = self.trajectory.status_numbers == Status.OK
         return ok
 
     @property
@@ -100,8 +100,13 @@ class SolvedChute:
 
         Returns:
             Arrays of shape (designs,) by name, NaN for designs that fail.
+
+        Raises:
+            UsageError: a name is unknown.
         """
-        return self.trajectory.exit_columns(column_names(names))
+        names = column_names(names)
+        check_columns(names, NUMERIC, " at the exit")
+        return self.trajectory.exit_columns(names)
 
     @cached_property
     def receiver(self) -> Numbers:
@@ -157,5 +162,5 @@ class SolvedChute:
         >>> table["segment"][0].tolist()
         ['fall', 'fall', 'fall', 'spoon', 'spoon', 'spoon']
         """
-        names = column_names(columns) or [name for name in COLUMNS if name != "spec"]
+        names = column_names(columns) or AT_STATION
         return at_stations(self.trajectory.parts, self.count, points, spacing, names)

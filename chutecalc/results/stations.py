@@ -9,7 +9,7 @@ import numpy as np
 from chutecalc.design import stretched
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
-from chutecalc.results.columns import COLUMNS
+from chutecalc.results.columns import AT_STATION, check_columns
 from chutecalc.results.part import Part
 
 DEFAULT_POINTS = 101
@@ -38,9 +38,7 @@ def at_stations(
         raise UsageError(f"points must be from 2 to {MOST_STATIONS}, not {points}")
     if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
         raise UsageError(f"spacing must be greater than 0 m, not {spacing:g}")
-    unknown = [name for name in names if name not in COLUMNS or name == "spec"]
-    if unknown:
-        raise UsageError(f"there is no column {', '.join(unknown)}: `chutecalc columns` lists them")
+    check_columns(names, AT_STATION, " at a station")
     even = _even(points or DEFAULT_POINTS)
     blocks = [_on_part(part, even if spacing is None else _spaced(part, spacing), count, names) for part in parts]
     return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in names}
@@ -48,14 +46,14 @@ def at_stations(
 
 @lru_cache(maxsize=8)
 def _even(points: int) -> Array:
-    """Evenly spaced shares."""
+    """Return evenly spaced shares."""
     shares = np.linspace(0.0, 1.0, points)
     shares.flags.writeable = False
     return shares
 
 
 def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dict[str, Any]:
-    """The columns at shares of one part, each of shape (designs, stations)."""
+    """Return the columns at shares of one part, each of shape (designs, stations)."""
     shape = (count, len(shares))
     labels = {"segment": part.name, "kind": part.kind}
     numbers = part.at(shares, [name for name in names if name not in labels] or ["s_m"])
@@ -65,7 +63,7 @@ def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dic
 
 
 def _spaced(part: Part, spacing: float) -> Array:
-    """Shares at multiples of a spacing and at both ends, shape (stations, designs); NaN past a design's end."""
+    """Return shares at multiples of a spacing and at both ends, (stations, designs); NaN past a design's end."""
     begin, end = part.span()
     scale = 1.0 if part.contact is None else part.contact.surface.length
     start, length = begin * scale, (end - begin) * scale

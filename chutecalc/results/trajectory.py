@@ -13,7 +13,7 @@ from chutecalc.results.described import status_text
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
-from chutecalc.results.part import Part
+from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
 from chutecalc.solver.segment_solution import SegmentSolution
@@ -27,16 +27,29 @@ SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
 class Trajectory:
     """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
 
-    def __init__(self, design: Design, segment_solutions: Sequence[SegmentSolution], codes: Index, count: int) -> None:
+    def __init__(
+        self, design: Design, segment_solutions: Sequence[SegmentSolution], status_numbers: Index, count: int
+    ) -> None:
         """Take the solved segments of the designs.
 
         Args:
             design: the numeric description of the chutes.
             segment_solutions: the solved segments in the order in which the stream meets them.
-            codes: the :class:`~chutecalc.design.Status` of each design, shape (designs,).
+            status_numbers: number of how each design ends, see :class:`~chutecalc.design.Status`, shape (designs,).
             count: number of designs.
         """
-        self.design, self.segment_solutions, self.codes, self.count = design, tuple(segment_solutions), codes, count
+        self.design, self.segment_solutions = design, tuple(segment_solutions)
+        self.status_numbers, self.count = status_numbers, count
+
+    def __repr__(self) -> str:
+        """Return the parts.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).trajectory
+        <Trajectory: fall, spoon>
+        """
+        designs = f" of {self.count} designs" if self.count > 1 else ""
+        return f"<Trajectory{designs}: {', '.join(part.name for part in self.parts)}>"
 
     @cached_property
     def parts(self) -> list[Part]:
@@ -46,7 +59,7 @@ class Trajectory:
         for solved in self.segment_solutions:
             name, kind = solved.segment.name, solved.segment.kind
             if solved.contact is not None and (solved.flight_time > 0.0).any():
-                parts.append(Part(f"{name}:flight", "flight", solved, contact=None, before=before, design=self.design))
+                parts.append(Part(f"{name}:{FLIGHT}", FLIGHT, solved, contact=None, before=before, design=self.design))
             before = Part(name, kind, solved, contact=solved.contact, before=before, design=self.design)
             parts.append(before)
         return parts
@@ -65,7 +78,7 @@ class Trajectory:
         """Return what came out on each segment of the spec, on all visits together."""
         found: dict[int, SegmentResult] = {}
         for part, result in zip(self.parts, self.results, strict=True):
-            if result.kind != "flight":
+            if not part.is_flight:
                 number = part.solved.number
                 found[number] = joined(found[number], result) if number in found else result
         return Segments(found.values())
@@ -74,7 +87,7 @@ class Trajectory:
         """Return for each segment of the spec the flights that lead to it."""
         pairs = list(zip(self.parts, self.results, strict=True))
         return [
-            [result for part, result in pairs if part.solved.number == number and result.kind == "flight"]
+            [result for part, result in pairs if part.solved.number == number and part.is_flight]
             for number in range(len(self.design.segments))
         ]
 
@@ -99,9 +112,9 @@ class Trajectory:
         last = len(self.design.segments) - 1
         found = {name: np.full(self.count, np.nan) for name in names}
         for part in self.parts:  # of a hood that is left and struck again there are several
-            if part.solved.number == last and part.kind != "flight":
+            if part.solved.number == last and not part.is_flight:
                 ends = part.at(np.ones(1), names)
-                here = (part.solved.status == Status.OK) & (self.codes == Status.OK)
+                here = (part.solved.status == Status.OK) & (self.status_numbers == Status.OK)
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
         return found
 
@@ -128,7 +141,7 @@ class Trajectory:
         return found
 
     def _result(self, sampled: SampledPart) -> SegmentResult:
-        """A part's ends and extremes."""
+        """Return a part's ends and extremes."""
 
         def whole(values: Any) -> Any:
             return stretched(values, (self.count,))

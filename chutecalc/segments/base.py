@@ -30,21 +30,21 @@ class Context(NamedTuple):
     """What the numbers of a segment follow from, beside its own table."""
 
     location: Location
-    """Of the segment in the spec's data."""
+    """Location of the segment in the spec's data."""
     name: str
-    """Of the segment, also where the spec gives it none."""
+    """Name of the segment, also where the spec gives it none."""
     slope: Array | None
-    """At which the segment before it is drawn to end, rad below horizontal; None if the stream's velocity decides."""
+    """Slope at which the segment before it is drawn to end, rad below horizontal; None if velocity decides."""
     tangent: Array | None
-    """At which an arc begins that is tangent to what comes before it, rad; None if the stream's velocity decides."""
+    """Slope at which an arc begins that is tangent to what comes before it, rad; None if velocity decides."""
     sections: Mapping[str, Section]
     """Tables of the spec's sections, by name."""
     drawn_sections: Mapping[str, DrawnSection]
-    """The same sections in numbers."""
+    """Sections of the spec in numbers, by name."""
     linings: Mapping[str, Lining]
-    """The spec's liners in numbers, by name."""
+    """Liners of the spec in numbers, by name."""
     faults: GeometryFaults
-    """Collects faults of geometry."""
+    """Collector of the faults of geometry."""
 
 
 class Segment(Table):

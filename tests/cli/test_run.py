@@ -34,6 +34,25 @@ def test_tables_of_the_worked_example(capsys):
     assert all(line == line.rstrip() for line in shown.out.splitlines())
 
 
+@pytest.mark.parametrize(
+    ("receiver", "printed"),
+    [
+        (
+            ["receiver.slope_deg=-60", "receiver.friction_deg=70", "receiver.velocity_m_s=0.1"],
+            "runs back first, then reaches belt speed 0.003515 m behind the loading point, with ",
+        ),
+        (["receiver.slope_deg=-60", "receiver.friction_deg=40"], "never reaches belt speed, with "),
+        ([], "reaches belt speed after 0.1387 m, with -0.3866 kW; after friction at the impact: 5 m/s along"),
+    ],
+)
+def test_where_the_stream_reaches_the_speed_of_the_belt(capsys, receiver, printed):
+    settings = [text for setting in receiver for text in ("--set", setting)]
+    main(["run", str(ROOT / "specs/belt_hood_spoon.toml"), *settings])
+    out = capsys.readouterr().out
+    assert f"receiver  {printed}" in out
+    assert "along the belt, 1.031 times its speed;" in out or receiver
+
+
 def test_several_specs_add_a_comparison(capsys, starter, stalling):
     assert main(["run", str(starter), str(stalling)]) == 1
     out = capsys.readouterr().out

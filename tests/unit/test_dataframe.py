@@ -1,7 +1,5 @@
 """Solutions as data frames of pandas and Polars, and as a picture."""
 
-import importlib
-
 import numpy as np
 import pytest
 
@@ -22,21 +20,9 @@ def two():
     return chutecalc.solve(base.vary({"liners.wall.friction_deg": [15.0, 50.0]}))
 
 
-def library(name):
-    """pandas is in the test extra; Polars is tried where it is installed."""
-    if name == "pandas":
-        pytest.importorskip("pandas", reason="pandas is not installed")
-    elif importlib.util.find_spec(name) is None:
-        return None
-    return importlib.import_module(name)
-
-
 @pytest.mark.parametrize("name", ["pandas", "polars"])
 def test_a_row_is_a_station_that_a_design_reached(two, name):
-    if library(name) is None:
-        with pytest.raises(chutecalc.ChutecalcError, match=f"pip install '{name}'"):
-            two.to_dataframe(library=name)
-        return
+    pytest.importorskip(name, reason=f"{name} is not installed")
     frame = two.to_dataframe(points=3, columns=["segment", "velocity_m_s"], library=name)
     stations = two.stations(points=3)
     assert list(frame.columns) == ["design", "segment", "velocity_m_s"]
@@ -79,6 +65,8 @@ def test_a_library_that_is_missing_is_named(two, monkeypatch):
         chutecalc.ChutecalcError, match=r"to_dataframe needs pandas: pip install 'chutecalc\[dataframe\]'"
     ):
         two.to_dataframe()
+    with pytest.raises(chutecalc.ChutecalcError, match="designs_dataframe needs polars: pip install 'polars'"):
+        two.designs_dataframe(library="polars")
     with pytest.raises(chutecalc.UsageError, match="pandas or polars, not 'xarray'"):
         two.to_dataframe(library="xarray")
 
@@ -87,7 +75,7 @@ def test_plot_draws_one_design(two):
     from matplotlib.figure import Figure
 
     assert isinstance(chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).plot(units="us"), Figure)
-    with pytest.raises(chutecalc.UsageError, match="draws one design, "):
+    with pytest.raises(chutecalc.UsageError, match=r"take one design with `chute\.put` and solve it"):
         two.plot()
     with pytest.raises(chutecalc.UsageError, match="metric or us"):
         chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).plot(units="furlongs")

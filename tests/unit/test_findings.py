@@ -6,7 +6,7 @@ import pytest
 import chutecalc
 from chutecalc.results.criterion import criterion
 from chutecalc.results.finding import Severity
-from tests.conftest import chute, vee
+from tests.conftest import ROOT, chute, vee
 
 G = 9.80665
 
@@ -34,10 +34,10 @@ def test_stall_inside_a_segment():
     finding = found(solution, "stall")
     assert (finding.severity, finding.segment) == ("failure", "straight")
     assert finding.s_m[0] == solution.trajectory.segment_solutions[0].exit.distance[0]
-    way, slope = (finding.numbers[name][0] for name in ("way_m", "slope_deg"))
-    assert way == pytest.approx(finding.s_m[0], rel=1e-15)
+    travelled, slope = (finding.numbers[name][0] for name in ("travelled_m", "slope_deg"))
+    assert travelled == pytest.approx(finding.s_m[0], rel=1e-15)
     assert slope == pytest.approx(5.0, rel=1e-15)
-    assert f"falls to 0 after {way:.4g} m on the segment, at a slope of 5°" in finding.message()
+    assert f"falls to 0 after {travelled:.4g} m on the segment, at a slope of 5°" in finding.message()
 
 
 def test_stall_at_an_impact():
@@ -77,6 +77,7 @@ def test_a_choke_says_where_the_stream_would_stop_or_that_it_would_run_on():
         )
     )
     assert "would stop" in found(stops, "choke").message()
+    assert "the wall height of 15.75 in;" in found(stops, "choke").message(units="us")
     runs = chutecalc.solve(
         chute(
             sections=rectangular(wall_height_m=0.4),
@@ -260,8 +261,6 @@ def test_geometry_follows_flow_but_not_for_a_vertical_fall():
 
 
 def test_findings_of_the_papers_worked_example_are_those_that_physics_names():
-    from tests.conftest import ROOT
-
     def of(name):
         return chutecalc.solve(chutecalc.load(ROOT / f"specs/paper/{name}.toml"))
 
@@ -593,7 +592,48 @@ def test_a_fall_that_is_never_reached_says_so():
     assert solution.status[0] == "missed"
     (missed,) = all_of(solution, "missed")
     assert (missed.segment, missed.severity) == ("last", "failure")
-    assert missed.message().startswith("the stream never reaches the end of the fall")
+    assert missed.message() == (
+        "the stream never reaches the end of the fall: it falls straight down, or too steeply to get 3 m away; give"
+        " drop_m instead of run_m"
+    )
+
+
+@pytest.mark.parametrize(
+    ("inlet", "passed", "fall", "reason"),
+    [
+        (
+            {"velocity_m_s": 1.0, "slope_deg": 80.0},
+            {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-2.0, -4.0]},
+            {"run_m": 0.5},
+            "it is already past that distance; increase run_m",
+        ),
+        (
+            {"velocity_m_s": 5.0, "slope_deg": 0.0},
+            {"kind": "hood", "radius_m": 2.0, "from_slope_deg": 20.0, "to_slope_deg": 60.0, "start_m": [1.0, 2.0]},
+            {"drop_m": 0.5},
+            "it is already below that level; increase drop_m",
+        ),
+    ],
+)
+def test_a_fall_that_is_never_reached_says_why(inlet, passed, fall, reason):
+    last = {"name": "last", "kind": "fall", **fall}
+    solution = chutecalc.solve(chute(inlet=inlet, segments=[{"kind": "fall", "onto_next": True}, passed, last]))
+    (missed,) = all_of(solution, "missed")
+    assert missed.message() == f"the stream never reaches the end of the fall: {reason}"
+
+
+def test_a_stall_is_not_quoted_with_numbers_that_grow_without_bound():
+    """One finding of each code and design, as for streams that do not stall, in words of its own."""
+    base = chutecalc.load(ROOT / "specs/fails/stall.toml")
+    many = chutecalc.solve(base.vary({"inlet.velocity_m_s": [1.5, 2.4]}))
+    stalls = many.status == "stall"
+    assert stalls.any()
+    for code in ("decelerating", "thick_stream"):
+        found = all_of(many, code)
+        assert sum(finding.mask.astype(int) for finding in found).max() == 1
+        (stalled,) = [finding for finding in found if (finding.mask & stalls).any()]
+        assert "∞" not in stalled.message(int(np.flatnonzero(stalled.mask)[0]))
+        assert "0 m/s" not in stalled.message(int(np.flatnonzero(stalled.mask)[0]))
 
 
 def test_a_code_is_registered_once():

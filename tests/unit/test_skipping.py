@@ -111,3 +111,20 @@ def test_exits_agree_with_the_whole_solution():
 def test_columns_that_an_exit_does_not_have(columns):
     with pytest.raises(chutecalc.UsageError, match="no column"):
         chutecalc.exits(chutecalc.parse(CHAIN), columns=columns)
+
+
+def test_an_unknown_column_is_refused_in_the_same_words_everywhere():
+    spoon = chutecalc.parse(chutecalc.STARTER)
+    solution = chutecalc.solve(spoon)
+    for where, ask in (
+        ("at the exit", lambda names: solution.exit_columns(names)),
+        ("at a station", lambda names: solution.stations(columns=names)),
+        ("at an exit alone; for time, use solve", lambda names: chutecalc.exits(spoon, columns=names)),
+    ):
+        with pytest.raises(chutecalc.UsageError) as caught:
+            ask(["s_m", "depth", "nope"])
+        assert str(caught.value) == (
+            f"there is no column depth, nope {where}. Did you mean depth_m? `chutecalc columns` lists all"
+        )
+    with pytest.raises(chutecalc.UsageError, match="there is no column segment at the exit"):
+        solution.exit_columns("segment")

@@ -166,4 +166,5 @@ def test_numbers_of_messages_carry_their_units():
     assert quantity_text("slope_deg", 31.25, "metric") == "31.25°"
     assert quantity_text("margin", 1.2, "us") == "1.2"
     assert quantity_text("velocity_m_s", 0.00508, "us") == "1 fpm"
-    assert quantity_text("wall_height_m", 0.3048, "us") == "12 in"
+    assert quantity_text("wall_height_m", 0.3048, "us") == "1 ft"
+    assert quantity_text("wall_height_m", 0.3048, "us", "in") == "12 in"

@@ -268,7 +268,7 @@ def test_vary_by_name_number_and_twin():
         ({"segments..radius_m": 1.0}, "segments has no item  "),
         ({"flow": 1.0}, "flow = 1 cannot be varied: it is not a quantity"),
         ({"flow.rate_t_h": [1.0, 2.0], "segments.1.drop_m": [1.0, 2.0, 3.0]}, "differ in length"),
-        ({"flow.rate_t_h": [[1.0, 2.0]]}, "2 dimensions"),
+        ({"flow.rate_t_h": [[1.0, 2.0]]}, "is an array of 2 dimensions; it must have one: a value for each design"),
         ({"flow.rate_t_h": []}, "takes numbers"),
         ({"flow.rate_t_h": "fast"}, "takes numbers"),
         ({"segments.spoon.length_m": 1.0}, "is not a key of this table"),

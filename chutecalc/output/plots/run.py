@@ -58,7 +58,7 @@ def _one(solution: SolvedChute, units: str) -> Figure:
         path = _joined(stream, name, units)
         panel.plot(*path, color=INK, gid=name)
         _limit(panel, path[1])
-        if solution.status[0] != "ok":
+        if not solution.ok[0]:
             panel.plot(path[0][-1:], path[1][-1:], **END)
     _mark_segments([axes[name] for name in PANELS], stream, units)
     axes["notes"].text(0.0, 1.0, "\n".join(notes), va="top", fontsize=SMALL, linespacing=1.5)

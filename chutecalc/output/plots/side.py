@@ -123,7 +123,7 @@ def draw_stream(axes: Axes, solution: SolvedChute, stream: Sequence[Trace], mark
     size = float(extent(solution, stream).max())
     _name_segments(axes, stream, SHORT * size, units)
     _draw_marks(axes, stream, marks, SHORT * size, units)
-    if solution.status[0] != "ok":
+    if not solution.ok[0]:
         end = stream[-1].columns
         axes.plot(_long(end["x_m"][-1:], units), _long(end["z_m"][-1:], units), **END)
     _frame(axes, shades, any(part.side == 0.0 for part in stream), units)

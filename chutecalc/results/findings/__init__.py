@@ -35,7 +35,7 @@ def find(parts: Sequence[SampledPart], received: Numbers, exit_distance: Array, 
     surfaces = [sampled.part for sampled in parts if sampled.part.guided]
     with np.errstate(all="ignore"):
         for number, sampled in enumerate(parts):
-            if sampled.part.kind == "flight":
+            if sampled.part.is_flight:
                 continue
             continues = np.zeros(designs, dtype=bool)
             for later in parts[number + 1 :]:

@@ -4,11 +4,15 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.design import Status
-from chutecalc.physics.arrays import Array
+from chutecalc.design import Fall, Status
+from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.motion import ROOF
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.solver.segment_solution import Point
+
+LONGEST_FALL = 1e5
+"""Height below which a fall has missed its end, m; as in ``core/fall.py``."""
 
 
 @criterion(
@@ -38,14 +42,14 @@ def stall(scene: Scene) -> Iterator[Case]:
     )
     inside = (solved.status == Status.STALL) & ~at_impact
     template = (
-        "the stream stalls: its velocity falls to 0 after {way_m} on the segment, at a slope of {slope_deg}; make the"
-        " slope steeper or reduce the wall friction"
+        "the stream stalls: its velocity falls to 0 after {travelled_m} on the segment, at a slope of {slope_deg}; make"
+        " the slope steeper or reduce the wall friction"
     )
     yield Case(
         inside,
         solved.exit.distance,
         template,
-        {"way_m": scene.part.length(), "slope_deg": np.degrees(solved.exit.slope)},
+        {"travelled_m": scene.part.length(), "slope_deg": np.degrees(solved.exit.slope)},
     )
 
 
@@ -61,7 +65,7 @@ def choke(scene: Scene) -> Iterator[Case]:
     beyond, share, end = stretch.beyond_share, stretch.share, stretch.beyond_status
     wall_height = scene.segment.wall_height(share)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": solved.exit.velocity}
-    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m};"
+    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     s = solved.exit.distance
     further = (beyond - share) * scene.contact.surface.length
     for status, fate in (
@@ -126,12 +130,9 @@ def missed(scene: Scene) -> Iterator[Case]:
     """
     solved = scene.solved
     lost = solved.status == Status.MISSED
-    if not scene.part.guided:
-        template = (
-            "the stream never reaches the end of the fall: it is already below that level or past that distance, or it"
-            " falls straight down; change drop_m or run_m"
-        )
-        yield Case(lost, solved.start.distance, template)
+    segment = scene.part.segment
+    if isinstance(segment, Fall):
+        yield from _never_ends(segment, solved.start, lost, scene.design.gravity)
         return
     gap = scene.contact.arrival.gap
     numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
@@ -145,6 +146,19 @@ def missed(scene: Scene) -> Iterator[Case]:
     yield Case(lost & np.isnan(gap), s, away, numbers)
 
 
+def _never_ends(fall: Fall, start: Point, lost: Mask, gravity: Array) -> Iterator[Case]:
+    """Yield the cases of falls to a level or a distance that the stream never reaches."""
+    begin = "the stream never reaches the end of the fall: it "
+    if fall.run is None:
+        yield Case(lost, start.distance, f"{begin}is already below that level; increase drop_m")
+        return
+    forward = start.velocity * np.cos(start.slope)
+    steep = (forward <= 0.0) | (0.5 * gravity * (fall.run / forward) ** 2 > LONGEST_FALL)
+    template = f"{begin}falls straight down, or too steeply to get {{run_m}} away; give drop_m instead of run_m"
+    yield Case(lost & steep, start.distance, template, {"run_m": fall.run})
+    yield Case(lost & ~steep, start.distance, f"{begin}is already past that distance; increase run_m")
+
+
 def _steepest_impact(scene: Scene) -> Array:
-    """The incidence, in degrees, from which on an impact on the segment leaves no velocity: tan i = 1/μ_e."""
+    """Return the incidence, deg, from which on an impact on the segment leaves no velocity: tan i = 1/μ_e."""
     return np.degrees(np.arctan(1.0 / scene.contact.arrival.impact.friction))

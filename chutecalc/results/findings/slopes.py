@@ -47,16 +47,23 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     )
     angle = np.degrees(np.arctan(friction))
     yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle})
+    numbers = {"critical_velocity_m_s": critical, "slope_deg": slope}
+    stalled = (velocity == 0.0) & ~flat
+    template = (
+        "the stream runs below the critical velocity of {critical_velocity_m_s}, where friction brings it to a stall"
+        " on a slope of {slope_deg}; make the slope steeper or reduce the friction"
+    )
+    yield Case(stalled, s, template, numbers)
     margin = velocity / critical
     template = (
         "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
         " friction brings it to a stall on a slope of {slope_deg} (limit 1.25); make the slope steeper"
     )
     yield Case(
-        (margin < DECELERATION_MARGIN) & ~flat,
+        (margin < DECELERATION_MARGIN) & ~flat & ~stalled,
         s,
         template,
-        {"velocity_m_s": velocity, "margin": margin, "critical_velocity_m_s": critical, "slope_deg": slope},
+        numbers | {"velocity_m_s": velocity, "margin": margin},
     )
 
 

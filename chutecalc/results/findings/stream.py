@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
@@ -33,15 +34,26 @@ def thick_stream(scene: Scene) -> Iterator[Case]:
         "the depth reaches {thickness} times the stream's width (limit 1), too thick for a model with one mean"
         " velocity; use a wider section"
     )
-    mask = thick.value > THICKEST
-    yield Case(mask, scene.distance(thick.share), template, {"thickness": thick.value})
+    s, numbers = scene.distance(thick.share), {"thickness": thick.value}
+    yield from _too_thick(thick.value, THICKEST, s, template, numbers, "the stream's width")
     share = deep.value * np.abs(scene.contact.surface.curvature)
     template = (
-        "the depth of {depth_m} reaches {share} of the radius (limit 0.1), too thick for a model with one mean"
+        "the depth of {depth_m:in} reaches {share} of the radius (limit 0.1), too thick for a model with one mean"
         " velocity; use a larger radius"
     )
-    mask, s = share > THICKEST_ON_ARC, scene.distance(deep.share)
-    yield Case(mask, s, template, {"depth_m": deep.value, "share": share})
+    s, numbers = scene.distance(deep.share), {"depth_m": deep.value, "share": share}
+    yield from _too_thick(share, THICKEST_ON_ARC, s, template, numbers, "a tenth of the radius")
+
+
+def _too_thick(ratio: Array, limit: float, s: Array, template: str, numbers: Numbers, what: str) -> Iterator[Case]:
+    """Yield the cases of a depth above a limit: a largest depth, and a stall, towards which it grows without bound."""
+    thick, bounded = ratio > limit, np.isfinite(ratio)
+    yield Case(thick & bounded, s, template, numbers)
+    template = (
+        f"the depth grows without bound where the stream stalls, past {what}: too thick for a model with one mean"
+        " velocity; prevent the stall"
+    )
+    yield Case(thick & ~bounded, s, template)
 
 
 @criterion(
@@ -111,7 +123,7 @@ def above_chamfer(scene: Scene) -> Iterator[Case]:
     worst = scene.extreme("above_top_m", LARGEST)
     (top,) = scene.at(worst.share, "top_m")
     template = (
-        "the depth of {depth_m} exceeds the drawn top of the section at {top_m}; above it the walls are taken as"
+        "the depth of {depth_m:in} exceeds the drawn top of the section at {top_m:in}; above it the walls are taken as"
         " vertical"
     )
     numbers = {"depth_m": worst.value + top, "top_m": top}

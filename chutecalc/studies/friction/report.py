@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from chutecalc.design import Status
 from chutecalc.output.dataset import Dataset, column_types, document_head, number, numbers
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
@@ -85,7 +86,7 @@ def _table(study: FrictionStudy, units: str) -> Grid:
         table.column(f"{friction.symbol}\nδ {delta:g}°")
     count = len(study.chamfer_deg)
     values = study.columns["equivalent_friction"].reshape(-1, count)
-    for k in np.flatnonzero(study.columns["status"][:count] == "ok"):
+    for k in np.flatnonzero(study.columns["status"][:count] == Status.OK_LABEL):
         cells = [
             FRICTION_COLUMNS[name].shown(study.columns[name][k], units) for name in ("chamfer_deg", *SECTION_COLUMNS)
         ]

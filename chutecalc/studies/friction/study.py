@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from chutecalc.design import Status
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.friction import equivalent_friction
@@ -121,7 +122,7 @@ class FrictionStudy:
         [60.0]
         """
         rows = self.columns["internal_friction_deg"] == internal_friction_deg
-        rows &= self.columns["status"] == "ok"
+        rows &= self.columns["status"] == Status.OK_LABEL
         return {name: values[rows] for name, values in self.columns.items()}
 
     def best(self) -> list[Best]:
@@ -187,7 +188,7 @@ class FrictionStudy:
             "chamfer_deg": chamfer_deg,
             "internal_friction_deg": internal_friction_deg,
             **{name: np.where(possible, values, np.nan) for name, values in numbers.items()},
-            "status": np.where(possible, "ok", "impossible"),
+            "status": np.where(possible, Status.OK_LABEL, "impossible"),
         }
 
     def _best(self, angles: Array, delta: float) -> Best:

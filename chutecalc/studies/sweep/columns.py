@@ -6,8 +6,8 @@ from chutecalc.results.belts import RECEIVER_COLUMNS
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS, Extremes
 
-WAYS = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
-"""What a sweep's rows tell of a station column, by the first word of their names."""
+PREFIXES = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
+"""Prefixes of the names of station columns in a sweep's rows, each with its meaning."""
 
 
 def row_columns() -> dict[str, Column]:
@@ -21,12 +21,12 @@ def row_columns() -> dict[str, Column]:
         "findings": Column("findings", "findings", "", "codes of the findings, see docs/findings.md"),
         "error_estimate": Column("error_estimate", "error", "", "of the exit velocity, relative", "number", "", 14),
     }
-    for way, where in WAYS.items():
+    for prefix, where in PREFIXES.items():
         for name, column in COLUMNS.items():
-            if column.formula and (way == "exit" or column.extremes is not Extremes.NONE):
+            if column.formula and (prefix == "exit" or column.extremes is not Extremes.NONE):
                 symbol = "" if column.heading == column.symbol else column.symbol
-                found[f"{way}_{name}"] = replace(
-                    column, name=f"{way}_{name}", heading=f"{way} {column.heading}", symbol=symbol, meaning=where
+                found[f"{prefix}_{name}"] = replace(
+                    column, name=f"{prefix}_{name}", heading=f"{prefix} {column.heading}", symbol=symbol, meaning=where
                 )
     return found | {
         f"receiver_{name}": replace(column, name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()

@@ -30,7 +30,7 @@ class Parameter(NamedTuple):
     paths: tuple[str, ...]
     """Key paths that get its value; all get the same one."""
     values: Array
-    """In the units of the paths, shape (values,)."""
+    """Values in the units of the paths, shape (values,)."""
 
 
 def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from chutecalc.design import Status
 from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.output.dataset import Block
 from chutecalc.output.plots.style import INK, MAP, SMALL, looks, mathematical, styled
@@ -76,10 +77,10 @@ def _drawn(sweep: Sweep, block: Block) -> list[str]:
     return shown[:MOST_PANELS]
 
 
-def _top(values: Any, well: Any) -> float:
+def _top(values: Any, ok: Any) -> float:
     """Return where a panel ends: at the largest value, but below the peaks of streams that nearly stall."""
     finite = _finite(values)
-    return float(finite.max() if well.all() else min(finite.max(), CUT_OFF * np.median(finite)))
+    return float(finite.max() if ok.all() else min(finite.max(), CUT_OFF * np.median(finite)))
 
 
 def _finite(values: Any) -> Any:
@@ -104,7 +105,7 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
         order = np.argsort(x, kind="stable")
         every = max(1, len(x) // MARKERS)
         axes.plot(x[order], y[order], **look, markevery=every, label=label, gid="line")
-        failed = (block["status"][rows] != "ok") & (block["status"][rows] != IMPOSSIBLE)
+        failed = (block["status"][rows] != Status.OK_LABEL) & (block["status"][rows] != IMPOSSIBLE)
         if failed.any():
             look_of_crosses: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "clip_on": False}
             axes.plot(
@@ -118,8 +119,8 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
             )
             fail += 1
     whole = column.converted(block[column.name], units)
-    if _top(whole, block["status"] == "ok") < _finite(whole).max():
-        axes.set_ylim(top=_top(whole, block["status"] == "ok"))
+    if _top(whole, block["status"] == Status.OK_LABEL) < _finite(whole).max():
+        axes.set_ylim(top=_top(whole, block["status"] == Status.OK_LABEL))
     axes.set_xlabel(mathematical(parameter_label(column_of(sweep, x_parameter.name))))
     axes.set_ylabel(mathematical(column.label(units)))
 
@@ -136,7 +137,7 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
     x, y = first.values[rows], second.values[columns]
     values = np.ma.masked_invalid(on_grid(column.converted(block[column.name], units)))
     if values.count():
-        top = float(column.converted(_top(block[column.name], block["status"] == "ok"), units))
+        top = float(column.converted(_top(block[column.name], block["status"] == Status.OK_LABEL), units))
         levels = np.asarray(MaxNLocator(LEVELS).tick_values(float(values.min()), top))
         filled = axes.contourf(
             x, y, values, levels=levels, cmap=MAP, extend="max" if values.max() > levels[-1] else "neither"
@@ -147,7 +148,7 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
             label.set_bbox({"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.75})
         bar = axes.figure.colorbar(filled, ax=axes)
         bar.outline.set_visible(False)
-    fails = on_grid((block["status"] != "ok").astype(float))
+    fails = on_grid((block["status"] != Status.OK_LABEL).astype(float))
     if fails.any():
         axes.contourf(x, y, fails, levels=[0.5, 1.5], colors="none", hatches=["////"])
     axes.grid(False)
@@ -168,5 +169,5 @@ def _note(sweep: Sweep, block: Block, lines: bool) -> str:
     ends = ", ".join(f"{count:,} {word.replace('_', ' ')}" for word, count in zip(words, counts, strict=True))
     single = [f"{each.name} = {each.values[0]:g}" for each in sweep.parameters if len(each.values) == 1]
     constant = [f"constant {sweep.keep}"] if sweep.adjustment.names else []
-    marks = f" ({'crosses' if lines else 'hatched'}: no stream leaves)" if (words != "ok").any() else ""
+    marks = f" ({'crosses' if lines else 'hatched'}: no stream leaves)" if (words != Status.OK_LABEL).any() else ""
     return "; ".join([f"{sweep.count:,} designs: {ends}{marks}", *constant, *single])

@@ -5,7 +5,6 @@ import json
 from collections import deque
 from collections.abc import Generator, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
@@ -18,13 +17,13 @@ from chutecalc.api.solution import Solution
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
-from chutecalc.results.columns import AT_EXIT, COLUMNS
+from chutecalc.results.columns import AT_EXIT, AT_STATION, closest
 from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, select_rows
-from chutecalc.studies.sweep.columns import WAYS, row_columns
+from chutecalc.studies.sweep.columns import PREFIXES, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
 
@@ -220,7 +219,7 @@ class Sweep:
         """Compute a row for each design."""
         by_prefix = {
             prefix: [name.removeprefix(f"{prefix}_") for name in self.columns if name.startswith(f"{prefix}_")]
-            for prefix in WAYS
+            for prefix in PREFIXES
         }
         if self._at_ends:
             ends = exits(variants, self.rtol, by_prefix["exit"], jobs=1)
@@ -259,18 +258,17 @@ class Sweep:
 
     def _columns(self, names: Sequence[str]) -> list[str]:
         """Return the columns asked for, each once, without those that every row has."""
-        known = {name for name in COLUMNS if name != "spec"} if self.profiles else {*row_columns()}
-        usual = [name for name in COLUMNS if name != "spec"] if self.profiles else DEFAULT
+        known = AT_STATION if self.profiles else row_columns()
+        usual = AT_STATION if self.profiles else DEFAULT
         unknown = [name for name in names if name not in known and name != "status"]
         if unknown:
-            close = [match for name in unknown for match in get_close_matches(name, known, n=1)]
-            hint = f"Did you mean {', '.join(close)}? " if close else ""
             own = (
                 "Use the columns of a station" if self.profiles else "Use exit_, max_ or min_ before a station's column"
             )
             plural = "s" if len(unknown) > 1 else ""
             raise UsageError(
-                f"unknown column{plural} {', '.join(unknown)}. {hint}{own}; chutecalc columns lists them all"
+                f"unknown column{plural} {', '.join(unknown)}. {closest(unknown, known)}{own}; chutecalc columns lists"
+                " them all"
             )
         belt = [name for name in names if name.startswith("receiver_")]
         if belt and self.chute.spec.receiver is None:

@@ -115,7 +115,7 @@ class FirstRows:
         lists = [f"{parameter.name} ({len(parameter.values):,})" for parameter in sweep.parameters]
         how = f", constant {sweep.keep}" if sweep.adjustment.names else ""
         top = sweep.top
-        best = f", the {top.rows} of {'largest' if top.largest else 'smallest'} {top.column}" if top else ""
+        best = f", the {top.rows} with the {'largest' if top.largest else 'smallest'} {top.column}" if top else ""
         return (" with " if sweep.parallel else " by ").join(lists) + how + best
 
     def _table(self, units: str) -> Grid:
