@@ -38,7 +38,8 @@ print(time.perf_counter() - wall, time.process_time() - cpu)
 ALONE = """
 import sys
 from chutecalc.studies.regression.designs import find_designs
-from chutecalc.studies.regression.regression import OK, check
+from chutecalc.studies.regression.check import check
+from chutecalc.studies.regression.verdict import OK
 assert all(item.outcome == OK for item in check(find_designs(sys.argv[1:]).chutes, processes=1))
 """
 

@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 import chutecalc
 from chutecalc.errors import SpecError
 from chutecalc.output.table import Printer
-from chutecalc.studies.regression.baseline import baseline_of, baseline_path, read_baseline
-from chutecalc.studies.regression.regression import DRIFTED, Verdict, compare
+from chutecalc.studies.regression.compare import compare
+from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
 from chutecalc.studies.regression.report import check_document, print_verdicts, write_junit
+from chutecalc.studies.regression.verdict import DRIFTED, Verdict
 from chutecalc.studies.regression.write import write_baseline
 from tests.conftest import ROOT
 from tests.seeds import fuzzed
