@@ -2,8 +2,8 @@
 
 To add a column, add an entry. Tables, charts, CSV, JSON, sweeps, ``chutecalc columns`` and docs/nomenclature.md read
 the catalogue. A formula takes the part of the trajectory (see :class:`chutecalc.results.part.SegmentContext`) and the
-profile of the stream there (see :class:`chutecalc.solver.profile.ContactProfile`), whose arrays are of shape
-(stations, designs), SI and radians.
+profile of the stream there (see :class:`chutecalc.solver.contact_profile.ContactProfile`), whose arrays are of
+shape (stations, designs), SI and radians.
 """
 
 from collections.abc import Callable, Iterable

@@ -7,9 +7,11 @@ import pytest
 
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.campaign import Group, Outcome
+from chutecalc.dem.fit import fit
+from chutecalc.dem.point import measured
 from chutecalc.dem.request import PourPlan, groups, numbers, paper_beds, pours
 from chutecalc.dem.store import Store
-from chutecalc.dem.study import Study, fit, measured
+from chutecalc.dem.study import Study
 from chutecalc.errors import UsageError
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from tests.dem.beds import bed, case

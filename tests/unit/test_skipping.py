@@ -6,7 +6,7 @@ import pytest
 import chutecalc
 from chutecalc.core.records import FIELDS
 from chutecalc.design import Status
-from chutecalc.solver import chain, profile
+from chutecalc.solver import chain, contact_profile
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.panels import Panels
 
@@ -79,8 +79,8 @@ def test_columns_that_are_not_asked_for_are_not_worked_out(monkeypatch):
     def never(*arguments):
         raise AssertionError("worked out")
 
-    monkeypatch.setattr(profile.profile, "tabulate_wall_loads", never)
-    monkeypatch.setattr(profile.critical_velocity, "critical_velocities", never)
+    monkeypatch.setattr(contact_profile.profile, "tabulate_wall_loads", never)
+    monkeypatch.setattr(contact_profile.critical_velocity, "critical_velocities", never)
     monkeypatch.setattr(Panels, "times", never)
     solution = chutecalc.solve(chutecalc.parse(CHAIN))
     table = solution.stations(columns=("velocity_m_s", "depth_m"))
