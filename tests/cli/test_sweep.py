@@ -18,6 +18,7 @@ import chutecalc
 from chutecalc.cli import main
 from chutecalc.fields.ranges import read_values
 from chutecalc.studies.sweep import sweep as rows_of
+from chutecalc.studies.sweep.checks import DEFAULT
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter, read_parameters
 from tests.conftest import ROOT, spec
@@ -61,7 +62,7 @@ def test_one_value_is_a_run(capsys):
     (row,) = swept(capsys, "radius=3", SPOON)
     assert main(["run", SPOON, "--json", "-"]) == 0
     run = json.loads(capsys.readouterr().out)
-    assert list(row) == ["radius_m", "status", *rows_of.DEFAULT]
+    assert list(row) == ["radius_m", "status", *DEFAULT]
     assert row["status"] == run["status"] == "ok"
     for name in ("velocity_m_s", "depth_m", "slope_deg"):
         assert float(row[f"exit_{name}"]) == run["exit"][name]
@@ -395,7 +396,7 @@ def test_what_stands_at_the_exit_alone_is_not_solved_for_more(capsys, monkeypatc
     (whole,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate,max_depth_m")
     (clock,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_time_s")  # asks for the way there
     assert float(clock["exit_time_s"]) == chutecalc.solve(chutecalc.load(SPOON)).exit["time_s"][0]
-    monkeypatch.setattr(rows_of, "solve", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.studies.sweep.design_rows.solve", lambda *_: 1 / 0)
     (row,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate")
     assert float(row["exit_depth_m"]) == pytest.approx(float(whole["exit_depth_m"]), rel=1e-9)  # rtol is 1e-10
 
