@@ -72,8 +72,8 @@ class ContactProfile:
     @cached_property
     def area(self) -> Array:
         """Flow area Q/v, m²; NaN at rest."""
-        with_velocity_squared = self.velocity > 0.0
-        return np.where(with_velocity_squared, self.flow / np.where(with_velocity_squared, self.velocity, 1.0), np.nan)
+        moving = self.velocity > 0.0
+        return np.where(moving, self.flow / np.where(moving, self.velocity, 1.0), np.nan)
 
     @cached_property
     def stream_section(self) -> tuple[Array, ...]:
@@ -190,10 +190,10 @@ class ContactProfile:
         Args:
             values: shape (shares, designs) or one that broadcasts to it.
         """
-        where_flowing: Array = stretched(
+        flowing: Array = stretched(
             np.where(np.isnan(self.velocity_squared), np.nan, values), self.velocity_squared.shape
         )
-        return where_flowing
+        return flowing
 
 
 class EndContactProfile(ContactProfile):
