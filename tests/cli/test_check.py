@@ -24,7 +24,7 @@ from tests.conftest import ROOT, STANDARD_DESIGNS
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch, capsys):
-    """A folder with one design, spoon.toml, and its baseline."""
+    """Return a folder with one design, spoon.toml, and its baseline."""
     monkeypatch.chdir(tmp_path)
     Path("spoon.toml").write_text(chutecalc.STARTER, encoding="utf-8")
     assert main(["check", "--update"]) == 0
@@ -47,7 +47,7 @@ def rewrite(document):
 
 
 def outcome(capsys, *arguments):
-    """The status, the outcome of the one design, and its messages."""
+    """Return the status, the outcome of the one design, and its messages."""
     capsys.readouterr()
     status = main(["check", *arguments, "--json", "-"])
     (design,) = json.loads(capsys.readouterr().out)["designs"]
@@ -153,7 +153,7 @@ def test_an_extreme_that_only_one_keeps_is_held_to_the_stations_of_the_other(fol
 
 
 def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone_fails(folder, capsys):
-    """As after an update of chutecalc that tells more."""
+    """As after an update of chutecalc that stores more."""
     document = baseline()
     rows = [row for segment in document["segments"] for row in segment["stations"]]
     for row in rows:
@@ -399,7 +399,7 @@ def test_a_baseline_from_a_machine_with_other_last_digits_passes(tmp_path, monke
     solve, sign = chutecalc.solve, 1.0
 
     def elsewhere(chute, rtol):
-        """The stream on a machine whose numbers are all off by 1e-12, up and down in turn: much more than any is."""
+        """Return the stream of a machine whose numbers are all off by 1e-12, up and down in turn: far too much."""
         nonlocal sign
         solution = solve(chute, rtol)
         results = solution.trajectory.results
@@ -434,11 +434,11 @@ def test_no_more_digits_than_the_tolerance_needs():
     for path in STANDARD_DESIGNS:
         kept = read_baseline(baseline_path(path))
         scales = kept.scales()
-        for place, row in kept.rows():
+        for key, row in kept.rows():
             for name, value in row.items():
                 scale = scales[column_of(name)]
                 assert value == 0.0 or round(value / (0.01 * kept.tolerance * scale)) != 0
-                assert len(repr(abs(value)).replace(".", "").lstrip("0").split("e")[0]) <= 13, (path, place, name)
+                assert len(repr(abs(value)).replace(".", "").lstrip("0").split("e")[0]) <= 13, (path, key, name)
 
 
 def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(folder):

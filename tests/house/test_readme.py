@@ -20,7 +20,7 @@ LINKING = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), ROOT / "spe
 
 
 def each(language):
-    """The blocks of all pages in a language, with names to tell them by."""
+    """Return the blocks of all pages in a language, with names that identify them."""
     found = [(page, number, block) for page in PAGES for number, block in enumerate(blocks(page, language), 1)]
     return [pytest.param(page, block, id=f"{page.stem}-{number}") for page, number, block in found]
 

@@ -1,4 +1,4 @@
-"""Whatever stands in a baseline: a verdict, or faults that can be mended."""
+"""Whatever stands in a baseline: a verdict, or faults that can be corrected."""
 
 import io
 import json
@@ -48,7 +48,7 @@ LINES = st.sampled_from(
 
 @pytest.fixture(scope="module")
 def solved(tmp_path_factory):
-    """What comes out of a standard design, the lines of its baseline, and a file to write them to."""
+    """Return what comes out of a standard design, the lines of its baseline, and a file to write them to."""
     chute = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
     solution = chutecalc.solve(chute)
     now = baseline_of(chute, solution, solution.findings())

@@ -32,10 +32,10 @@ def test_stall_inside_a_segment():
     finding = found(solution, "stall")
     assert (finding.severity, finding.segment) == ("failure", "straight")
     assert finding.s_m[0] == solution.trajectory.segment_solutions[0].exit.distance[0]
-    way, slope = (finding.numbers[name][0] for name in ("way_m", "slope_deg"))
-    assert way == pytest.approx(finding.s_m[0], rel=1e-15)
+    length, slope = (finding.numbers[name][0] for name in ("way_m", "slope_deg"))
+    assert length == pytest.approx(finding.s_m[0], rel=1e-15)
     assert slope == pytest.approx(5.0, rel=1e-15)
-    assert f"falls to 0 after {way:.4g} m on the segment, at a slope of 5°" in finding.message()
+    assert f"falls to 0 after {length:.4g} m on the segment, at a slope of 5°" in finding.message()
 
 
 def test_stall_at_an_impact():
@@ -362,7 +362,7 @@ def all_of(solution, code):
 
 
 def test_a_taper_is_judged_where_it_is_worst():
-    """Faster all the way, and too slow at its narrow end: friction wins there below v_c = B1/A1."""
+    """Faster everywhere, and too slow at its narrow end: friction wins there below v_c = B1/A1."""
     sections = {name: {"shape": "rectangular", "width_m": width} for name, width in (("wide", 0.6), ("narrow", 0.16))}
     solution = chutecalc.solve(
         chute(
@@ -398,7 +398,7 @@ def stalled_on_a_locus(**more):
 
 
 def test_a_stall_on_a_locus_is_judged_at_the_pressure_of_rest():
-    """There σ is infinite and μ the last slope, 0.4: no bound binds, and the friction told is that of the entry."""
+    """There σ is infinite and μ the last slope, 0.4: no bound binds, and the friction reported is that of the entry."""
     solution = stalled_on_a_locus(material={"internal_friction_deg": 60.0})
     assert solution.status[0] == "stall"
     entry = solution.segments[0].entry["equivalent_friction"][0]

@@ -27,7 +27,7 @@ CHAIN = {
 
 @pytest.fixture
 def panels(monkeypatch):
-    """How many panels have been tried by each design of each stretch."""
+    """Return how many panels have been tried by each design of each stretch."""
     tried = []
     solve = chain.batch_call.solve
 
@@ -49,7 +49,7 @@ def test_a_design_whose_first_pair_agrees_is_not_refined(panels):
 
 
 def test_a_stall_takes_few_panels(panels):
-    """The way whole, some in c as long as the ellipses of those refused say, one in r; by halves it is one more."""
+    """The whole segment, some panels in c as long as rejected ellipses allow, one in r; halving takes one more."""
     stalls = CHAIN | {"inlet": {"velocity_m_s": 2.0, "slope_deg": 60.0}, "segments": [CHAIN["segments"][2]]}
     many = chutecalc.parse(stalls).vary({"liners.steel.friction_deg": np.linspace(45.0, 60.0, 50)})
     assert (run_chain(many.design, 1e-10, dense_output=False)[1].status == Status.STALL).all()
