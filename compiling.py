@@ -1,4 +1,4 @@
-"""The build backend: setuptools', which brings a C compiler along where the machine has none."""
+"""Build backend: that of setuptools, with a C compiler among the requirements where the machine has none."""
 
 import os
 import shutil
@@ -8,23 +8,23 @@ from pathlib import Path
 from typing import Any
 
 from setuptools import build_meta
-from setuptools.build_meta import *  # noqa: F403 - a backend is all of its functions
+from setuptools.build_meta import *  # noqa: F403 - a backend has all of these functions
 
-ZIG = f"'{sys.executable}' -m ziglang cc -mcpu=baseline"  # not for this processor alone
+ZIG = f"'{sys.executable}' -m ziglang cc -mcpu=baseline"  # for any processor, not only this one
 
 
-def wanted() -> bool:
-    """Whether the core is to be compiled at all."""
+def compile_requested() -> bool:
+    """Return whether the core shall be compiled."""
     return os.environ.get("CHUTECALC_COMPILE", "1") != "0"
 
 
 def has_headers() -> bool:
-    """Whether Python's own headers are there, which no compiler brings along."""
+    """Return whether Python's headers are installed, which no compiler has."""
     return any(Path(sysconfig.get_path(name), "Python.h").exists() for name in ("include", "platinclude"))
 
 
 def needs_zig() -> bool:
-    """Whether a compiler has to be brought along."""
+    """Return whether the build has to install a compiler."""
     if sys.platform == "win32" or "CC" in os.environ:
         return False
     usual = (sysconfig.get_config_var("CC") or "cc").split()[0]
@@ -32,15 +32,16 @@ def needs_zig() -> bool:
 
 
 def _requirements() -> list[str]:
+    """Return what compiling needs beyond setuptools."""
     compiler = ["ziglang>=0.13"] if needs_zig() else []
-    return ["cython>=3.1", *compiler] if wanted() and has_headers() else []
+    return ["cython>=3.1", *compiler] if compile_requested() and has_headers() else []
 
 
 def get_requires_for_build_wheel(config_settings: Any = None) -> list[str]:
-    """What a wheel needs to be built."""
+    """Return the requirements for building a wheel."""
     return [*build_meta.get_requires_for_build_wheel(config_settings), *_requirements()]
 
 
 def get_requires_for_build_editable(config_settings: Any = None) -> list[str]:
-    """The same for an editable installation."""
+    """Return the requirements for an editable installation."""
     return [*build_meta.get_requires_for_build_editable(config_settings), *_requirements()]

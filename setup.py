@@ -1,4 +1,4 @@
-"""What pyproject.toml cannot say: the solver's core is compiled ahead of time, where a C compiler is or can be had.
+"""Compile the solver's core during installation, where a C compiler is there or can be installed.
 
 Without one, or with CHUTECALC_COMPILE=0, chutecalc is installed as plain Python and works the same, slower.
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
-from compiling import ZIG, has_headers, needs_zig, wanted
+from compiling import ZIG, compile_requested, has_headers, needs_zig
 
 CORE = Path("chutecalc", "core")
 # The digits are those of plain Python: a sum of a product stays two roundings.
@@ -23,63 +23,63 @@ FLAGS = (
     if sys.platform == "win32"
     else ["-O3", "-g0", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fno-wrapv", "-funroll-loops"]
 )
-# Two rows in a register are faster than a row's columns, which GCC takes for better; other compilers do not know this.
-# The steps of a recipe are most often done for one design.
+# `matrix`: two rows in a register are faster than vectorised columns, which GCC prefers. `replay`: a recorded function
+# is most often called for one design. Only GCC knows the flag.
 OWN_FLAGS = {name: ["-fno-tree-loop-vectorize"] for name in ("matrix", "replay")}
-SHARED = "chutecalc.core._views"  # what every module that looks at arrays takes: compiled once
+SHARED = "chutecalc.core._views"  # code for array views, compiled once for all modules
 DIRECTIVES = {
     "language_level": 3,
-    "infer_types": True,  # what follows from the C types beside each module
+    "infer_types": True,  # from the C types in the .pxd beside each module
     "annotation_typing": False,
     "boundscheck": False,
     "wraparound": False,
     "initializedcheck": False,
     "nonecheck": False,
     "cdivision": True,
-    "cpow": True,  # C's own power; else that of complex numbers
+    "cpow": True,  # the power of C, not that of complex numbers
 }
 
 
 class Build(build_ext):
-    """Builds what it can: a compiler that fails leaves plain Python, and says so."""
+    """Build the extensions. If the compiler fails, warn and install plain Python."""
 
     def run(self) -> None:
         self.parallel = self.parallel or os.cpu_count()
         folders = [CORE] if self.inplace else [Path(self.build_lib, CORE)]
         for folder in folders:
-            remove(folder)  # what was compiled from other sources would be used before them
+            remove(folder)  # Python would import stale compiled modules before the sources
         try:
             super().run()
-        except (Exception, SystemExit) as error:  # whatever a compiler may do
+        except (Exception, SystemExit) as error:  # a compiler may fail in any manner
             for folder in folders:
-                remove(folder)  # all of them or none: they know each other's records
+                remove(folder)  # all or none: they share C records
             self.warn(f"chutecalc is installed uncompiled: {error}")
 
 
 def remove(folder: Path) -> None:
-    """Compiled modules."""
+    """Remove the compiled modules of a folder."""
     for path in [*folder.glob("*.so"), *folder.glob("*.pyd")]:
         path.unlink()
 
 
 def accepted(flags: list[str]) -> list[str]:
-    """Those of some flags that the compiler knows."""
+    """Return the flags that the compiler accepts."""
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
-    asked = ["-Werror", "-x", "c", "-c", os.devnull, "-o", os.devnull]
+    arguments = ["-Werror", "-x", "c", "-c", os.devnull, "-o", os.devnull]
     try:
         return [
-            flag for flag in flags if subprocess.run([*compiler, flag, *asked], capture_output=True).returncode == 0
+            flag for flag in flags if subprocess.run([*compiler, flag, *arguments], capture_output=True).returncode == 0
         ]
-    except OSError:  # there is none of that name
+    except OSError:  # no such compiler
         return []
 
 
 def extensions() -> list[Extension]:
-    """The core's modules in C, or none."""
-    if not wanted():
+    """Return the core's modules as C extensions; none where the core is not compiled."""
+    if not compile_requested():
         remove(CORE)
         return []
-    if not (has_headers() and find_spec("Cython")):  # not there yet when pip asks what a build needs
+    if not (has_headers() and find_spec("Cython")):  # not installed yet when pip asks for the requirements of a build
         return []
     from Cython.Build import cythonize
 

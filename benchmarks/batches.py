@@ -65,30 +65,30 @@ Row = tuple[str, str, float, float, float, float]
 
 
 def batch(count: int, stalls: bool = False) -> Batch:
-    """Random spoons. For those that stall, higher friction and wider arcs stop some 40 %."""
+    """Draw random spoons. For those that stall, higher friction and wider arcs stop some 40 %."""
     random = np.random.default_rng(1)
     ranges = RANGES | ({"wall_friction_deg": (22.0, 40.0), "drop_m": (0.5, 2.0)} if stalls else {})
     return BASE | {name: random.uniform(*ends, count) for name, ends in ranges.items()}
 
 
 def base() -> chutecalc.Chute:
-    """The chute that is varied."""
+    """Return the chute that is varied."""
     return chutecalc.parse(spec(BASE))
 
 
 def changes(spoons: Batch) -> dict[str, np.ndarray]:
-    """The values that vary, by path."""
+    """Return the values that vary, by path."""
     velocity = np.sqrt(2.0 * spoons["gravity_m_s2"] * spoons["drop_m"])
     return {path: spoons[name] for name, path in PATHS.items()} | {"inlet.velocity_m_s": velocity}
 
 
 def chute(spoons: Batch) -> chutecalc.Chute:
-    """The spoons as variants of one chute."""
+    """Return the spoons as variants of one chute."""
     return base().vary(changes(spoons))
 
 
 def one(spoons: Batch, k: int) -> dict[str, float]:
-    """One of the spoons."""
+    """Return one of the spoons."""
     return {name: float(values[k]) if np.ndim(values) else values for name, values in spoons.items()}
 
 
@@ -162,24 +162,24 @@ def with_numba(spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
 
 
 def exits(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> np.ndarray:
-    """Exit velocities, on one core."""
+    """Compute exit velocities on one core."""
     variants = parsed.vary(changes(spoons))
     return chutecalc.exits(variants, rtol, columns=["velocity_m_s"], jobs=1).exit["velocity_m_s"]
 
 
 def as_function(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> Callable[[], np.ndarray]:
-    """Exit velocities from a function that was made beforehand."""
+    """Compute exit velocities with a function that was made beforehand."""
     velocity = parsed.function(list(changes(spoons)), rtol=rtol)
     return lambda: velocity(*changes(spoons).values())
 
 
 def solved(parsed: chutecalc.Chute, spoons: Batch, rtol: float) -> np.ndarray:
-    """Exit velocities from complete solutions."""
+    """Compute exit velocities from complete solutions."""
     return chutecalc.solve(parsed.vary(changes(spoons)), rtol).exit_velocity
 
 
 def races(report: Report) -> list[Row]:
-    """For each tolerance, all solvers that can run."""
+    """Return all solvers that can run, for each tolerance."""
     count = 1024 if report.quick else 8192
     rounds, few = (1, 4) if report.quick else (7, 24)
     spoons = batch(count)
@@ -222,7 +222,7 @@ def races(report: Report) -> list[Row]:
 
 
 def sizes(report: Report) -> list[tuple[str, str, float, float, float]]:
-    """Time and memory over the size of a batch, with one thread and with one per core."""
+    """Measure time and memory over the size of a batch, with one thread and with one per core."""
     rows = []
     for count in (1000, 10_000) if report.quick else (1000, 10_000, 100_000, 1_000_000):
         variants = chute(batch(count))
@@ -236,7 +236,7 @@ def sizes(report: Report) -> list[tuple[str, str, float, float, float]]:
 
 
 def peak(count: int) -> float:
-    """Peak memory, MiB, of a process that solves so many designs."""
+    """Measure the peak memory of a process that solves so many designs, MiB."""
     code = (
         "import sys, resource; sys.path.insert(0, 'benchmarks'); import chutecalc; from batches import batch, chute;"
         f"chutecalc.exits(chute(batch({count})), jobs=1); print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
@@ -245,7 +245,7 @@ def peak(count: int) -> float:
 
 
 def stopped(_: float, y: np.ndarray) -> float:
-    """Event of solve_ivp: the stream stops. Not quite at rest, where the right-hand side is infinite."""
+    """Detect that the stream stops: not quite at rest, where the right-hand side is infinite."""
     return float(y[0] - 1e-10)
 
 
@@ -253,7 +253,7 @@ stopped.terminal = True
 
 
 def stalls(report: Report) -> list[Row]:
-    """A batch of which some 40 % stall; the error is that of the position of the stall, rad."""
+    """Measure a batch of which some 40 % stall; the error is that of the position of the stall, rad."""
     count, few = (512, 8) if report.quick else (8192, 100)
     spoons = batch(count, stalls=True)
     parsed = base()
@@ -266,8 +266,8 @@ def stalls(report: Report) -> list[Row]:
     spent = in_turn({name: ours, f"solve_ivp looped, {few}": theirs}, 1 if report.quick else 5)
     ends = run_chain(parsed.vary(changes(spoons)).design, 1e-10, dense_output=False)[1]
     share = float(np.mean(ends.status == Status.STALL))
-    places = np.where(ends.status == Status.STALL, ends.distance / spoons["radius_m"], turn(BASE))
-    error = float(np.abs(places[:few] - theirs()).max())
+    positions = np.where(ends.status == Status.STALL, ends.distance / spoons["radius_m"], turn(BASE))
+    error = float(np.abs(positions[:few] - theirs()).max())
     each = {label: [time / (count if label == name else few) for time in times] for label, times in spent.items()}
     return [
         (

@@ -38,7 +38,7 @@ SPEC: dict[str, Any] = {
 
 
 def singles(chain: chutecalc.Chute, rate: np.ndarray) -> list[chutecalc.Chute]:
-    """Each contact segment as a chute of its own, with the streams that the chain brings to it."""
+    """Return each contact segment as a chute of its own, with the streams that the chain brings to it."""
     segment_solutions, _ = run_chain(chain.design, 1e-10, dense_output=False)
     chutes = []
     for solved in segment_solutions:
@@ -55,7 +55,7 @@ def singles(chain: chutecalc.Chute, rate: np.ndarray) -> list[chutecalc.Chute]:
 
 
 def ends(chute: chutecalc.Chute) -> Any:
-    """The exits of a batch on one core."""
+    """Compute the exits of a batch on one core."""
     return run_chain(chute.design, 1e-10, dense_output=False)
 
 
@@ -77,7 +77,7 @@ def main() -> None:
         "last arc alone": partial(ends, arcs[-1]),
         "chain, last segment varies": partial(ends, varied["last segment"]),
         "chain, receiver varies": partial(ends, varied["receiver"]),
-        "chain, whole way": lambda: run_chain(chain.design, 1e-10, dense_output=True),
+        "chain, whole solution": lambda: run_chain(chain.design, 1e-10, dense_output=True),
     }
     spent, rivals = in_turn(tasks, rounds), ("single arcs", "last arc alone")
     rows = [

@@ -38,7 +38,8 @@ print(time.perf_counter() - wall, time.process_time() - cpu)
 ALONE = """
 import sys
 from chutecalc.studies.regression.designs import find_designs
-from chutecalc.studies.regression.regression import OK, check
+from chutecalc.studies.regression.check import check
+from chutecalc.studies.regression.verdict import OK
 assert all(item.outcome == OK for item in check(find_designs(sys.argv[1:]).chutes, processes=1))
 """
 
@@ -57,7 +58,7 @@ def write_designs(folder: Path, count: int) -> list[str]:
 
 
 def resident(process: int) -> int:
-    """Bytes that a process and its children hold; 0 if the system does not tell."""
+    """Return the memory of a process and its children, bytes; 0 where the system does not report it."""
     try:
         own = int(Path(f"/proc/{process}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
         children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
@@ -67,7 +68,7 @@ def resident(process: int) -> int:
 
 
 class Cost(NamedTuple):
-    """What a task took."""
+    """Time and memory of a task."""
 
     seconds: float
     processor_seconds: float
@@ -95,7 +96,7 @@ def solving(files: list[str]) -> Cost:
 
 
 def summary(name: str, turns: list[dict[str, Cost]]) -> tuple[str, float, float, float, float, float]:
-    """Median times, median ratios and peak memory."""
+    """Compute median times, median ratios and peak memory."""
     own = [turn[name] for turn in turns]
     both = [(turn[SOLVING], turn[START]) for turn in turns]
     return (

@@ -17,7 +17,7 @@ E3, E5 = np.ascontiguousarray(table.E3), np.ascontiguousarray(table.E5)
 
 @njit(cache=False)
 def rate(theta: float, y: float, p: np.ndarray) -> float:
-    """dy/dθ of y = v²; parameters as for heyoka."""
+    """Compute dy/dθ of y = v²; parameters as for heyoka."""
     thin = p[2] / np.sqrt(y)
     wide = p[1] + np.sqrt(p[1] * p[1] + p[4] * thin)
     friction = p[5] * (1.0 + p[3] * thin / (wide * wide))
@@ -26,7 +26,7 @@ def rate(theta: float, y: float, p: np.ndarray) -> float:
 
 @njit(cache=False)
 def dop853(parameters: np.ndarray, start: np.ndarray, end: float, rtol: float) -> np.ndarray:
-    """Exit velocities of all designs."""
+    """Compute the exit velocities of all designs."""
     out = np.empty(len(start))
     k = np.empty(STAGES + 1)
     for design in range(len(start)):
@@ -64,7 +64,7 @@ def dop853(parameters: np.ndarray, start: np.ndarray, end: float, rtol: float) -
 
 @cache
 def _numbalsoda_equation() -> Any:
-    """Address of the compiled right-hand side; the time of compiling does not count."""
+    """Return the address of the compiled right-hand side; the time of compiling does not count."""
     from numbalsoda import lsoda_sig
 
     @cfunc(lsoda_sig)

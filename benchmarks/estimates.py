@@ -1,4 +1,4 @@
-"""The error estimate of a panel compared with its error, and which pair of rules suits which tolerance.
+"""Compare the error estimate of a panel with its error, and find which pair of rules suits which tolerance.
 
     python benchmarks/estimates.py [--quick] [--out FOLDER]
 
@@ -30,22 +30,22 @@ from tests.robustness.test_edges import batch as edges
 PAIRS = ((4, 8), (6, 8), (6, 12), (8, 12), (8, 16), (8, 24), (16, 24))
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13)
 ANYHOW = 1e300
-"""A tolerance at which every panel is taken that is a solution at all."""
+"""A tolerance at which every panel that converges is accepted."""
 KNOWN = 1e-12
-"""Relative error estimate of a velocity up to which it serves as the right one."""
-TOLD = 3e-13
-"""Errors below that are those of the solution taken as right."""
+"""Relative error estimate of a velocity up to which it serves as the reference."""
+LEAST_ERROR = 3e-13
+"""Smaller errors are those of the reference and do not count."""
 
 
-class Told(NamedTuple):
+class Errors(NamedTuple):
     """Errors of v² and their estimates, by pair of rules; arrays of shape (designs,)."""
 
     error: np.ndarray
     estimate: np.ndarray
 
 
-def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
-    """Each pair of rules on the first segment of a chute that a stream enters in contact."""
+def panels(design: Design) -> Iterator[tuple[tuple[int, int], Errors]]:
+    """Solve the first segment that a stream enters in contact with each pair of rules."""
     segment_solutions, _ = run_chain(design, 1e-13)
     solved = next(solved for solved in segment_solutions if solved.contact)
     known = (solved.status == Status.OK) & (solved.exit.error < KNOWN)
@@ -53,7 +53,7 @@ def panels(design: Design) -> Iterator[tuple[tuple[int, int], Told]]:
         found = Chain(design, options_with(pair, (16, 24), ANYHOW, False)).segment_solutions()[solved.number]
         one = known & (found.contact.end.attempts == 1) & (found.contact.end.share == 1.0)
         error = np.abs((found.exit.velocity[one] / solved.exit.velocity[one]) ** 2 - 1.0)
-        yield pair, Told(error, 2.0 * found.exit.error[one])
+        yield pair, Errors(error, 2.0 * found.exit.error[one])
 
 
 def main() -> None:
@@ -63,18 +63,18 @@ def main() -> None:
     kinds = {"edges": [edges(*case, count, 7)[0].design for case in CASES], "spoons": [chute(batch(count)).design]}
     rows = []
     for kind, designs in kinds.items():
-        found: dict[tuple[int, int], list[Told]] = {}
+        found: dict[tuple[int, int], list[Errors]] = {}
         for design in designs:
-            for pair, told in panels(design):
-                found.setdefault(pair, []).append(told)
+            for pair, errors in panels(design):
+                found.setdefault(pair, []).append(errors)
         for pair, parts in found.items():
             error, estimate = (np.concatenate(column) for column in zip(*parts, strict=True))
-            told = error > TOLD
-            ratios = np.sort(estimate[told] / error[told])
-            low = [ratios[min(place, len(ratios) - 1)] for place in (0, 1, 2, 5)] if len(ratios) else [np.nan] * 4
+            counted = error > LEAST_ERROR
+            ratios = np.sort(estimate[counted] / error[counted])
+            low = [ratios[min(rank, len(ratios) - 1)] for rank in (0, 1, 2, 5)] if len(ratios) else [np.nan] * 4
             taken = [float(np.mean(estimate <= tolerance)) for tolerance in TOLERANCES]
-            rows.append((kind, f"{pair[0]}, {pair[1]}", len(error), int(told.sum()), *low, *taken))
-    header = ["kind", "rules", "segments", "errors told", "least estimate/error", "2nd", "3rd", "6th"]
+            rows.append((kind, f"{pair[0]}, {pair[1]}", len(error), int(counted.sum()), *low, *taken))
+    header = ["kind", "rules", "segments", "errors counted", "least estimate/error", "2nd", "3rd", "6th"]
     header += [f"taken at {tolerance:.0e}" for tolerance in TOLERANCES]
     report.write(header, rows, ("", "", "", "", *[".2g"] * 4, *[".3f"] * len(TOLERANCES)), by=1)
 

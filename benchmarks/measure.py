@@ -1,4 +1,4 @@
-"""What the benchmarks share: taking turns, ratios within a round, a table, a CSV file and a picture."""
+"""Functions that the benchmarks share: rounds of tasks, ratios within a round, tables, CSV files and pictures."""
 
 import argparse
 import csv
@@ -74,7 +74,7 @@ class Report:
 
 
 def _pyplot() -> Any:
-    """Matplotlib, if it is installed."""
+    """Return Matplotlib, if it is installed."""
     try:
         from matplotlib import pyplot
     except ImportError:
@@ -86,7 +86,7 @@ def _pyplot() -> Any:
 def in_turn(
     tasks: dict[str, Callable[[], Any]], rounds: int, clock: Callable[[], float] = time.perf_counter
 ) -> dict[str, list[float]]:
-    """Seconds of each task in each round; the first round warms up and does not count."""
+    """Measure the time of each task in each round, s; the first round warms up and does not count."""
     spent: dict[str, list[float]] = {name: [] for name in tasks}
     for turn in range(rounds + 1):
         for name, task in tasks.items():
@@ -98,7 +98,7 @@ def in_turn(
 
 
 def ratio(times: Sequence[float], rival: Sequence[float]) -> float:
-    """Median of the ratios within the rounds."""
+    """Return the median of the ratios within the rounds."""
     return statistics.median(a / b for a, b in zip(times, rival, strict=True))
 
 

@@ -20,7 +20,7 @@ Case = dict[str, float]
 
 
 def spec(case: Case) -> dict[str, Any]:
-    """The spoon as a spec."""
+    """Return the spoon as a spec."""
     section = {"shape": "chamfered", "base_m": case["base_m"], "chamfer_deg": case["chamfer_deg"]}
     return {
         "flow": {"rate_t_h": case["rate_t_h"], "gravity_m_s2": case["gravity_m_s2"]},
@@ -38,17 +38,17 @@ def spec(case: Case) -> dict[str, Any]:
 
 
 def entry(case: Case) -> float:
-    """Velocity after the fall."""
+    """Return the velocity after the fall, m/s."""
     return math.sqrt(2.0 * case["gravity_m_s2"] * case["drop_m"])
 
 
 def turn(case: Case) -> float:
-    """Angle that the spoon turns by."""
+    """Return the angle that the spoon turns by, rad."""
     return math.radians(case["from_slope_deg"] - case["to_slope_deg"])
 
 
 def numbers(case: Any) -> tuple[Any, ...]:
-    """Gravity, radius, flow, base, chamfer, its top, K of chamfers and walls, μ; floats, or arrays of many spoons."""
+    """Return gravity, radius, flow, base, chamfer, its top, K of chamfers and walls, μ; floats, or arrays of spoons."""
     strength = np.sin(np.radians(case["internal_friction_deg"]))
     chamfer = np.radians(case["chamfer_deg"])
     ratio = (1 + strength * np.cos(2 * chamfer)) / (1 + strength)
@@ -60,7 +60,7 @@ def numbers(case: Any) -> tuple[Any, ...]:
 
 
 def equation(case: Case) -> Callable[[float, float], float]:
-    """dy/dθ of the paper's Eq 1 and 11 for one spoon, in floats; vertical walls stand above the chamfer's top.
+    """Compute dy/dθ of the paper's Eq 1 and 11 for one spoon, in floats; vertical walls stand above the chamfer's top.
 
     In y = v² the equation is nearly linear: all solvers need about half the steps that they need in v.
     """
@@ -123,7 +123,7 @@ def with_steps(order: int, steps: int, grid: np.ndarray, case: Case) -> np.ndarr
 
 
 def heyoka_equation(hy: Any) -> Any:
-    """dy/dθ for heyoka, of spoons without a top; parameters: g R, base, 4 q v, K (1 - cos β), cos β, μ."""
+    """Return dy/dθ for heyoka, of spoons without a top; parameters: g R, base, 4 q v, K (1 - cos β), cos β, μ."""
     y = hy.make_vars("y")
     gr, base, four, lift, cosine, mu = (hy.par[k] for k in range(6))
     thin = four * y**-0.5
@@ -133,7 +133,7 @@ def heyoka_equation(hy: Any) -> Any:
 
 
 def heyoka_numbers(case: Any) -> np.ndarray:
-    """The parameters of that equation, shape (6,) or (6, spoons)."""
+    """Return the parameters of that equation, shape (6,) or (6, spoons)."""
     g, radius, flow, base, beta, _, (ratio, _), mu = numbers(case)
     four = 4.0 * flow / np.sin(beta)
     return np.array(
@@ -158,12 +158,12 @@ def with_heyoka(tolerance: float, grid: np.ndarray, case: Case) -> np.ndarray:
 
 
 def with_function(velocity: Callable[..., float], case: Case) -> np.ndarray:
-    """The exit alone, as a function of radius and wall friction."""
+    """Return the exit alone as a function of radius and wall friction."""
     return np.array([entry(case), velocity(case["radius_m"], case["wall_friction_deg"])])
 
 
 def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc.Chute | None = None) -> np.ndarray:
-    """Solution and stations. Includes the check of the spec, unless it is checked already."""
+    """Solve and return the stations. Check the spec first, unless it is checked already."""
     if checked is None:
         solution = chutecalc.solve(chutecalc.parse(spec(case)), rtol)
     else:

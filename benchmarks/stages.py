@@ -28,7 +28,7 @@ Tasks = dict[str, Callable[[], Any]]
 
 
 def stages(file: Path) -> Tasks:
-    """The steps between a spec and its report."""
+    """Return the steps between a spec and its report."""
     text = file.read_text(encoding="utf-8")
     data = parse_text(text, "spec")
     chute = chutecalc.parse(text)
@@ -37,7 +37,7 @@ def stages(file: Path) -> Tasks:
     solved = run_chain(chute.design, solution.rtol)
 
     def again() -> chutecalc.Solution:
-        """A solution that has not worked out anything yet."""
+        """Return a solution that has not computed anything yet."""
         return chutecalc.Solution(chute, *solved, solution.rtol)
 
     return {

@@ -37,7 +37,7 @@ KINDS: dict[str, tuple[str, Callable[[chutecalc.Chute], Any]]] = {
 
 
 def solving(arguments: list[str], solve: Callable[[chutecalc.Chute], Any]) -> tuple[float, float]:
-    """Processor and clock time, s."""
+    """Return processor and clock time, s."""
     chute = chutecalc.load(SPEC)
     grid = Grid(read_parameters(arguments, chute))
 
@@ -53,7 +53,7 @@ def solving(arguments: list[str], solve: Callable[[chutecalc.Chute], Any]) -> tu
 
 
 def sweeping(arguments: list[str], columns: str) -> tuple[float, float]:
-    """Processor and clock time of the command, s, with its start."""
+    """Measure processor and clock time of the command, s, with its start."""
     with tempfile.TemporaryDirectory() as folder:
         command = [
             sys.executable,

@@ -47,7 +47,7 @@ Row = tuple[str, str, float, float, float]
 
 
 def cases() -> dict[str, tuple[Case, np.ndarray]]:
-    """The spoons by name: their numbers, and the velocities at every tenth station."""
+    """Return the spoons by name: their numbers, and the velocities at every tenth station."""
     with open(REFERENCE, encoding="utf-8", newline="") as file:
         groups = {name: list(rows) for name, rows in groupby(csv.DictReader(file), key=lambda row: row["case"])}
     found = {
@@ -62,7 +62,7 @@ def cases() -> dict[str, tuple[Case, np.ndarray]]:
 
 
 def over_the_top(case: Case) -> np.ndarray:
-    """Velocities at every tenth station of a spoon whose chamfers the stream fills on the way."""
+    """Return velocities at every tenth station of a spoon whose chamfers the stream fills."""
     rate = equation(case)
     beta, flow = np.radians(case["chamfer_deg"]), case["rate_t_h"] / 3.6 / case["density_kg_m3"]
     area = (case["base_m"] + case["chamfer_m"] * np.cos(beta)) * case["chamfer_m"] * np.sin(beta)
@@ -79,11 +79,11 @@ def over_the_top(case: Case) -> np.ndarray:
         known |= dict(zip(run.t, np.sqrt(run.y[0]), strict=True))
         if event and run.t_events[0].size:
             start, y0 = run.t_events[0][0], run.y_events[0][0, 0]
-    return np.array([known[place] for place in grid])
+    return np.array([known[angle] for angle in grid])
 
 
 def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.ndarray]]:
-    """All solvers, by name and tolerance."""
+    """Return all solvers, by name and tolerance."""
     ours = ["1e-10"] if quick else ["1e-04", "1e-06", "1e-08", "1e-10", "1e-12", "1e-13"]
     theirs = ["1e-10"] if quick else ["1e-04", "1e-07", "1e-10", "1e-13"]
     checked = chutecalc.parse(spec(case))
@@ -115,7 +115,7 @@ def rivals(quick: bool, case: Case, grid: np.ndarray) -> dict[str, partial[np.nd
 
 
 def measured(name: str, stations: int, case: Case, exact: np.ndarray, rounds: int, quick: bool) -> list[Row]:
-    """Case, solver, median time in ms, median ratio to DOP853, and error."""
+    """Measure case and solver: median time, ms, median ratio to DOP853, and error."""
     grid = np.linspace(0.0, turn(case), stations)
     tried = rivals(quick, case, grid)
     known = exact if stations > 2 else exact[[0, -1]]

@@ -25,7 +25,7 @@ def pytest_configure() -> None:
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:
-    """Shows the seed at the top, where pytest's own header is left out too (-q)."""
+    """Show the seed at the top, with -q too, which omits pytest's own header."""
     terminal = session.config.pluginmanager.get_plugin("terminalreporter")
     if terminal is not None and seeds.replay():
         terminal.write_line(f"random cases: {seeds.replay()}")
@@ -66,7 +66,7 @@ BASE: dict[str, Any] = {
 
 
 def spec(**tables: Any) -> dict[str, Any]:
-    """The base spec with tables replaced or, where they are tables in both, merged key by key."""
+    """Return the base spec with tables replaced or, where they are tables in both, merged key by key."""
     data = copy.deepcopy(BASE)
     for name, table in tables.items():
         merge = isinstance(table, dict) and name in {"flow", "material", "inlet"}
@@ -79,12 +79,12 @@ def chute(**tables: Any) -> chutecalc.Chute:
 
 
 def vee(chamfer_deg: float = 45.0, **more: Any) -> dict[str, Any]:
-    """Sections of one vee, whose friction does not depend on depth."""
+    """Return sections of one vee, whose friction does not depend on depth."""
     return {"body": {"shape": "vee", "chamfer_deg": chamfer_deg, **more}}
 
 
 def vee_friction(wall_deg: float, chamfer_deg: float, internal_deg: float) -> float:
-    """Equivalent friction of a vee by the paper's Eq 4 and 11 at B = 0, written out as printed."""
+    """Return the equivalent friction of a vee by the paper's Eq 4 and 11 at B = 0, written out as printed."""
     from math import cos, radians, sin, tan
 
     beta, delta = radians(chamfer_deg), radians(internal_deg)
@@ -94,7 +94,7 @@ def vee_friction(wall_deg: float, chamfer_deg: float, internal_deg: float) -> fl
 
 @pytest.fixture
 def starter(tmp_path: Path) -> Path:
-    """The starting spec as a file."""
+    """Write the starting spec to a file and return its path."""
     path = tmp_path / "chute.toml"
     path.write_text(chutecalc.STARTER, encoding="utf-8")
     return path

@@ -39,14 +39,14 @@ class Block(NamedTuple):
 
 
 def blocks(page: Path, language: str) -> list[Block]:
-    """The blocks of a page in one language, in order."""
+    """Return the blocks of a page in one language, in order."""
     found = (Block(*match.groups()) for match in FENCE.finditer(page.read_text(encoding="utf-8")))
     return [block for block in found if block.language == language]
 
 
 @contextlib.contextmanager
 def workplace() -> Iterator[None]:
-    """A folder to run in, with the specs in it and nothing else."""
+    """Work in a folder that has the specs and nothing else."""
     before = Path.cwd()
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(ROOT / "specs", Path(folder, "specs"))
@@ -58,7 +58,7 @@ def workplace() -> Iterator[None]:
 
 
 def console(text: str) -> str:
-    """A ``console`` block with what its commands print."""
+    """Return a ``console`` block with what its commands print."""
     lines: list[str] = []
     status = 0
     for command in [*re.findall(r"^\$ (.*)$", text, re.MULTILINE), ""]:
@@ -81,7 +81,7 @@ def console(text: str) -> str:
 
 
 def program(text: str, names: dict[str, Any]) -> str:
-    """What a program prints, run on the names of those before it."""
+    """Run a program with the names of those before it and return what it prints."""
     written = io.StringIO()
     with contextlib.redirect_stdout(written):
         exec(compile(text, "page.py", "exec"), names)
@@ -89,12 +89,12 @@ def program(text: str, names: dict[str, Any]) -> str:
 
 
 def spec(text: str, first: str) -> dict[str, Any]:
-    """A whole spec from a ``toml`` block."""
+    """Return the whole spec of a ``toml`` block."""
     return tomllib.loads(first) | tomllib.loads(text)
 
 
 def renewed(page: Path) -> str:
-    """The text of a page with its examples run."""
+    """Return the text of a page with its examples run."""
     names: dict[str, Any] = {"__name__": "page"}
 
     def run(match: re.Match[str]) -> str:

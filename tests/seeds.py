@@ -20,7 +20,7 @@ Test = TypeVar("Test", bound=Callable[..., Any])
 
 
 def settle() -> None:
-    """Draws the seed where a random one is asked for: once, before any worker starts, for workers inherit it."""
+    """Draw the seed where a random one is requested: once, before any worker starts, because workers inherit it."""
     if os.environ.get(SEED) == "random":
         os.environ[SEED] = str(secrets.randbelow(10**9))
     chosen()
@@ -28,7 +28,7 @@ def settle() -> None:
 
 
 def _number(name: str, least: int, otherwise: str = "") -> int | None:
-    """The number in a variable; None where it is not set."""
+    """Return the number in a variable; None where it is not set."""
     text = os.environ.get(name, "")
     if text and not (text.isascii() and text.isdigit() and int(text) >= least):
         raise pytest.UsageError(f"{name}={text}: must be a whole number from {least} on{otherwise}")
@@ -36,34 +36,34 @@ def _number(name: str, least: int, otherwise: str = "") -> int | None:
 
 
 def chosen() -> int | None:
-    """The seed that all random cases follow; None where each has its own."""
+    """Return the seed that all random cases follow; None where each has its own."""
     return _number(SEED, 0, ", or random")
 
 
 def stress() -> int:
-    """How many cases, as a number to hold against the usual 5."""
+    """Return how many cases to draw, as a number to hold against the usual 5."""
     return _number(STRESS, 1) or USUAL
 
 
 def times(count: int) -> int:
-    """How many cases there are to be where there usually are so many."""
+    """Return how many cases to draw where the usual number is given."""
     return max(1, count * stress() // USUAL)
 
 
 def generator(*own: int) -> np.random.Generator:
-    """Random numbers by a case's own seed; and by the chosen one, where there is one."""
+    """Return a generator seeded by a case, and by the chosen seed where there is one."""
     number = chosen()
     return np.random.default_rng(own if number is None else (number, *own))
 
 
 def replay() -> str:
-    """What to put before a command to get the same cases again; empty where they are the fixed ones."""
+    """Return the start of a command that repeats the same cases; empty for the fixed ones."""
     names = [name for name in (SEED, STRESS) if os.environ.get(name)]
     return " ".join(f"{name}={os.environ[name]}" for name in names)
 
 
 def fuzzed(examples: int = 150, suppress: tuple[hypothesis.HealthCheck, ...] = ()) -> Callable[[Test], Test]:
-    """Settings of a Hypothesis test. Put it above ``@given``. Nothing is remembered from one run to the next."""
+    """Return the settings of a Hypothesis test. Put it above ``@given``. Runs share no examples."""
 
     def decorate(test: Test) -> Test:
         test = hypothesis.settings(

@@ -18,7 +18,7 @@ EXPECTED = (
 
 
 def judge(report: pytest.TestReport | pytest.CollectReport) -> None:
-    """Turns a skip that nobody expects into a failure."""
+    """Turn a skip without an accepted reason into a failure."""
     if os.environ.get(NO_SKIPS, "0") in {"", "0"} or report.outcome != "skipped" or hasattr(report, "wasxfail"):
         return
     reason = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)

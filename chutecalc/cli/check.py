@@ -14,7 +14,7 @@ from chutecalc.output.files import STANDARD_STREAM, open_whole
 
 if TYPE_CHECKING:
     from chutecalc.studies.regression.designs import Designs
-    from chutecalc.studies.regression.regression import Verdict
+    from chutecalc.studies.regression.verdict import Verdict
 
 EXAMPLES = (
     "chutecalc check specs --junit check.xml",
@@ -39,10 +39,10 @@ def check(
     one for each design without drift, whose columns after tolerance are empty.
     """
     from chutecalc.output.table import Printer
-    from chutecalc.studies.regression.baseline import baseline_path
     from chutecalc.studies.regression.designs import find_designs
-    from chutecalc.studies.regression.regression import OK
+    from chutecalc.studies.regression.record import baseline_path
     from chutecalc.studies.regression.report import check_dataset, print_verdicts, write_junit
+    from chutecalc.studies.regression.verdict import OK
     from chutecalc.studies.regression.write import write_baseline
 
     designs = find_designs(paths or ["."])
@@ -67,8 +67,8 @@ def _verdicts(designs: Designs, rtol: float, update: bool) -> list[Verdict]:
         AllSpecsError: specs that cannot be solved.
     """
     from chutecalc.output.progress import with_progress
-    from chutecalc.studies.regression.regression import check as check_designs
-    from chutecalc.studies.regression.regression import without_spec
+    from chutecalc.studies.regression.check import check as check_designs
+    from chutecalc.studies.regression.verdict import without_spec
 
     checked = check_designs(designs.chutes, rtol, update)
     found = list(with_progress(checked, len(designs.chutes), "designs"))

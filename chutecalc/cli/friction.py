@@ -1,31 +1,27 @@
 """``chutecalc sweep beta`` without a spec: the friction study of the paper."""
 
-from collections.abc import Sequence
+from typing import Any
 
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus
-from chutecalc.studies.friction.study import AREA, BASE, CHAMFERS, INTERNAL_FRICTIONS, WALL_FRICTION
+
+ARGUMENTS = {
+    "beta": "chamfer_deg",
+    "delta": "internal_friction_deg",
+    "keep": "keep",
+    "phi": "wall_friction_deg",
+    "base": "base_m",
+    "area": "area_m2",
+}
+"""Arguments of :class:`chutecalc.studies.friction.study.FrictionStudy`, by the names of parameters and options."""
 
 
-def run_friction_study(
-    outputs: Outputs,
-    beta: Sequence[float] = CHAMFERS,
-    delta: Sequence[float] = INTERNAL_FRICTIONS,
-    keep: str = "base",
-    phi: float = WALL_FRICTION,
-    base: float = BASE,
-    area: float = AREA,
-) -> int:
+def run_friction_study(outputs: Outputs, **inputs: Any) -> int:
     """Compute the study, print it, and write the files asked for.
 
     Args:
         outputs: files, and the units of what is printed and drawn.
-        beta: chamfer angles, deg.
-        delta: effective angles of internal friction, deg.
-        keep: what stays constant while the chamfer angle varies: ``base``, ``width`` or ``depth``.
-        phi: wall friction angle, deg.
-        base: width between square corners, m.
-        area: flow area, m².
+        **inputs: arguments of the study by the keys of ``ARGUMENTS``; those left out have its defaults.
 
     Returns:
         The exit status.
@@ -39,7 +35,7 @@ def run_friction_study(
     from chutecalc.studies.friction.study import FrictionStudy
 
     outputs.check()
-    study = FrictionStudy(beta, delta, keep, phi, base, area)
+    study = FrictionStudy(**{ARGUMENTS[name]: value for name, value in inputs.items()})
     outputs.write(study_dataset(study))
     if outputs.plot:
         from chutecalc.studies.friction.plot import draw_study

@@ -6,8 +6,10 @@ from typing import Any
 
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.columns import DEM_COLUMNS
+from chutecalc.dem.fit import Fit
+from chutecalc.dem.point import Measured, Point
 from chutecalc.dem.report import failures
-from chutecalc.dem.study import CLAIM, LAWS, Fit, Measured, Point, Series, Study
+from chutecalc.dem.study import CLAIM, LAWS, Series, Study
 from chutecalc.output.dataset import Dataset, block_of, column_types, document_head, number
 
 Row = dict[str, Any]

@@ -10,8 +10,9 @@ from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.figure import Figure, SubFigure
 
 from chutecalc.dem.bed import Bed
+from chutecalc.dem.point import Point
 from chutecalc.dem.report import delta_text, series_title
-from chutecalc.dem.study import Point, Series, Study
+from chutecalc.dem.study import Series, Study
 from chutecalc.dem.trough import Trough
 from chutecalc.output.plots.style import INK, MARKS, PALE, SMALL, STROKES, colours, mathematical, styled
 from chutecalc.physics.pressure import pressure_ratio

@@ -2,7 +2,9 @@
 
 import math
 
-from chutecalc.dem.study import CLAIM, INSENSITIVE, LAWS, Fit, Measured, Series, Study, residual
+from chutecalc.dem.fit import INSENSITIVE, Fit, residual
+from chutecalc.dem.point import Measured
+from chutecalc.dem.study import CLAIM, LAWS, Series, Study
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import COLOURS, Printer
 

@@ -42,6 +42,8 @@ class Column:
     us_unit: str = ""
     """Unit for people in the United States; empty where that is the same."""
     us_digits: int = 1
+    source: str = ""
+    """Publication that defines it, with the equation; empty where it follows from the model."""
 
     def shown(self, value: float, units: str) -> str:
         """Format a number for tables.
@@ -91,8 +93,12 @@ class Column:
         >>> Column("equivalent_friction", "μ_e", "μ_e", "equivalent friction", "number", "", 4).label("metric")
         'equivalent friction μ_e'
         """
-        words = self.heading if self.heading != self.symbol else re.split("[;,:]", self.meaning)[0]
-        return ", ".join(part for part in (f"{words} {self.symbol}".strip(), self.unit_text(units)) if part)
+        return ", ".join(part for part in (f"{self.words} {self.symbol}".strip(), self.unit_text(units)) if part)
+
+    @property
+    def words(self) -> str:
+        """Name in words: the heading, or the first part of the meaning where the heading is a symbol."""
+        return self.heading if self.heading != self.symbol else re.split("[;,:]", self.meaning)[0]
 
     def unit_text(self, units: str) -> str:
         """Return the unit of :meth:`shown` as people write it.

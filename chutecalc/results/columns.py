@@ -2,8 +2,8 @@
 
 To add a column, add an entry. Tables, charts, CSV, JSON, sweeps, ``chutecalc columns`` and docs/nomenclature.md read
 the catalogue. A formula takes the part of the trajectory (see :class:`chutecalc.results.part.SegmentContext`) and the
-profile of the stream there (see :class:`chutecalc.solver.profile.ContactProfile`), whose arrays are of shape
-(stations, designs), SI and radians.
+profile of the stream there (see :class:`chutecalc.solver.contact_profile.ContactProfile`), whose arrays are of
+shape (stations, designs), SI and radians.
 """
 
 from collections.abc import Callable, Collection, Iterable
@@ -134,17 +134,18 @@ _CATALOGUE = (
                  formula=lambda part, at: np.degrees(at.slope), needs=Needs.NOTHING, in_tables=True),
     StreamColumn("velocity_m_s", "velocity", "v", "mean velocity of the stream", "velocity", "m_s", 3, "fpm", 1,
                  formula=lambda part, at: at.velocity, needs=Needs.NOTHING,
-                 extremes=Extremes.REPORTED, in_tables=True),
+                 extremes=Extremes.REPORTED, in_tables=True, source="Paper Eq 1"),
     StreamColumn("depth_m", "depth", "H", "flow depth normal to the centre section", "length", "m", 4, "in", 2,
                  formula=lambda part, at: at.depth, exists=on_surface, needs=Needs.DEPTH,
-                 extremes=Extremes.REPORTED, in_tables=True),
+                 extremes=Extremes.REPORTED, in_tables=True, source="Paper Eq 2"),
     StreamColumn("chamfer_wetted_m", "chamfer", "C", "wetted length of one chamfer", "length", "m", 4, "in", 2,
-                 formula=lambda part, at: at.chamfer, exists=between_facets, needs=Needs.DEPTH),
+                 formula=lambda part, at: at.chamfer, exists=between_facets, needs=Needs.DEPTH,
+                 source="Paper Eq 3"),
     StreamColumn("area_m2", "area", "A", "flow area", "area", "m2", 5, "ft2", 4,
-                 formula=lambda part, at: at.area, needs=Needs.NOTHING),
+                 formula=lambda part, at: at.area, needs=Needs.NOTHING, source="Paper Eq 7"),
     StreamColumn("equivalent_friction", "μ_e", "μ_e", "equivalent friction", "number", "", 4,
                  formula=lambda part, at: at.friction, exists=on_surface, needs=Needs.WALLS,
-                 extremes=Extremes.REPORTED, in_tables=True),
+                 extremes=Extremes.REPORTED, in_tables=True, source="Paper Eq 11"),
     StreamColumn("normal_acceleration_m_s2", "n", "n", "acceleration that presses the stream on its surface",
                  "acceleration", "m_s2", 2, "ft_s2", 1,
                  formula=lambda part, at: at.normal_acceleration, exists=on_surface, needs=Needs.WALLS),
@@ -156,7 +157,7 @@ _CATALOGUE = (
     StreamColumn("wear_w_m2", "wear", "", "friction power per area at that pressure", "power", "w_m2", 1,
                  formula=lambda part, at: at.wear(0) * part.slip_ratio, exists=on_surface, needs=Needs.WALLS,
                  extremes=Extremes.REPORTED, in_tables=True),
-    StreamColumn("froude", "Fr", "Fr", "Froude number v/√(n A/b_s), b_s the free surface's width", "number", "", 2,
+    StreamColumn("froude", "Fr", "Fr", "Froude number, v/√(n A/b_s), b_s the free surface's width", "number", "", 2,
                  formula=_froude, exists=on_surface, extremes=Extremes.REPORTED, in_tables=True,
                  infinite_at_lift_off=True),
     StreamColumn("time_s", "time", "t", "time since the inlet", "time", "s", 3,
@@ -177,17 +178,17 @@ _CATALOGUE = (
     StreamColumn("side_wear_w_m2", "wear side", "", "friction power per area at that pressure", "power", "w_m2", 1,
                  formula=lambda part, at: at.wear(2) * part.slip_ratio, exists=on_surface, needs=Needs.WALLS,
                  extremes=Extremes.REPORTED),
-    StreamColumn("wear_number", "N_WR", "N_WR", "n/g on an arc, Roberts' wear number", "number", "", 3,
+    StreamColumn("wear_number", "N_WR", "N_WR", "Roberts' wear number, n/g on an arc", "number", "", 3,
                  formula=lambda part, at: at.normal_acceleration / part.design.gravity, exists=on_arc,
-                 needs=Needs.WALLS),
+                 needs=Needs.WALLS, source="Roberts (2003)"),
 
     StreamColumn("thickness", "H/b_s", "H/b_s", "depth over the free surface's width", "number", internal=True,
                  formula=lambda part, at: at.depth / at.width, exists=on_surface),
     StreamColumn("missing_load", "m", "m", "share of the weight that hydrostatic wall pressures do not carry",
                  "number", internal=True,
-                 formula=lambda part, at: at.missing, exists=on_surface),
+                 formula=lambda part, at: at.missing, exists=on_surface, source="Paper Eq 6"),
     StreamColumn("wall_friction", "μ", "μ", "wall friction on the centre section", "number", internal=True,
-                 formula=lambda part, at: at.wall_friction, exists=on_surface),
+                 formula=lambda part, at: at.wall_friction, exists=on_surface, source="Paper Eq 2"),
     StreamColumn("wall_stress_kpa", "σ", "σ", "normal stress at which the wall's friction is read",
                  "pressure", "kpa", internal=True,
                  formula=lambda part, at: at.stress / 1000.0, exists=on_surface),

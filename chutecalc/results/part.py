@@ -14,7 +14,8 @@ from chutecalc.physics.arrays import Array, Index, Numbers
 from chutecalc.physics.section import Polygon
 from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
 from chutecalc.results.impacts import impact_of
-from chutecalc.solver.profile import ContactProfile, EndContactProfile, EndFlightProfile, FlightProfile
+from chutecalc.solver.contact_profile import ContactProfile, EndContactProfile
+from chutecalc.solver.flight_profile import EndFlightProfile, FlightProfile
 from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolution
 
 FLIGHT = "flight"

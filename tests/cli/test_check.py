@@ -14,14 +14,17 @@ import tomli_w
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.errors import SpecError
-from chutecalc.studies.regression import regression
+from chutecalc.studies.regression.baseline import RowKey, column_of
+from chutecalc.studies.regression.check import check
+from chutecalc.studies.regression.compare import compare
 from chutecalc.studies.regression.designs import find_designs
+from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
 from tests.conftest import ROOT, STANDARD_DESIGNS
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch, capsys):
-    """A folder with one design, spoon.toml, and its baseline."""
+    """Return a folder with one design, spoon.toml, and its baseline."""
     monkeypatch.chdir(tmp_path)
     Path("spoon.toml").write_text(chutecalc.STARTER, encoding="utf-8")
     assert main(["check", "--update"]) == 0
@@ -44,7 +47,7 @@ def rewrite(document):
 
 
 def outcome(capsys, *arguments):
-    """The status, the outcome of the one design, and its messages."""
+    """Return the status, the outcome of the one design, and its messages."""
     capsys.readouterr()
     status = main(["check", *arguments, "--json", "-"])
     (design,) = json.loads(capsys.readouterr().out)["designs"]
@@ -136,21 +139,21 @@ def test_a_number_that_came_to_be_or_ceased_to_has_drifted(folder, capsys):
 
 def test_an_extreme_that_only_one_keeps_is_held_to_the_stations_of_the_other(folder):
     chute = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
-    now = regression.baseline_of(chute, chutecalc.solve(chute), [])
+    now = baseline_of(chute, chutecalc.solve(chute), [])
     number, name = next((k, name) for k, segment in enumerate(now.segments) for name in segment.maximum)
     was = now.model_copy(deep=True)
     station = max(row[name] for row in now.segments[number].stations if name in row)
     del was.segments[number].maximum[name]
     now.segments[number].maximum[name] = station * (1.0 + 1.5e-6)  # on the border it is kept or not by rounding
-    assert regression.compare(was, now) == ([], [])
+    assert compare(was, now) == ([], [])
     now.segments[number].maximum[name] = station * 1.1
-    _, (drift,) = regression.compare(was, now)
+    _, (drift,) = compare(was, now)
     assert (drift.column, drift.was) == (name, station)
     assert drift.off == pytest.approx(0.1 / 1.1)
 
 
 def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone_fails(folder, capsys):
-    """As after an update of chutecalc that tells more."""
+    """As after an update of chutecalc that stores more."""
     document = baseline()
     rows = [row for segment in document["segments"] for row in segment["stations"]]
     for row in rows:
@@ -175,16 +178,16 @@ def test_a_column_that_the_baseline_does_not_know_is_a_note_and_one_that_is_gone
 def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_begins(folder):
     chute = chutecalc.load(ROOT / "specs" / "impact_plate.toml")
     solution = chutecalc.solve(chute)
-    now = regression.baseline_of(chute, solution, [])
+    now = baseline_of(chute, solution, [])
     was = now.model_copy(deep=True)
-    assert regression.compare(was, now) == ([], [])
+    assert compare(was, now) == ([], [])
     was.segments[1].impact["incidence_deg"] += 1.0
     was.inlet["velocity_m_s"] *= 1.5
     del was.segments[1].impact["velocity_after_m_s"]
-    _, drifts = regression.compare(was, now)
+    _, drifts = compare(was, now)
     found = {drift.column: drift for drift in drifts}
     assert found.keys() == {"incidence_deg", "velocity_m_s", "velocity_after_m_s"}
-    assert found["velocity_m_s"].key == regression.RowKey("inlet", 1, "")
+    assert found["velocity_m_s"].key == RowKey("inlet", 1, "")
     assert found["incidence_deg"].key == found["velocity_after_m_s"].key == ("plate", 1, "impact")
     struck = solution.segments[1].entry["s_m"][0]
     assert found["incidence_deg"].s_m == found["velocity_after_m_s"].s_m == struck
@@ -195,18 +198,18 @@ def test_the_inlet_and_impacts_are_held_too_and_an_impact_is_where_its_segment_b
 
 def test_numbers_of_a_segment_that_only_one_has_are_not_listed_and_the_receivers_are(folder):
     chute = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
-    now = regression.baseline_of(chute, chutecalc.solve(chute), [])
+    now = baseline_of(chute, chutecalc.solve(chute), [])
     was = now.model_copy(deep=True)
     gone = was.segments.pop()
     was.receiver["velocity_ratio"] += 0.1
-    changes, (drift,) = regression.compare(was, now)
+    changes, (drift,) = compare(was, now)
     assert [change.message for change in changes] == [f"segment {gone.name} is not in the baseline"]
     assert (drift.key, drift.column) == (("receiver", 1, ""), "velocity_ratio")
 
 
 def test_what_is_empty_or_minus_nothing_is_not_written(folder):
     chute = chutecalc.load("spoon.toml")
-    now = regression.baseline_of(chute, chutecalc.solve(chute), [])
+    now = baseline_of(chute, chutecalc.solve(chute), [])
     now.inlet["x_m"] = -1e-30
     document = now.document()
     assert str(document["inlet"]["x_m"]) == "0.0"
@@ -393,10 +396,10 @@ def test_a_baseline_from_a_machine_with_other_last_digits_passes(tmp_path, monke
     monkeypatch.chdir(tmp_path)
     belt = ROOT / "specs" / "belt_hood_spoon.toml"
     Path("spoon.toml").write_bytes(belt.read_bytes())
-    solve, sign = regression.solve, 1.0
+    solve, sign = chutecalc.solve, 1.0
 
     def elsewhere(chute, rtol):
-        """The stream on a machine whose numbers are all off by 1e-12, up and down in turn: much more than any is."""
+        """Return the stream of a machine whose numbers are all off by 1e-12, up and down in turn: far too much."""
         nonlocal sign
         solution = solve(chute, rtol)
         results = solution.trajectory.results
@@ -407,7 +410,7 @@ def test_a_baseline_from_a_machine_with_other_last_digits_passes(tmp_path, monke
                 numbers[name] = values * (1.0 + sign * 1e-12)
         return solution
 
-    monkeypatch.setattr(regression, "solve", elsewhere)
+    monkeypatch.setattr("chutecalc.studies.regression.check.solve", elsewhere)
     assert main(["check", "--update"]) == 0
     monkeypatch.undo()
     monkeypatch.chdir(tmp_path)
@@ -429,13 +432,13 @@ def test_other_instructions_of_the_processor_change_nothing(capsys):
 
 def test_no_more_digits_than_the_tolerance_needs():
     for path in STANDARD_DESIGNS:
-        kept = regression.read_baseline(regression.baseline_path(path))
+        kept = read_baseline(baseline_path(path))
         scales = kept.scales()
-        for place, row in kept.rows():
+        for key, row in kept.rows():
             for name, value in row.items():
-                scale = scales[regression.column_of(name)]
+                scale = scales[column_of(name)]
                 assert value == 0.0 or round(value / (0.01 * kept.tolerance * scale)) != 0
-                assert len(repr(abs(value)).replace(".", "").lstrip("0").split("e")[0]) <= 13, (path, place, name)
+                assert len(repr(abs(value)).replace(".", "").lstrip("0").split("e")[0]) <= 13, (path, key, name)
 
 
 def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(folder):
@@ -443,18 +446,18 @@ def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(fol
         text = chutecalc.STARTER.replace("rate_t_h = 1000", f"rate_t_h = {1000 + number}")
         Path(f"design_{number}.toml").write_text(text, encoding="utf-8")
     chutes = find_designs(["."]).chutes
-    alone = [item._replace(seconds=0.0) for item in regression.check(chutes, update=True, processes=1)]
-    together = [item._replace(seconds=0.0) for item in regression.check(chutes, update=True, processes=2)]
+    alone = [item._replace(seconds=0.0) for item in check(chutes, update=True, processes=1)]
+    together = [item._replace(seconds=0.0) for item in check(chutes, update=True, processes=2)]
     assert alone == together
     assert [item.outcome for item in alone] == ["no_baseline"] * 6 + ["ok"]
     assert [item.document is None for item in alone] == [False] * 6 + [True]
-    assert all(item.document is None for item in regression.check(chutes))  # nothing is written unasked
+    assert all(item.document is None for item in check(chutes))  # nothing is written unasked
 
 
 def test_faults_come_back_from_another_process(folder):
     chute = chutecalc.load("spoon.toml")
     with pytest.raises(chutecalc.UsageError, match="rtol"):
-        list(regression.check([chute] * 4, rtol=1.0, processes=2))
+        list(check([chute] * 4, rtol=1.0, processes=2))
 
 
 def test_run_takes_the_specs_of_a_glob_alone(folder, capsys):

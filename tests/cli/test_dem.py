@@ -26,7 +26,7 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="the program in place of
 
 @pytest.fixture
 def dem(tmp_path, monkeypatch, capsys):
-    """Runs the command in an empty folder with the program in place of LAMMPS."""
+    """Run the command in an empty folder with the program in place of LAMMPS."""
     program = tmp_path / "bin" / "lmp"
     program.parent.mkdir()
     program.write_text(f"#!/bin/sh\nexec {sys.executable} {FAKE}\n", encoding="utf-8")
@@ -120,9 +120,9 @@ def test_written_here_run_elsewhere_read_again(dem, tmp_path):
     assert (status, out) == (0, "")
     assert "wrote 3 cases" in err
     assert dem("--read", "cluster")[0] == 1
-    for place in (tmp_path / "cluster").iterdir():
-        assert (place / "in.lammps").is_file()
-        subprocess.run([sys.executable, FAKE], cwd=place, check=True)
+    for folder in (tmp_path / "cluster").iterdir():
+        assert (folder / "in.lammps").is_file()
+        subprocess.run([sys.executable, FAKE], cwd=folder, check=True)
     status, out, _ = dem("--read", "cluster")
     assert status == 0
     assert f"δ = {DELTA:.1f}°" in out
@@ -148,8 +148,8 @@ def test_the_section_of_a_chute(tmp_path, capsys, spec, segment, wall):
     arguments = ["dem", str(ROOT / "specs" / spec), "--write", str(tmp_path), "--diameter", "0.005"]
     status = main([*arguments, *(["--segment", segment] if segment else [])])
     assert status == 0, capsys.readouterr().err
-    for place in tmp_path.iterdir():
-        known = json.loads((place / "case.json").read_text(encoding="utf-8"))
+    for folder in tmp_path.iterdir():
+        known = json.loads((folder / "case.json").read_text(encoding="utf-8"))
         assert 0.001 < known["area"] < 1.0
 
 

@@ -35,7 +35,7 @@ def test_new_writes_a_spec_that_runs_and_never_overwrites(capsys, tmp_path, monk
 
 
 def uncommented(text):
-    """The blocks of the starter's comments that are TOML, each with its header."""
+    """Return the blocks of the starter's comments that are TOML, each with its header."""
     blocks = re.findall(r"^# \[(?:.+\n)+", text, re.MULTILINE)
     return [re.sub(r"^# ", "", block, flags=re.MULTILINE) for block in blocks]
 
@@ -110,7 +110,7 @@ def test_no_command_shows_the_help_and_is_a_wrong_command(capsys):
     assert "Usage: chutecalc" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("way", [["-m", "chutecalc"], ["-c", "from chutecalc.__main__ import entry; entry()"]])
-def test_as_a_process(way):
-    run = subprocess.run([sys.executable, *way, "--version"], capture_output=True, text=True, check=True)
+@pytest.mark.parametrize("arguments", [["-m", "chutecalc"], ["-c", "from chutecalc.__main__ import entry; entry()"]])
+def test_as_a_process(arguments):
+    run = subprocess.run([sys.executable, *arguments, "--version"], capture_output=True, text=True, check=True)
     assert run.stdout.startswith("chutecalc ")

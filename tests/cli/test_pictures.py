@@ -1,4 +1,4 @@
-"""``run --plot`` and ``run --chart`` through ``main``: files, statuses, what is said where something is missing."""
+"""``run --plot`` and ``run --chart`` through ``main``: files, statuses, messages where something is missing."""
 
 import io
 import subprocess
@@ -106,7 +106,7 @@ def test_the_study_is_drawn(ending, tmp_path, capsys):
 
 
 def charts(text):
-    """The lines of the charts in a report."""
+    """Return the lines of the charts in a report."""
     lines = text.splitlines()
     return lines[next(k for k, line in enumerate(lines) if line.strip() == "velocity v, m/s") :]
 
@@ -129,7 +129,7 @@ def test_a_chart_in_a_pipe_is_plain_and_80_columns_wide_at_most(capsys):
 
 
 def test_a_chart_has_dots_where_the_stream_is(capsys):
-    # the fall has no depth: its third of the way is empty, and then the line begins
+    # the fall has no depth: its third of the length is empty, and then the line begins
     assert main(["run", SPOON, "--chart"]) == 0
     lines = charts(capsys.readouterr().out)
     depth = lines[next(k for k, line in enumerate(lines) if "depth H" in line) + 1 :][:10]

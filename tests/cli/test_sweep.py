@@ -18,6 +18,7 @@ import chutecalc
 from chutecalc.cli import main
 from chutecalc.fields.ranges import read_values
 from chutecalc.studies.sweep import sweep as rows_of
+from chutecalc.studies.sweep.checks import DEFAULT
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter, read_parameters
 from tests.conftest import ROOT, spec
@@ -36,20 +37,20 @@ DRAWN = {"body": {"shape": "chamfered", "base_m": 0.3, "chamfer_deg": 45.0, "cha
 
 
 def written(tmp_path, **tables):
-    """A spec as a file."""
+    """Write a spec to a file and return its path."""
     path = tmp_path / "chute.toml"
     path.write_text(tomli_w.dumps(spec(**tables)), encoding="utf-8")
     return str(path)
 
 
 def swept(capsys, *arguments):
-    """The rows of a sweep as dictionaries of text."""
+    """Run a sweep and return its rows as dictionaries of text."""
     assert main(["sweep", *arguments, "--csv", "-"]) == 0
     return list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
 
 
 def refused(capsys, *arguments, status=2):
-    """What is said of a wrong sweep."""
+    """Return the message about a wrong sweep."""
     assert main(["sweep", *arguments]) == status
     shown = capsys.readouterr()
     assert shown.out == ""
@@ -61,7 +62,7 @@ def test_one_value_is_a_run(capsys):
     (row,) = swept(capsys, "radius=3", SPOON)
     assert main(["run", SPOON, "--json", "-"]) == 0
     run = json.loads(capsys.readouterr().out)
-    assert list(row) == ["radius_m", "status", *rows_of.DEFAULT]
+    assert list(row) == ["radius_m", "status", *DEFAULT]
     assert row["status"] == run["status"] == "ok"
     for name in ("velocity_m_s", "depth_m", "slope_deg"):
         assert float(row[f"exit_{name}"]) == run["exit"][name]
@@ -85,9 +86,9 @@ def test_a_grid_is_its_rows_one_by_one(capsys):
 def test_extremes_inside_a_segment_are_those_of_a_run(capsys):
     for row in swept(capsys, "segments.hood.radius_m=1,1.3", HOOD, "--columns", "max_depth_m,min_velocity_m_s"):
         chute = chutecalc.load(HOOD).vary({"segments.hood.radius_m": float(row["segments.hood.radius_m"])})
-        ways = [way for way in chutecalc.solve(chute).segments if way.kind != "fall"]
-        deepest = max(way.maximum["depth_m"][0] for way in ways)
-        slowest = min(way.minimum["velocity_m_s"][0] for way in ways)
+        segments = [segment for segment in chutecalc.solve(chute).segments if segment.kind != "fall"]
+        deepest = max(segment.maximum["depth_m"][0] for segment in segments)
+        slowest = min(segment.minimum["velocity_m_s"][0] for segment in segments)
         assert float(row["max_depth_m"]) == pytest.approx(deepest, rel=1e-10)  # as extremes promise
         assert float(row["min_velocity_m_s"]) == pytest.approx(slowest, rel=1e-10)
 
@@ -142,8 +143,8 @@ def test_parallel_lists(capsys):
     rows = swept(capsys, "--zip", "radius=1,2,3", "phi=25,26,27", "rate=500", SPOON)
     assert [row["radius_m"] + row["friction_deg"] for row in rows] == ["1.025.0", "2.026.0", "3.027.0"]
     assert {row["rate_t_h"] for row in rows} == {"500.0"}
-    said = refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
-    assert "equal length, or single values. Given: radius_m 3, friction_deg 2" in said
+    message = refused(capsys, "--zip", "radius=1,2,3", "phi=25,26", SPOON)
+    assert "equal length, or single values. Given: radius_m 3, friction_deg 2" in message
 
 
 @pytest.mark.parametrize("keep", ["width", "depth"])
@@ -278,9 +279,9 @@ def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, t
 
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
-    said = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
+    message = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
     for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item spool"):
-        assert words in said
+        assert words in message
 
 
 @pytest.mark.parametrize(
@@ -398,9 +399,9 @@ def test_columns_of_profiles_are_those_asked_for_in_their_order(capsys, tmp_path
 
 def test_what_stands_at_the_exit_alone_is_not_solved_for_more(capsys, monkeypatch):
     (whole,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate,max_depth_m")
-    (clock,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_time_s")  # asks for the way there
+    (clock,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_time_s")  # needs the whole path
     assert float(clock["exit_time_s"]) == chutecalc.solve(chutecalc.load(SPOON)).exit["time_s"][0]
-    monkeypatch.setattr(rows_of, "solve", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.studies.sweep.design_rows.solve", lambda *_: 1 / 0)
     (row,) = swept(capsys, "radius=3", SPOON, "--columns", "exit_depth_m,error_estimate")
     assert float(row["exit_depth_m"]) == pytest.approx(float(whole["exit_depth_m"]), rel=1e-9)  # rtol is 1e-10
 
@@ -430,8 +431,13 @@ def test_a_block_of_profiles_has_a_quarter_of_a_million_stations():
 def test_nothing_but_the_spec_is_needed_to_sweep_as_run_solves():
     chute = chutecalc.load(SPOON)
     sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2", "phi=20,25"], chute))
-    told = sweep.identity()
-    assert (told["tolerance"], told["keep"], told["top"], told["stations"]) == (1e-10, "base", None, [None, None])
+    identity = sweep.identity()
+    assert (identity["tolerance"], identity["keep"], identity["top"], identity["stations"]) == (
+        1e-10,
+        "base",
+        None,
+        [None, None],
+    )
     assert sweep.count == 4
 
 
@@ -474,8 +480,8 @@ def test_every_format_has_the_same_rows(capsys, tmp_path):
 
 def test_parquet_needs_its_extra(capsys, monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    said = refused(capsys, "beta", SPOON, "--parquet", str(tmp_path / "a.parquet"), status=3)
-    assert "pip install 'chutecalc[parquet]'" in said
+    message = refused(capsys, "beta", SPOON, "--parquet", str(tmp_path / "a.parquet"), status=3)
+    assert "pip install 'chutecalc[parquet]'" in message
 
 
 @pytest.mark.parametrize(
@@ -510,20 +516,20 @@ LONG = ["radius=2:4:#300", "phi=15:24:#300"]
 
 
 def started(target, *more):
-    """A long sweep in a process of its own."""
+    """Start a long sweep in a process of its own."""
     command = [sys.executable, "-m", "chutecalc", "sweep", *LONG, SPOON, "--csv", str(target), "--jobs", "1", *more]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 def stopped(target, how):
-    """The same, stopped by a signal once it has blocks; what it said."""
+    """Stop a long sweep by a signal once it has blocks; return its status and its output."""
     process = started(target)
     folder = target.with_name(f"{target.name}.part")
     while process.poll() is None and len(list(folder.glob("[0-9]*.npz"))) < 2:
         time.sleep(0.02)
     process.send_signal(how)
-    said = process.communicate()[1]
-    return process.returncode, said
+    message = process.communicate()[1]
+    return process.returncode, message
 
 
 def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
@@ -547,9 +553,9 @@ def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
 def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
     target, whole = tmp_path / "rows.csv", tmp_path / "whole.csv"
     assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
-    status, said = stopped(target, signal.SIGINT)
+    status, message = stopped(target, signal.SIGINT)
     assert status == 130
-    assert "--resume continues from" in said
+    assert "--resume continues from" in message
     part = target.read_bytes()
     assert part == whole.read_bytes()[: len(part)]
     assert 1 < part.count(b"\r\n") < 90_001

@@ -11,7 +11,7 @@ RIGHT_ANGLE = math.pi / 2
 
 
 def case(**changes):
-    """A bed of the paper's Figure 5 at β = 45°, or what is changed of it."""
+    """Return a bed of the paper's Figure 5 at β = 45°, or what is changed of it."""
     known = {
         "base": 0.5,
         "lengths": (math.inf,),
@@ -45,7 +45,7 @@ def points(case, tilt=0.0, seed=5):
 
 
 def bed(case, vertical_ratio=0.2, law="equilibrium", tilt=0.0, noise=0.0, kinetic_energy=0.0):
-    """A bed whose walls carry what a law says at the area that the bed shows.
+    """Return a bed whose walls carry what a law says at the area that the bed shows.
 
     ``noise`` is a share by which the left walls carry more than the right ones.
     """

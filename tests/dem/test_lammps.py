@@ -16,7 +16,7 @@ SMALL = case(base=0.15, lengths=(0.04,), area=0.012, slice=0.03)
 
 @pytest.fixture(scope="module")
 def beds(tmp_path_factory):
-    """The same bed twice, and one under a raised body force."""
+    """Return the same bed twice, and one under a raised body force."""
     try:
         engine = Engine()
     except ExtraMissingError as error:

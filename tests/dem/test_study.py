@@ -7,9 +7,11 @@ import pytest
 
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.campaign import Group, Outcome
+from chutecalc.dem.fit import fit
+from chutecalc.dem.point import measured
 from chutecalc.dem.request import PourPlan, groups, numbers, paper_beds, pours
 from chutecalc.dem.store import Store
-from chutecalc.dem.study import Study, fit, measured
+from chutecalc.dem.study import Study
 from chutecalc.errors import UsageError
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from tests.dem.beds import bed, case
@@ -36,7 +38,7 @@ def slope(degrees, seed=1, law="equilibrium"):
 
 @pytest.mark.parametrize("law", ["paper", "equilibrium"])
 def test_the_law_that_made_the_beds_fits_with_its_own_internal_friction(law):
-    """To what the search is told, 1e-7 rad, and the other law does not fit so well."""
+    """To the tolerance of the search, 1e-7 rad, and the other law does not fit so well."""
     study = Study(Beds([slope(30, law=law)], [slope(60, law=law)], [slope(90, law=law)]), 0.4)
     (series,) = study.series
     assert series.fits[law].internal_friction == pytest.approx(KNOWN, abs=1e-5)

@@ -85,7 +85,7 @@ def pytest_run(folder, text, *arguments, **variables):
 
 
 def cases(output):
-    """The random cases that were told of, each once."""
+    """Return the random cases that were reported, each once."""
     return sorted(set(re.findall(r"<(?:numpy|hypothesis) [^>{]+>", output)))
 
 
@@ -140,7 +140,7 @@ def test_a_file_skipped_as_a_whole_fails_too(tmp_path):
 
 
 def command_in(readme):
-    """What CI takes for the command that runs the tests: status, output, message."""
+    """Return what CI takes for the command that runs the tests: status, output, message."""
     done = subprocess.run(
         [sys.executable, str(ROOT / ".ci" / "test_command.py"), str(readme)], capture_output=True, text=True
     )

@@ -49,7 +49,7 @@ NO_UNIT = re.compile(
     r"|dimensionless|relative|numbers?|counts?|signs?|units?|as in|see)\b|:(?:func|meth|class|attr|data):`",
     re.IGNORECASE,
 )
-"""Words that tell a unit, that there is none, or where it is said."""
+"""Words that name a unit, say that there is none, or refer to it."""
 LONE_UNIT = re.compile(r"(?:m|m/s|m/s²|m²|m³|s|kg|kg/s|rad|deg|n|j|pa|kpa|w|w/m²|°)\.", re.IGNORECASE)
 NUMERIC = re.compile(r"\b(?:float|Array|Values|NDArray|ArrayLike)\b")
 BY_NAME = re.compile(r"\b(?:Callable|Mapping|dict|Literal)\b")
@@ -79,7 +79,7 @@ class Item(NamedTuple):
 
     @property
     def arguments(self):
-        """The arguments that callers give, with their annotations."""
+        """Return the arguments that callers give, with their annotations."""
         if self.is_class:
             made = [node for node in self.node.body if isinstance(node, ast.FunctionDef) and node.name == "__init__"]
             return arguments_of(made[0])[1:] if made else []
@@ -110,13 +110,13 @@ def arguments_of(node):
 
 
 def is_command(node):
-    """Whether Typer makes a command of it: its arguments are described by their help."""
+    """Return whether Typer makes a command of it: its arguments are described by their help."""
     given = [*node.args.defaults, *node.args.kw_defaults, *(one.annotation for one in node.args.args)]
     return any("typer." in ast.unparse(part) for part in given if part)
 
 
 def entries(doc):
-    """The entries of all ``Args:`` sections, by argument."""
+    """Return the entries of all ``Args:`` sections, by argument."""
     found, current, within = {}, (), False
     for line in doc.splitlines():
         text = line.strip()
@@ -145,7 +145,7 @@ def tree(module):
 
 
 def items(module):
-    """What is public in a module, with methods."""
+    """Yield what is public in a module, with methods."""
     for node in tree(module).body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
             yield Item(node.name, node, ast.get_docstring(node) or "", None)
@@ -156,7 +156,7 @@ def items(module):
 
 
 def faults_of(item):
-    """What is wrong with one docstring."""
+    """Yield what is wrong with one docstring."""
     summary, _, rest = item.doc.partition("\n")
     if not item.doc:
         yield "has no docstring"
@@ -185,7 +185,7 @@ def faults_of(item):
 
 
 def has_unit(text):
-    """Whether a description names a unit, or says that there is none."""
+    """Return whether a description names a unit, or says that there is none."""
     return bool(UNIT.search(text) or NO_UNIT.search(text))
 
 
@@ -207,7 +207,7 @@ def moods():
 
 
 def strings(module):
-    """All docstrings of a module, those of attributes and private things too, with the class that each stands in."""
+    """Yield all docstrings of a module, also of attributes and private names, with the class of each."""
 
     def visit(node, parent):
         for child in ast.iter_child_nodes(node):
@@ -230,13 +230,13 @@ def references(module):
 
 
 def resolves(name, module, parent=None):
-    """Whether a reference names something, as seen from a module and a class in it."""
+    """Return whether a reference names something, as seen from a module and a class in it."""
     candidates = [name, f"{module}.{name}"] + ([f"{module}.{parent}.{name}"] if parent else [])
     return any(found(candidate) for candidate in candidates)
 
 
 def found(name):
-    """Whether a dotted name can be imported."""
+    """Return whether a dotted name can be imported."""
     parts = name.split(".")
     for count in range(len(parts), 0, -1):
         try:
@@ -272,14 +272,16 @@ def compiled_names(module):
 
 @cache
 def faults(module):
-    """All that is wrong with the docstrings of a module."""
-    told = [f"{name}: leads nowhere" for name, parent in references(module) if not resolves(name, module, parent)]
+    """Return all that is wrong with the docstrings of a module."""
+    found_faults = [
+        f"{name}: leads nowhere" for name, parent in references(module) if not resolves(name, module, parent)
+    ]
     if not module.startswith("chutecalc.core"):
-        told += [f"{item.name}: {fault}" for item in items(module) for fault in faults_of(item)]
+        found_faults += [f"{item.name}: {fault}" for item in items(module) for fault in faults_of(item)]
         lines = {item.node.body[0].lineno: item.name for item in items(module)}
         moods_of = moods().get(FILES[module].resolve(), [])
-        told += [f"{lines[line]}: {fault}" for line, fault in moods_of if line in lines]
-    return told
+        found_faults += [f"{lines[line]}: {fault}" for line, fault in moods_of if line in lines]
+    return found_faults
 
 
 @pytest.mark.parametrize("module", FILES)
@@ -313,8 +315,8 @@ def area(width: float, depth: Array, name: str, factor: float = 1.0) -> float:
 )
 def test_each_fault_is_found(summary, entry, fault):
     node = ast.parse(SAMPLE.format(summary, entry)).body[0]
-    told = list(faults_of(Item("area", node, ast.get_docstring(node), None)))
-    assert told == [] if fault is None else any(fault in one for one in told)
+    found_faults = list(faults_of(Item("area", node, ast.get_docstring(node), None)))
+    assert found_faults == [] if fault is None else any(fault in one for one in found_faults)
 
 
 def test_references_that_lead_nowhere_are_found():
@@ -325,7 +327,7 @@ def test_references_that_lead_nowhere_are_found():
 
 
 def counts():
-    """How many public functions there are, have arguments, describe them all, and show an example."""
+    """Return how many public functions there are, have arguments, describe them all, and show an example."""
     functions = [item for module in FILES if not module.startswith("chutecalc.core") for item in items(module)]
     functions = [item for item in functions if not item.is_class and not item.is_property and not is_command(item.node)]
     taking = [item for item in functions if item.arguments]

@@ -33,7 +33,7 @@ def room(module):
 
 
 def imported(path):
-    """The modules that a file names in its imports, wherever they stand in it."""
+    """Yield the modules that a file names in its imports, wherever they stand in it."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{path}: relative import"

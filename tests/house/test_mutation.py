@@ -45,7 +45,7 @@ def test_the_mutants_of_a_file():
         *((6, "compared", new) for new in (">=", "<")),
         (6, "returned", "None"),
         *((10, "compared", new) for new in (">", "<=")),
-        *((10, "told", new) for new in ("a", "b", "4")),
+        *((10, "text", new) for new in ("a", "b", "4")),
         (10, "sign", ""),
         (10, "name", "max"),
         (10, "returned", "None"),
@@ -66,7 +66,7 @@ def test_a_toy_from_end_to_end(tmp_path):
         (tmp_path / name).write_bytes(text)
     (tmp_path / "tests" / "mutation_accepted.txt").write_text(
         "# comment\n\ntoy/calc.py never\n- return 5\n+ return 6\nas good\n\n"
-        "toy/calc.py larger\n- return a if a > b else b\n+ *\nnot told, for it is killed\n",
+        "toy/calc.py larger\n- return a if a > b else b\n+ *\nnot used, because it is killed\n",
         encoding="utf-8",
     )
 
@@ -80,19 +80,19 @@ def test_a_toy_from_end_to_end(tmp_path):
 
     killed, survived = "toy/calc.py:6:19:compared:<", "toy/calc.py:10:66:name:max"
     missed, fine = "toy/calc.py:14:12:number:0", "toy/calc.py:14:12:number:6"
-    found, said = outcomes(1, "--only", killed, survived, missed, fine)
+    found, output = outcomes(1, "--only", killed, survived, missed, fine)
     assert found == {
         killed: ("killed", "tests/test_toy.py::test_larger"),
         survived: ("survived", ""),
         missed: ("not reached", ""),
         fine: ("accepted", ""),
     }
-    assert "recording" in said
-    assert "+ return 0" in said
+    assert "recording" in output
+    assert "+ return 0" in output
     assert (tmp_path / "toy" / "calc.py").read_bytes() == TOY
 
-    first, said = outcomes(1, "--count", "8", "--seed", "3", "--jobs", "2")
-    assert "recording" not in said
+    first, output = outcomes(1, "--count", "8", "--seed", "3", "--jobs", "2")
+    assert "recording" not in output
     assert len(first) == 8
     assert outcomes(1, "--count", "8", "--seed", "3")[0] == first
 

@@ -3,14 +3,13 @@
 import re
 
 from chutecalc.fields.table import Table
-from chutecalc.results.belts import RECEIVER_COLUMNS
-from chutecalc.results.columns import ALL_COLUMNS, COLUMNS
+from chutecalc.results.columns import ALL_COLUMNS
 from chutecalc.results.findings import CRITERIA
-from chutecalc.results.impacts import IMPACT_COLUMNS
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
 from chutecalc.spec import chute_spec as model
-from tests.nomenclature import PAGE, renewed
+from chutecalc.studies.sweep.columns import row_columns
+from tests.nomenclature import CATALOGUES, PAGE, ROW_PREFIXES, SYMBOLS, renewed
 
 TEXT = PAGE.read_text(encoding="utf-8")
 
@@ -21,9 +20,17 @@ def test_tables_are_those_of_the_code():
 
 def test_every_column_and_every_symbol_stands_there():
     symbols = {symbol for row in re.findall(r"^\| ([^|`-]+) \|", TEXT, re.MULTILINE) for symbol in row.split(", ")}
-    for column in (*COLUMNS.values(), *RECEIVER_COLUMNS.values(), *IMPACT_COLUMNS.values()):
-        assert f"| `{column.name}` |" in TEXT
-        assert not column.symbol or column.symbol in symbols, column.symbol
+    for column in (*ALL_COLUMNS.values(), *(column for each in CATALOGUES.values() for column in each.values())):
+        assert f"| `{column.name}` | {column.words} |" in TEXT
+        assert not column.symbol or {*column.symbol.split("/")} <= symbols, column.symbol
+        assert re.fullmatch(r"(Paper Eq \d+|Roberts \(2003\))?", column.source), column.source
+    assert {*SYMBOLS.values()} - {""} <= symbols
+
+
+def test_every_column_of_a_sweep_stands_there():
+    pattern = "|".join(ROW_PREFIXES)
+    for name in row_columns():
+        assert f"| `{re.sub(f'^({pattern})', '', name)}` |" in TEXT, name
 
 
 def test_every_finding_stands_there():

@@ -16,13 +16,13 @@ COMMANDS = re.findall(r"^\$ chutecalc (.*)$", PAGE, re.MULTILINE)
 
 
 def rows(heading):
-    """The rows of the table whose header begins so, as lists of cells."""
+    """Return the rows of the table whose header begins so, as lists of cells."""
     table = PAGE[PAGE.index(f"| {heading} |") :].split("\n\n")[0]
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines()[2:]]
 
 
 def expanded(word):
-    """What a shell makes of a word."""
+    """Return what a shell makes of a word."""
     return sorted(path.as_posix() for path in Path().glob(word)) if "?" in word or "*" in word else [word]
 
 

@@ -1,4 +1,4 @@
-"""The command: draws mutants, runs their tests, tells what survived. The package's docstring says how."""
+"""The command: draw mutants, run their tests, report those that survive. See the docstring of the package."""
 
 import argparse
 import contextlib
@@ -17,44 +17,44 @@ from typing import Any
 
 from tests.mutation.mutants import Mutant, mutants
 from tests.mutation.process import ROOT, forked, load, run_pytest
-from tests.mutation.reach import Reach, patient, recorded
+from tests.mutation.reach import Reach, limit_time, recorded
 
 ROOMS = ("physics", "core", "sections", "segments", "solver", "results", "api", "studies")
 KILLED, SURVIVED, NOT_REACHED, TIMEOUT, ACCEPTED = "killed", "survived", "not reached", "timeout", "accepted"
 OUTCOMES = (KILLED, TIMEOUT, SURVIVED, NOT_REACHED, ACCEPTED)
 LEFT_OUT = shutil.ignore_patterns(".*", "build", "dist", "out", "*.egg-info", "*.so", "*.pyd")  # mutants run uncompiled
 FIRST = 1.0
-"""Seconds of tests that are tried first, from few files: finding tests takes longer than most of them."""
+"""Seconds of tests that are run first, from few files: collecting tests takes longer than most of them."""
 
 
 class Chosen:
-    """A pytest plugin that runs some tests in their order, each with its time, and notes which one it is at."""
+    """A pytest plugin that runs selected tests in order, each with a time limit, and notes the current one."""
 
     def __init__(self, tests: dict[str, float], note: Path) -> None:
         self.tests, self.note = tests, note
 
     def pytest_collection_modifyitems(self, items: list[Any]) -> None:
-        place = {test: number for number, test in enumerate(self.tests)}
-        items[:] = sorted((item for item in items if item.nodeid in place), key=lambda item: place[item.nodeid])
+        order = {test: number for number, test in enumerate(self.tests)}
+        items[:] = sorted((item for item in items if item.nodeid in order), key=lambda item: order[item.nodeid])
 
     def pytest_runtest_setup(self, item: Any) -> None:
-        patient(self.tests[item.nodeid])
+        limit_time(self.tests[item.nodeid])
         self.note.write_text(item.nodeid, encoding="utf-8")
 
 
 def drawn(sources: dict[str, bytes], count: int, seed: int) -> list[Mutant]:
-    """So many mutants, each of another place."""
-    places: dict[Any, list[Mutant]] = {}
+    """Draw a number of mutants, each at another position."""
+    positions: dict[Any, list[Mutant]] = {}
     for file, source in sources.items():
         for mutant in mutants(file, source):
-            places.setdefault((file, mutant.place[0], mutant.kind), []).append(mutant)
+            positions.setdefault((file, mutant.span[0], mutant.kind), []).append(mutant)
     chance = random.Random(seed)
-    several = chance.sample([*places.values()], min(count, len(places)))
+    several = chance.sample([*positions.values()], min(count, len(positions)))
     return [chance.choice(found) for found in several]
 
 
 def in_parts(tests: dict[str, float]) -> list[dict[str, float]]:
-    """Tests in two parts: the fastest of the files that have most of them, and the rest."""
+    """Split tests in two parts: the fastest of the files that have most of them, and the rest."""
     files = Counter(test.partition("::")[0] for test in [*tests][:40]).most_common(3)
     first: dict[str, float] = {}
     for test, seconds in tests.items():
@@ -64,7 +64,7 @@ def in_parts(tests: dict[str, float]) -> list[dict[str, float]]:
 
 
 def started(tree: Path, mutant: Mutant, source: bytes, tests: dict[str, float]) -> int:
-    """The process that has a mutant's tests."""
+    """Start the tests of a mutant and return the number of their process."""
 
     def work() -> int:
         for part in in_parts(tests):
@@ -75,7 +75,7 @@ def started(tree: Path, mutant: Mutant, source: bytes, tests: dict[str, float]) 
 
     target, stat = tree / mutant.file, (tree / mutant.file).stat()
     target.write_bytes(mutant.source(source))
-    os.utime(target, (stat.st_atime, stat.st_mtime + 10))  # so that the bytecode of the sound file does not count
+    os.utime(target, (stat.st_atime, stat.st_mtime + 10))  # so that the bytecode of the unchanged file is not used
     Path(f"{tree}.note").write_text("when loaded", encoding="utf-8")
     return forked(tree, work)
 
@@ -83,7 +83,7 @@ def started(tree: Path, mutant: Mutant, source: bytes, tests: dict[str, float]) 
 def outcomes(
     trees: list[Path], sources: dict[str, bytes], chosen: list[Mutant], reach: Reach
 ) -> Iterator[tuple[Mutant, str, str, float]]:
-    """What became of each mutant, as it comes: with the test that failed, and the seconds that it took."""
+    """Yield each mutant when it is done: its outcome, the test that failed, and the time, s."""
     waiting, free = chosen[::-1], [*trees]
     running: dict[int, tuple[Path, Mutant, float, float]] = {}
     while waiting or running:
@@ -96,7 +96,7 @@ def outcomes(
         process, status = os.wait()
         tree, mutant, start, modified = running.pop(process)
         with contextlib.suppress(ProcessLookupError):
-            os.killpg(process, signal.SIGKILL)  # what it has started itself
+            os.killpg(process, signal.SIGKILL)  # the processes that it has started
         (tree / mutant.file).write_bytes(sources[mutant.file])
         os.utime(tree / mutant.file, (modified, modified))
         free.append(tree)
@@ -108,13 +108,14 @@ def outcomes(
 
 
 def accepted(file: Path) -> dict[tuple[str, ...], str]:
-    """Why some mutants may survive, by file and function, line before and line after; * for whatever comes after."""
+    """Read why some mutants may survive, by file and function, line before and line after; * for any line after."""
     text = file.read_text(encoding="utf-8") if file.exists() else ""
     blocks = [block.splitlines() for block in text.split("\n\n") if not block.startswith("#")]
     return {(head, before[2:], after[2:]): why for head, before, after, why in (block for block in blocks if block)}
 
 
 def main() -> int:
+    """Run the command and return its status."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutation", description=__doc__)
     parser.add_argument("--count", type=int, default=350, help="how many mutants")
     parser.add_argument("--seed", type=int, default=0, help="of the draw")

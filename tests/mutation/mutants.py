@@ -1,4 +1,4 @@
-"""The mutants of a source file: each a small replacement in its text."""
+"""Make the mutants of a source file: each is a small replacement in its text."""
 
 import ast
 import re
@@ -68,32 +68,32 @@ class Mutant(NamedTuple):
     column: int
     kind: str
     new: str
-    """What stands in the place."""
+    """Replacement text."""
     function: str
-    """Qualified; empty outside of functions and classes."""
+    """Qualified name of the function; empty outside of functions and classes."""
     lines: range
-    """Of the statement, or of its head; empty where it runs when the module is loaded."""
-    place: tuple[int, int]
-    """Of what is replaced, in bytes."""
+    """Lines of the statement, or of its head; empty where it runs when the module is imported."""
+    span: tuple[int, int]
+    """Start and end of the replaced text, in bytes."""
 
     @property
     def id(self) -> str:
         return f"{self.file}:{self.line}:{self.column}:{self.kind}:{self.new or 'none'}"
 
     def source(self, source: bytes) -> bytes:
-        """The file with the fault in it."""
-        return source[: self.place[0]] + self.new.encode() + source[self.place[1] :]
+        """Return the file with the fault."""
+        return source[: self.span[0]] + self.new.encode() + source[self.span[1] :]
 
     def difference(self, source: bytes) -> tuple[str, str]:
-        """The lines concerned before and after, without their indentation, each as one."""
-        first, after = source.rfind(b"\n", 0, self.place[0]) + 1, source.find(b"\n", self.place[1])
+        """Return the lines concerned before and after, without indentation, each joined to one line."""
+        first, after = source.rfind(b"\n", 0, self.span[0]) + 1, source.find(b"\n", self.span[1])
         last = len(source) if after < 0 else after
-        changed = source[first : self.place[0]] + self.new.encode() + source[self.place[1] : last]
+        changed = source[first : self.span[0]] + self.new.encode() + source[self.span[1] : last]
         return " ".join(source[first:last].decode().split()), " ".join(changed.decode().split())
 
 
-class Places(ast.NodeVisitor):
-    """Goes through a file and finds what may be replaced by what."""
+class Finder(ast.NodeVisitor):
+    """Visitor that finds the possible replacements in a file."""
 
     def __init__(self, file: str, source: bytes) -> None:
         self.file, self.source = file, source
@@ -121,7 +121,7 @@ class Places(ast.NodeVisitor):
             self.add(kind, self.offset(node), self.offset(node, end=True), new)
 
     def replace_operator(self, kind: str, left: ast.expr, right: ast.expr, symbol: str, *news: str) -> None:
-        """Replaces what stands between two operands, beside brackets and blanks."""
+        """Replace the operator between two operands, which brackets and blanks may surround."""
         start, end = self.offset(left, end=True), self.offset(right)
         pattern = rf"(?<![\w<>=*/]){re.escape(symbol)}".replace("\\ ", r"\s+").encode()
         if match := re.search(pattern, self.source[start:end]):
@@ -137,7 +137,7 @@ class Places(ast.NodeVisitor):
         super().visit(node)
 
     def dropped(self, node: ast.stmt) -> None:
-        """Statements that may be left out."""
+        """Return the statements that may be left out."""
         calls = isinstance(node, ast.Expr) and isinstance(node.value, ast.Call | ast.Yield | ast.YieldFrom)
         puts = isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Subscript)
         if calls or puts or isinstance(node, ast.AugAssign | ast.Raise | ast.Continue | ast.Break):
@@ -235,23 +235,23 @@ class Places(ast.NodeVisitor):
         self.text(node)
 
     def text(self, node: ast.expr) -> None:
-        """Numbers in messages, and the names in their braces."""
+        """Replace numbers in messages, and the names in their braces."""
         start = self.offset(node)
         source = self.source[start : self.offset(node, end=True)]
         if b" " not in source:
             return
         for match in NUMBER_IN_TEXT.finditer(source):
             number = ast.literal_eval(match[0].decode().lstrip("0") or "0")
-            self.add("told", start + match.start(), start + match.end(), repr(2 * number or 1))
+            self.add("text", start + match.start(), start + match.end(), repr(2 * number or 1))
         names = list(NAME_IN_TEXT.finditer(source))
         for here, there in zip(names, names[1:] + names[:1], strict=True):
-            self.add("told", start + here.start(), start + here.end(), there[0].decode())
+            self.add("text", start + here.start(), start + here.end(), there[0].decode())
 
 
 def mutants(file: str, source: bytes) -> Iterator[Mutant]:
-    """All mutants of a file that are Python."""
+    """Yield all mutants of a file that are valid Python."""
     plain = ast.dump(ast.parse(source))
-    for mutant in Places(file, source).found:
+    for mutant in Finder(file, source).found:
         try:
             tree = ast.parse(mutant.source(source))
         except SyntaxError:

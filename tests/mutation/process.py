@@ -1,4 +1,4 @@
-"""Processes that work with a copy of the project, forked from one that has loaded what the project needs."""
+"""Run code in a copy of the project, in processes forked from one that has loaded what the project needs."""
 
 import contextlib
 import importlib
@@ -17,7 +17,7 @@ LOADED = (
     *("matplotlib.backends.backend_agg", "pydantic", "typer.testing", "rich.table", "concurrent.futures", "pyarrow"),
     *("pytest", "_pytest.pytester", "hypothesis.strategies", "xml.etree.ElementTree"),
 )
-"""What each process has from the start, where it is installed."""
+"""Modules that each process has loaded from the start, where they are installed."""
 TO_LOAD = 60.0
 """Seconds for loading the project and finding its tests."""
 MEMORY = 6 << 30
@@ -25,16 +25,17 @@ PLAIN = ("-q", "-p", "no:cacheprovider")
 
 
 def load() -> None:
-    """Loads what is the same for every mutant."""
+    """Load the modules that are the same for every mutant."""
     for name in LOADED:
         with contextlib.suppress(ImportError):
             importlib.import_module(name)
 
 
-def forked(tree: Path, work: Callable[[], int], patience: float = TO_LOAD, writes_bytecode: bool = False) -> int:
-    """The number of a process that does some work in a copy of the project, and ends with the status that it gives.
+def forked(tree: Path, work: Callable[[], int], limit: float = TO_LOAD, writes_bytecode: bool = False) -> int:
+    """Fork a process that calls a function in a copy of the project; return its number.
 
-    SIGALRM ends it when its patience does. What it prints goes to a file beside the copy.
+    It ends with the status that the function returns. SIGALRM ends it after a time limit, s. Its output goes to a file
+    beside the copy.
     """
     if process := os.fork():
         return process
@@ -44,10 +45,10 @@ def forked(tree: Path, work: Callable[[], int], patience: float = TO_LOAD, write
 
         os.setsid()
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
-        signal.setitimer(signal.ITIMER_REAL, patience)
-        said = os.open(f"{tree}.out", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-        os.dup2(said, 1)
-        os.dup2(said, 2)
+        signal.setitimer(signal.ITIMER_REAL, limit)
+        output = os.open(f"{tree}.out", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(output, 1)
+        os.dup2(output, 2)
         sys.path[:] = [str(tree), *(path for path in sys.path if path and Path(path) not in (ROOT, Path.cwd()))]
         os.chdir(tree)
         for name in [name for name in sys.modules if name.partition(".")[0] == "tests"]:
@@ -65,7 +66,7 @@ def forked(tree: Path, work: Callable[[], int], patience: float = TO_LOAD, write
 
 
 def run_pytest(tree: Path, plugin: Any = None, *arguments: str) -> int:
-    """Runs tests of the copy that this process is for; the examples of Hypothesis are the same each time."""
+    """Run tests of the copy that this process works in; the examples of Hypothesis are the same each time."""
     import pytest
 
     with contextlib.suppress(ImportError):
@@ -74,5 +75,5 @@ def run_pytest(tree: Path, plugin: Any = None, *arguments: str) -> int:
         still: dict[str, Any] = {"database": None, "deadline": None, "suppress_health_check": [*HealthCheck]}
         settings.register_profile("mutation", derandomize=True, **still)
         settings.load_profile("mutation")
-    places = [f"--rootdir={tree}", f"--basetemp={tree}.tmp"]
-    return int(pytest.main([*PLAIN, *places, *arguments], [plugin] if plugin else []))
+    folders = [f"--rootdir={tree}", f"--basetemp={tree}.tmp"]
+    return int(pytest.main([*PLAIN, *folders, *arguments], [plugin] if plugin else []))

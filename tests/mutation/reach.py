@@ -1,4 +1,4 @@
-"""Which tests reach which line, recorded by running them once."""
+"""Record which tests reach which line, by running them once."""
 
 import contextlib
 import hashlib
@@ -26,9 +26,9 @@ Lines = dict[str, set[int]]
 class Recorder:
     """A pytest plugin that notes which lines of the package each test reaches, and how long it takes."""
 
-    def __init__(self, tree: Path, package: str, told: int) -> None:
-        """Loads the whole package first: what that runs belongs to no one test."""
-        self.tree, self.package, self.told = tree, package, told
+    def __init__(self, tree: Path, package: str, terminal: int) -> None:
+        """Import the whole package first: lines that this reaches belong to no single test."""
+        self.tree, self.package, self.terminal = tree, package, terminal
         self.prefix = f"{tree / package}{os.sep}"
         self.left: dict[types.CodeType, set[int]] = {}
         self.lines: dict[str, Lines] = {}
@@ -53,14 +53,14 @@ class Recorder:
         return self.step
 
     @contextlib.contextmanager
-    def counted_for(self, whom: str) -> Iterator[None]:
-        """What is reached meanwhile counts for a test, or for all tests of a file."""
+    def counted_for(self, owner: str) -> Iterator[None]:
+        """Count the lines reached inside for a test, or for all tests of a file."""
         before, self.left = self.left, {}
         sys.settrace(self.enter)  # anew, for an exception in it, as where a test recurses too deeply, ends it
         try:
             yield
         finally:
-            reached = self.lines.setdefault(whom, {})
+            reached = self.lines.setdefault(owner, {})
             for code, left in self.left.items():
                 lines = {line for _, _, line in code.co_lines() if line} - left
                 reached.setdefault(Path(code.co_filename).relative_to(self.tree).as_posix(), set()).update(lines)
@@ -80,7 +80,7 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: Any) -> Generator[None, Any, Any]:
-        for name, module in [*sys.modules.items()]:  # what an earlier test has left in a cache would not be reached
+        for name, module in [*sys.modules.items()]:  # else lines whose result is cached would not be reached
             if name.partition(".")[0] == self.package:
                 for value in [*vars(module).values()]:
                     getattr(value, "cache_clear", int)()
@@ -93,14 +93,14 @@ class Recorder:
     def pytest_runtest_logreport(self, report: Any) -> None:
         if report.outcome != "passed":
             self.failed.add(report.nodeid)
-            os.write(self.told, f"{report.outcome}, and left out: {report.nodeid}\n".encode())
+            os.write(self.terminal, f"{report.outcome}, and left out: {report.nodeid}\n".encode())
 
 
 class Reach:
-    """Which tests reach what."""
+    """The lines that each test reaches."""
 
     def known(self, file: str, lines: range) -> bool:
-        """Whether any test is known to reach one of some lines."""
+        """Return whether any test is known to reach one of the lines."""
         return not lines or any((file, line) in self.by_line for line in lines)
 
     def __init__(self, record: dict[str, Any]) -> None:
@@ -116,10 +116,10 @@ class Reach:
                     self.by_line.setdefault((file, line), set()).add(test)
 
     def tests(self, file: str, lines: range) -> dict[str, float]:
-        """The tests that reach any of some lines, with their times, fastest first.
+        """Return the tests that reach any of the lines, with their times, s, fastest first.
 
-        What runs when the package is loaded, as a constant does, is reached by all tests that reach its file, or by all
-        where a file has nothing else. So may be what no test reaches in its own process.
+        A line that runs when the package is imported, such as a constant, counts as reached by all tests that reach its
+        file, or by all tests where a file has no other lines. So does a line that no test reaches in its own process.
         """
         found = set[str]().union(*(self.by_line.get((file, line), set()) for line in lines))
         if not found or self.imported.get(file, set()) & {*lines}:
@@ -127,8 +127,8 @@ class Reach:
         return {test: self.seconds[test] for test in sorted(found, key=lambda test: (self.seconds[test], test))}
 
 
-def recorded(kept: Path, tree: Path, package: str) -> Reach:
-    """What the tests of a copy of the project reach; as it is kept in a file for those that are the same as then."""
+def recorded(stored: Path, tree: Path, package: str) -> Reach:
+    """Return what the tests of a copy of the project reach, from the stored record where tests have not changed."""
     hashes: dict[str, str] = {}
     rest = hashlib.sha256(sys.version.encode())
     for path in sorted([*tree.rglob("*.py"), *tree.rglob("*.toml")]):
@@ -136,7 +136,7 @@ def recorded(kept: Path, tree: Path, package: str) -> Reach:
             hashes[path.relative_to(tree).as_posix()] = hashlib.sha256(path.read_bytes()).hexdigest()
         elif path.parent.name != "mutation":
             rest.update(path.read_bytes())
-    record = json.loads(kept.read_text(encoding="utf-8")) if kept.exists() else {}
+    record = json.loads(stored.read_text(encoding="utf-8")) if stored.exists() else {}
     whole = record.get("rest") != rest.hexdigest()
     if whole:
         record = {"rest": rest.hexdigest(), "hashes": {}, "files": {}}
@@ -156,25 +156,25 @@ def recorded(kept: Path, tree: Path, package: str) -> Reach:
             for file, lines in recorder.lines.get(test.partition("::")[0], {}).items():
                 reached.setdefault(file, set()).update(lines - recorder.lines["import"].get(file, set()))
             files.setdefault(test.partition("::")[0], {})[test] = [recorder.seconds[test], _listed(reached)]
-        kept.parent.mkdir(exist_ok=True)
+        stored.parent.mkdir(exist_ok=True)
         whole_record = record | {"hashes": hashes, "files": files, "import": _listed(recorder.lines["import"])}
-        kept.write_text(json.dumps(whole_record), encoding="utf-8")
+        stored.write_text(json.dumps(whole_record), encoding="utf-8")
         return 0
 
     if changed:
         print(f"recording which lines are reached by the tests of {len(changed)} files", flush=True)
-    _, status = os.waitpid(forked(tree, work, patience=7200.0, writes_bytecode=True), 0)
+    _, status = os.waitpid(forked(tree, work, limit=7200.0, writes_bytecode=True), 0)
     os.close(terminal)
     if status:
-        said = Path(f"{tree}.out").read_text(encoding="utf-8")
-        sys.exit(f"recording ended with status {status}:\n{said[-3000:]}")
-    return Reach(json.loads(kept.read_text(encoding="utf-8")))
+        output = Path(f"{tree}.out").read_text(encoding="utf-8")
+        sys.exit(f"recording ended with status {status}:\n{output[-3000:]}")
+    return Reach(json.loads(stored.read_text(encoding="utf-8")))
 
 
 def _listed(lines: Lines) -> dict[str, list[int]]:
     return {file: sorted(numbers) for file, numbers in sorted(lines.items()) if numbers}
 
 
-def patient(seconds: float, least: float = 20.0, times: float = 10.0) -> None:
-    """Has SIGALRM end this process when a test takes far longer than it did."""
+def limit_time(seconds: float, least: float = 20.0, times: float = 10.0) -> None:
+    """Let SIGALRM end this process if a test takes far longer than when it was recorded."""
     signal.setitimer(signal.ITIMER_REAL, least + times * seconds)

@@ -32,8 +32,8 @@ def test_every_key_of_a_liner_every_segment_section_inlet_and_law_is_in_one():
     tables = TABLES.values()
     segments = [segment for table in tables for segment in table["segments"]]
     assert {segment["kind"] for segment in segments} == KINDS.keys()
-    ways = {key.rsplit("_", 1)[0] for segment in segments for key in segment}
-    assert {"drop", "run", "length", "onto", "start", "from_slope"} <= ways
+    stems = {key.rsplit("_", 1)[0] for segment in segments for key in segment}
+    assert {"drop", "run", "length", "onto", "start", "from_slope"} <= stems
     assert any(isinstance(segment.get("section"), list) for segment in segments)
     shapes = {section["shape"] for table in tables for section in table["sections"].values()}
     assert shapes == SHAPES.keys()

@@ -1,4 +1,4 @@
-"""Random chutes from the whole admissible space and its edges, each told by a seed."""
+"""Random chutes from the whole admissible space and its edges, each given by a seed."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,19 +21,21 @@ class Drawn(NamedTuple):
 
 
 @contextmanager
-def told(data: dict[str, Any]) -> Iterator[None]:
-    """Adds the spec to whatever fails within."""
+def noting_spec(data: dict[str, Any]) -> Iterator[None]:
+    """Add the spec to any error raised inside."""
     try:
         yield
     except Exception as error:
-        error.add_note(f"The spec, to keep in tests/robustness/found once it is mended.\n\n{tomli_w.dumps(data)}")
+        error.add_note(
+            f"The spec, to save in tests/robustness/found once the fault is corrected.\n\n{tomli_w.dumps(data)}"
+        )
         raise
 
 
 def draws(*seed: int, maker: "type[Maker] | None" = None) -> Iterator[Drawn]:
-    """Chutes of one seed, without end. Some are not admissible: those must be told as faults."""
+    """Yield chutes of one seed, without end. Some are not admissible and must have faults."""
     for data in random_specs(*seed, maker=maker):
-        with told(data):
+        with noting_spec(data):
             yield drawn(data)
 
 
@@ -45,7 +47,7 @@ def random_specs(*seed: int, maker: "type[Maker] | None" = None) -> Iterator[dic
 
 
 def drawn(data: dict[str, Any]) -> Drawn:
-    """A spec read and solved. Faults may show at the solver only, where a hood takes the slope of a falling stream."""
+    """Read and solve a spec. Some faults show only in the solver, where a hood takes the slope of a falling stream."""
     try:
         return Drawn(data, chutecalc.solve(chutecalc.parse(data)), None)
     except chutecalc.SpecError as error:
@@ -81,7 +83,7 @@ class Maker:
         return float(self.random.uniform(1e-6, 90))
 
     def anywhere(self, low: float = -89.9, high: float = 90.0) -> float:
-        """A slope."""
+        """Return a slope."""
         return float(self.random.uniform(*((low, high) if self.usual else (-89.9, 90.0))))
 
     def section(self) -> dict[str, Any]:
@@ -109,7 +111,7 @@ class Maker:
         return data
 
     def changed(self, section: dict[str, Any]) -> dict[str, Any]:
-        """A section that it may taper to."""
+        """Return a section that it may taper to."""
         limits = {"chamfer_deg": 90.0}
         changed = {
             key: min(value * float(np.exp(self.random.uniform(-0.7, 0.7))), limits.get(key, np.inf))
@@ -206,10 +208,10 @@ class Maker:
                 "friction_deg": float(self.random.uniform(0, 40)),
             }
         if self.maybe(0.3):
-            self.place(data["segments"])
+            self.put_anywhere(data["segments"])
         return data
 
-    def place(self, segments: list[dict[str, Any]]) -> None:
+    def put_anywhere(self, segments: list[dict[str, Any]]) -> None:
         """Puts a flight onto one of the segments."""
         number = 0 if self.usual else int(self.random.integers(len(segments)))
         if segments[number]["kind"] == "fall":

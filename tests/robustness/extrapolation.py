@@ -1,6 +1,6 @@
 """A slow solver that shares nothing with chutecalc but the model: Gragg's midpoint rule extrapolated in 80-bit numbers.
 
-Along one segment of a section without kinks (a base with endless chamfers, a vee, a rectangle) it follows place c and
+Along one segment of a section without kinks (a base with endless chamfers, a vee, a rectangle) it follows share c and
 r = √v over a variable σ with dc/dσ = 4 r³ w, dr/dσ = w dy/dc, where w, the square of the surface's and the base's
 width times r, vanishes with r where the walls are vertical: smooth through rest, where velocity and depth are not.
 Numbers are of `numpy.longdouble`, 64 bits of mantissa where the machine has them.
@@ -55,7 +55,7 @@ class Ended(NamedTuple):
 
 
 def real(flow):
-    """The same in 80 bits, each number worked out from the double that chutecalc is given."""
+    """Return numbers in 80 bits, each computed from the double that chutecalc is given."""
     return Flow(*(np.asarray(field).astype(Real) for field in flow))
 
 
@@ -105,7 +105,7 @@ def step(flow, c, r, h):
 
 
 def solve(flow):
-    """Where each stream ends."""
+    """Return where each stream ends."""
     flow = real(flow)
     n = len(flow.velocity)
     c, r = np.zeros(n, Real), np.sqrt(flow.velocity)
@@ -135,7 +135,7 @@ def solve(flow):
 
 
 def dipping(flow, start, end, h):
-    """Whether a stream that presses on its surface at both ends of a step leaves it in between, as a cubic tells."""
+    """Return whether a stream that presses on its surface at both ends of a step leaves it in between, by a cubic."""
     value, change = [], []
     for c, r in (start, end):
         dc, dr = rise(flow, c, r)
@@ -151,7 +151,7 @@ def dipping(flow, start, end, h):
 
 
 def finish(flow, c, r, h):
-    """The first of the events within a step: regula falsi, with Illinois' halving, on the step's length."""
+    """Return the first of the events within a step: regula falsi, with Illinois' halving, on the step's length."""
     first, status, end = np.full(h.shape, np.inf, Real), np.full(h.shape, -1), (c, r)
     for kind, event in (
         (STALL, lambda at, root: root),  # first: beyond its rest a stream would come back into the segment

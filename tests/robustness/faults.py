@@ -25,9 +25,9 @@ def check_faults(error: chutecalc.SpecError, data: Any) -> None:
 
 
 def paths(data: Any, above: tuple[str, ...] = ()) -> Iterator[str]:
-    """Every key of nested tables, in full, as users write them: lists count from 1."""
+    """Yield every key of nested tables, in full, as users write them: lists count from 1."""
     items = data.items() if isinstance(data, dict) else enumerate(data, 1) if isinstance(data, list) else ()
     for key, value in items:
-        place = (*above, str(key))
-        yield ".".join(place)
-        yield from paths(value, place)
+        location = (*above, str(key))
+        yield ".".join(location)
+        yield from paths(value, location)

@@ -1,4 +1,4 @@
-"""Whatever stands in a baseline: a verdict, or faults that can be mended."""
+"""Whatever stands in a baseline: a verdict, or faults that can be corrected."""
 
 import io
 import json
@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 import chutecalc
 from chutecalc.errors import SpecError
 from chutecalc.output.table import Printer
-from chutecalc.studies.regression.baseline import baseline_of, baseline_path, read_baseline
-from chutecalc.studies.regression.regression import DRIFTED, Verdict, compare
+from chutecalc.studies.regression.compare import compare
+from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
 from chutecalc.studies.regression.report import check_document, print_verdicts, write_junit
+from chutecalc.studies.regression.verdict import DRIFTED, Verdict
 from chutecalc.studies.regression.write import write_baseline
 from tests.conftest import ROOT
 from tests.seeds import fuzzed
@@ -47,7 +48,7 @@ LINES = st.sampled_from(
 
 @pytest.fixture(scope="module")
 def solved(tmp_path_factory):
-    """What comes out of a standard design, the lines of its baseline, and a file to write them to."""
+    """Return what comes out of a standard design, the lines of its baseline, and a file to write them to."""
     chute = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
     solution = chutecalc.solve(chute)
     now = baseline_of(chute, solution, solution.findings())

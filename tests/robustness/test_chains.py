@@ -52,7 +52,7 @@ def falls(kind, seed):
 
 
 def slowly(design, kind, numbers):
-    """The same in 80-bit numbers: velocities after each of the five, NaN from a stall on."""
+    """Solve in 80-bit numbers: velocities after each of the five, NaN from a stall on."""
     one, ratio = np.ones(COUNT), design.vertical_ratio.astype(Real)
     gravity, flow = design.gravity.astype(Real), design.volume_rate.astype(Real)
     mu, width = np.tan(np.radians(numbers["liners.wall.friction_deg"].astype(Real))), Real(0.6)
@@ -125,15 +125,15 @@ def random_chain(random):
     slope = uniform(10, 80)
     segments = [{"kind": "curve", "radius_m": uniform(0.5, 5), "from_slope_deg": slope, "to_slope_deg": uniform(0, 80)}]
     for _ in range(random.integers(1, 4)):
-        way = random.choice(["drop", "run", "onto", "joint"])
-        if way != "joint":
+        link = random.choice(["drop", "run", "onto", "joint"])
+        if link != "joint":
             measures = {"drop": {"drop_m": uniform(0.1, 3)}, "run": {"run_m": uniform(0.1, 2)}}
-            segments.append({"kind": "fall"} | measures.get(way, {"onto_next": True}))
+            segments.append({"kind": "fall"} | measures.get(link, {"onto_next": True}))
         segment = {"kind": "straight", "slope_deg": uniform(1, 60), "length_m": uniform(0.3, 5)}
         begin, which = uniform(10, 80), random.random()
         if which < 0.3:
             segment = {"kind": "curve", "from_slope_deg": begin, "to_slope_deg": uniform(0, begin - 1)}
-        elif which < 0.45 and way in ("drop", "run"):  # tangent to the stream
+        elif which < 0.45 and link in ("drop", "run"):  # tangent to the stream
             segment = {"kind": "curve", "to_slope_deg": uniform(-5, 10)}
         elif which < 0.6:
             segment = {"kind": "hood", "from_slope_deg": uniform(0, 40), "to_slope_deg": uniform(50, 85)}
@@ -141,7 +141,7 @@ def random_chain(random):
             segment = {"kind": "plate", "slope_deg": uniform(40, 85), "length_m": uniform(0.5, 2)}
         if segment["kind"] in ("curve", "hood"):
             segment["radius_m"] = uniform(0.5, 5)
-        if way == "onto":
+        if link == "onto":
             segment["start_m"] = [uniform(0.2, 3), uniform(-4, 0)]
         segments.append(segment)
     sections = (
@@ -164,8 +164,8 @@ def random_chain(random):
 OFF = 1e-6
 
 
-def told(solved):
-    """What an error is told of at a leg's end: the velocity, or the place where the stream stalls."""
+def end_value(solved):
+    """Return the number at a segment's end that has an error: the velocity, or the position of a stall."""
     if solved.status[0] != Status.STALL:
         return solved.exit.velocity[0]
     return solved.contact.end.share[0]
@@ -182,12 +182,12 @@ def never_again(kinds, state):
 
 
 def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_does(monkeypatch):
-    """The estimate's linear maps against differences of solved chutes: all that happens on the way has a part."""
+    """The estimate's linear maps against differences of solved chutes: everything before the end contributes."""
     random, ends, kinds = seeds.generator(7), 0, set()
     for number in range(seeds.times(150)):
         try:
             design = chutecalc.parse(random_chain(random)).design
-        except chutecalc.SpecError:  # a hood or curve that does not turn the right way
+        except chutecalc.SpecError:  # a hood or curve that turns in the wrong direction
             continue
         monkeypatch.setattr(chain, "borrow_state", off_at_the_inlet)
         monkeypatch.setattr(chain, "return_state", never_again)
@@ -202,7 +202,11 @@ def test_an_error_at_the_inlet_goes_through_a_chain_as_another_velocity_there_do
         for solved, less, more in zip(segment_solutions, slower, faster, strict=True):
             if solved.status[0] >= Status.MISSED or not solved.status[0] == less.status[0] == more.status[0]:
                 continue
-            change = abs(told(more) - told(less)) / 2 / (1.0 if solved.status[0] == Status.STALL else told(solved))
+            change = (
+                abs(end_value(more) - end_value(less))
+                / 2
+                / (1.0 if solved.status[0] == Status.STALL else end_value(solved))
+            )
             estimate = abs(solved.exit.error[0])
             # differences are off by their own curvature, OFF² times what errors have grown to the third, and by what
             # the three solutions are, 1e-13 and what that has grown to

@@ -33,7 +33,7 @@ def between(random, low, high, count):
 
 
 def mixed(random, count, share, one, other):
-    """The one in a share of the designs, the other in the rest."""
+    """Return the one in a share of the designs, the other in the rest."""
     return np.where(random.random(count) < share, one, other)
 
 

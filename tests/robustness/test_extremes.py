@@ -1,4 +1,4 @@
-"""Extremes that a solution tells against its own stations, dense along random chutes of every kind."""
+"""Extremes of a solution against its own stations, dense along random chutes of every kind."""
 
 from itertools import islice
 
@@ -9,7 +9,7 @@ import chutecalc
 from chutecalc.results.columns import REPORTED
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
 from tests import seeds
-from tests.robustness.chutes import draws, told
+from tests.robustness.chutes import draws, noting_spec
 
 COUNT = 15
 SLACK = 1e-9
@@ -22,10 +22,10 @@ def test_no_station_lies_beyond_an_extreme(block):
     compared = 0
     found_ones = ((data, solution) for data, solution, _ in draws(5000 + block) if solution is not None)
     for data, solution in islice(found_ones, COUNT):
-        with told(data):
+        with noting_spec(data):
             compared += check_stations(solution)
             check_together(solution)
-            check_places(solution)
+            check_positions(solution)
     assert compared > COUNT
 
 
@@ -33,17 +33,17 @@ def check_stations(solution):
     """No station lies beyond an extreme; how many columns there were."""
     compared = 0
     table = solution.stations(points=2001)
-    for way in solution.trajectory.results:
-        if sum(other.name == way.name for other in solution.trajectory.results) > 1:
+    for result in solution.trajectory.results:
+        if sum(other.name == result.name for other in solution.trajectory.results) > 1:
             continue  # left and met again: its stations stand under one name
-        rows = table["segment"][0] == way.name
+        rows = table["segment"][0] == result.name
         for name in REPORTED:
             found = table[name][0][rows]
             found = found[np.isfinite(found)]
             if found.size:
-                least, most = way.minimum[name][0], way.maximum[name][0]
-                assert found.max() <= most + SLACK * abs(most), (way.name, name)
-                assert found.min() >= least - SLACK * abs(least) - 1e-12 * found.max(), (way.name, name)
+                least, most = result.minimum[name][0], result.maximum[name][0]
+                assert found.max() <= most + SLACK * abs(most), (result.name, name)
+                assert found.min() >= least - SLACK * abs(least) - 1e-12 * found.max(), (result.name, name)
                 compared += 1
     return compared
 
@@ -51,14 +51,14 @@ def check_stations(solution):
 def check_together(solution):
     """What a sweep shows of all guiding surfaces together is the greatest of what ``run`` shows of each."""
     guided = [
-        way
-        for way, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True)
+        result
+        for result, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True)
         if part.contact is not None
     ]
-    wanted = [(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)]
-    together = solution.trajectory.extreme_columns(wanted)
-    for name, sign in wanted if guided else ():
-        each = [(way.maximum if sign == LARGEST else way.minimum)[name] for way in guided]
+    pairs = [(name, sign) for name in REPORTED for sign in (LEAST, LARGEST)]
+    together = solution.trajectory.extreme_columns(pairs)
+    for name, sign in pairs if guided else ():
+        each = [(result.maximum if sign == LARGEST else result.minimum)[name] for result in guided]
         expected = (np.fmax if sign == LARGEST else np.fmin).reduce(each)
         assert np.allclose(together[name, sign], expected, rtol=1e-12, atol=0, equal_nan=True), (name, sign)
 
@@ -72,8 +72,8 @@ NUMBERS = {
 """Of findings, the number that is found where they are."""
 
 
-def check_places(solution):
-    """An extreme, and a finding that quotes one, is what the column says at its place."""
+def check_positions(solution):
+    """An extreme, and a finding that quotes one, is the value of the column at its position."""
     for sampled in solution.trajectory.sampled:
         part = sampled.part
         for (name, sign), extreme in sampled.extremes.items():
@@ -162,7 +162,7 @@ def test_a_thrown_stream_is_slowest_at_its_apex(up_deg):
 
 
 class Parabola:
-    """A part of the way with one quantity, greatest at a share of it."""
+    """A part of the stream with one quantity, greatest at a share of it."""
 
     def __init__(self, top):
         self.top = top

@@ -1,4 +1,4 @@
-"""Whatever a spec says: a solution, or faults that can be mended. Never a traceback, a NaN that counts, or a hang."""
+"""Whatever a spec says: a solution, or faults to correct. Never a traceback, a NaN that counts, or a hang."""
 
 import copy
 import tomllib
@@ -25,25 +25,25 @@ junk = st.one_of(
 STARTER = tomllib.loads(chutecalc.STARTER)
 
 
-def places(data, place=()):
-    """Every place of nested tables."""
-    yield place
+def locations(data, location=()):
+    """Yield every location in nested tables."""
+    yield location
     items = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
     for key, value in items:
-        yield from places(value, (*place, key))
+        yield from locations(value, (*location, key))
 
 
-def put(data, place, value):
+def put(data, location, value):
     changed = copy.deepcopy(data)
     here = changed
-    for item in place[:-1]:
+    for item in location[:-1]:
         here = here[item]
-    here[place[-1]] = value
+    here[location[-1]] = value
     return changed
 
 
 def check(data):
-    """Parses and solves; faults have to say where, what and how to mend it, and a solution how it ends."""
+    """Parse and solve; faults must say where, what and how to correct it, and a solution must say how it ends."""
     try:
         solution = chutecalc.solve(chutecalc.parse(data))
     except chutecalc.SpecError as error:
@@ -54,23 +54,24 @@ def check(data):
 
 
 @fuzzed()
-@given(st.sampled_from([place for place in places(STARTER) if place]), junk)
-def test_junk_anywhere_in_a_spec(place, value):
-    check(put(STARTER, place, value))
+@given(st.sampled_from([location for location in locations(STARTER) if location]), junk)
+def test_junk_anywhere_in_a_spec(location, value):
+    check(put(STARTER, location, value))
 
 
 @fuzzed()
 @given(
-    st.sampled_from([place for place in places(STARTER) if place and isinstance(place[-1], str)]), st.text(max_size=10)
+    st.sampled_from([location for location in locations(STARTER) if location and isinstance(location[-1], str)]),
+    st.text(max_size=10),
 )
-def test_a_key_misspelt(place, name):
+def test_a_key_misspelt(location, name):
     changed = copy.deepcopy(STARTER)
     here = changed
-    for item in place[:-1]:
+    for item in location[:-1]:
         here = here[item]
-    here[name] = here.pop(place[-1])
+    here[name] = here.pop(location[-1])
     solution = check(changed)
-    assert solution is None or name == place[-1] or place[:-1] in {("liners",), ("sections",)}
+    assert solution is None or name == location[-1] or location[:-1] in {("liners",), ("sections",)}
 
 
 @fuzzed()

@@ -12,7 +12,7 @@ import chutecalc
 from chutecalc.fields.table import Table
 from chutecalc.spec.chute_spec import ChuteSpec
 from tests import seeds
-from tests.robustness.chutes import MAKERS, drawn, draws, told
+from tests.robustness.chutes import MAKERS, drawn, draws, noting_spec
 from tests.robustness.faults import check_faults
 
 FOUND = sorted((Path(__file__).parent / "found").glob("*.toml"))
@@ -31,7 +31,7 @@ def test_every_chute_ends_with_a_status_and_its_numbers(first, maker):
     """So many solved chutes, and as many refused ones as come between them."""
     solved = refused = 0
     for data, solution, error in draws(first, maker=maker):
-        with told(data):
+        with noting_spec(data):
             if solution is None:
                 check_faults(error, data)
                 refused += 1
@@ -66,7 +66,7 @@ def test_what_is_drawn_has_every_key_of_every_table():
 
 
 def given_keys(value):
-    """Every key that a checked spec gives, with the name of its table."""
+    """Yield every key that a checked spec gives, with the name of its table."""
     if isinstance(value, Table):
         for key in value.model_fields_set:
             yield type(value).__name__, key
@@ -78,7 +78,7 @@ def given_keys(value):
 
 @pytest.mark.parametrize("path", FOUND, ids=lambda path: path.stem)
 def test_what_random_chutes_have_found_before(path):
-    """The title begins with how the stream has to end, or the two ways where that is a matter of the last digit."""
+    """The title begins with how the stream has to end, or two endings where the last digit decides."""
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     solution = drawn(data).solution
     assert solution.status[0] in data["title"].split(":")[0].split(" or ")
@@ -123,8 +123,8 @@ def test_a_design_does_not_depend_on_the_batch_it_is_in(number):
     values = {key: random.uniform(*limits, 11) for key, limits in KEYS.items()}
     for data, solution, _ in islice(draws(number), TOGETHER):
         if solution is None:
-            continue  # told of above
-        with told(data):
+            continue  # reported above
+        with noting_spec(data):
             base = chutecalc.parse(data)
             try:
                 batch = chutecalc.solve(base.vary(values))
@@ -142,7 +142,7 @@ def compare(base, values, batch):
     turned = chutecalc.solve(base.vary({key: column[::-1] for key, column in values.items()}))
     assert batch.status.tolist() == [one.status[0] for one in alone] == turned.status.tolist()[::-1]
     for name in ("velocity_m_s", "s_m", "time_s"):
-        columns = [way.exit[name] for way in batch.segments]
+        columns = [segment.exit[name] for segment in batch.segments]
         for number, column in enumerate(columns):
             expected = [one.segments[number].exit[name][0] for one in alone]
             assert np.array_equal(column, expected, equal_nan=True), (name, number)

@@ -10,7 +10,7 @@ from tests import seeds
 
 COUNT = seeds.times(24)
 ROUNDING = 1e-12
-"""Of a velocity, relative: events that divide the way are found within 1e-13 of their margin."""
+"""Of a velocity, relative: events that divide the segment are found within 1e-13 of their margin."""
 SECTIONS = {
     "chamfered": {"shape": "chamfered", "base_m": 0.9, "chamfer_deg": 35.0, "chamfer_m": 0.15},
     "rectangular": {"shape": "rectangular", "width_m": 1.0},
@@ -20,7 +20,7 @@ ARC = {"kind": "curve", "radius_m": 3.0, "from_slope_deg": 20.0, "to_slope_deg":
 
 
 def tapers(shape, kind, seed=3):
-    """A tapered crest or spoon, and changes that make many of it."""
+    """Return a tapered crest or spoon, and changes that make many of it."""
     random = seeds.generator(seed, len(shape), kind == "crest")
     end = random.uniform(-10.0, 55.0, COUNT)
     start = end - random.uniform(1.0, 30.0, COUNT) if kind == "crest" else end + random.uniform(0.1, 1.0, COUNT) * 30.0
@@ -52,7 +52,7 @@ def tapers(shape, kind, seed=3):
     return chutecalc.parse(spec), changes
 
 
-def first_leg(design, rtol, complete=True):
+def first_segment(design, rtol, complete=True):
     segment_solutions, _ = run_chain(design, rtol, complete)
     return segment_solutions[0]
 
@@ -62,11 +62,11 @@ def first_leg(design, rtol, complete=True):
 def test_errors_along_a_taper_are_within_their_estimates(shape, kind):
     base, changes = tapers(shape, kind)
     design = base.vary(changes).design
-    known = first_leg(design, 1e-13)
+    known = first_segment(design, 1e-13)
     right = known.exit
     for rtol in (1e-6, 1e-10):
         for complete in (False, True):
-            solved = first_leg(design, rtol, complete)
+            solved = first_segment(design, rtol, complete)
             end = solved.exit
             assert (solved.status == known.status).all()
             ran = solved.status == Status.OK
@@ -87,7 +87,7 @@ def test_a_pipe_that_narrows_until_the_stream_nearly_fills_it_tells_its_error(rt
             "segments": [ARC | {"radius_m": 9.01, "from_slope_deg": -1.98, "to_slope_deg": 18.5}],
         }
     ).design
-    right, end = (first_leg(narrow, tolerance, complete=False).exit for tolerance in (1e-13, rtol))
+    right, end = (first_segment(narrow, tolerance, complete=False).exit for tolerance in (1e-13, rtol))
     assert abs(end.velocity[0] / right.velocity[0] - 1.0) <= end.error[0] + right.error[0] + ROUNDING
 
 
@@ -95,10 +95,10 @@ def test_a_pipe_that_narrows_until_the_stream_nearly_fills_it_tells_its_error(rt
 @pytest.mark.parametrize("shape", list(SECTIONS))
 def test_digits_along_a_taper_do_not_depend_on_the_batch(shape, kind):
     base, changes = tapers(shape, kind)
-    together = first_leg(base.vary(changes).design, 1e-12)
+    together = first_segment(base.vary(changes).design, 1e-12)
     for k in range(COUNT):
         one = base.vary({path: values[k : k + 1] for path, values in changes.items()})
-        alone = first_leg(one.design, 1e-12)
+        alone = first_segment(one.design, 1e-12)
         assert np.array_equal(alone.exit.velocity, together.exit.velocity[k : k + 1], equal_nan=True), k
         assert alone.status[0] == together.status[k]
 
@@ -117,10 +117,10 @@ def test_a_stream_that_creeps_along_a_taper_counts_as_stalled_alone_as_in_compan
         }
     )
     changes = {f"sections.{end}.chamfer_deg": random.uniform(45.0, 48.0, 3) for end in ("body", "end")}
-    together = first_leg(base.vary(changes).design, 1e-10)
+    together = first_segment(base.vary(changes).design, 1e-10)
     creeping = 0
     for k in range(3):
-        alone = first_leg(base.vary({path: values[k : k + 1] for path, values in changes.items()}).design, 1e-10)
+        alone = first_segment(base.vary({path: values[k : k + 1] for path, values in changes.items()}).design, 1e-10)
         assert alone.status[0] == together.status[k] == Status.STALL, k
         assert np.array_equal(alone.exit.velocity, together.exit.velocity[k : k + 1]), k
         creeping += 0.0 < alone.exit.velocity[0] < 1e-3
@@ -175,6 +175,6 @@ def test_a_panel_in_r_that_is_cut_tells_the_error_of_its_part():
     )
     right = chutecalc.exits(base, 1e-13).exit["velocity_m_s"][0]
     for rtol in (1e-3, 1e-5, 1e-7, 1e-9):
-        told = chutecalc.exits(base, rtol)
-        off = abs(told.exit["velocity_m_s"][0] / right - 1.0)
-        assert off <= told.error_estimate[0] + 1e-14  # rounding of both
+        ends = chutecalc.exits(base, rtol)
+        off = abs(ends.exit["velocity_m_s"][0] / right - 1.0)
+        assert off <= ends.error_estimate[0] + 1e-14  # rounding of both

@@ -363,7 +363,7 @@ def all_of(solution, code):
 
 
 def test_a_taper_is_judged_where_it_is_worst():
-    """Faster all the way, and too slow at its narrow end: friction wins there below v_c = B1/A1."""
+    """Faster everywhere, and too slow at its narrow end: friction wins there below v_c = B1/A1."""
     sections = {name: {"shape": "rectangular", "width_m": width} for name, width in (("wide", 0.6), ("narrow", 0.16))}
     solution = chutecalc.solve(
         chute(
@@ -399,7 +399,7 @@ def stalled_on_a_locus(**more):
 
 
 def test_a_stall_on_a_locus_is_judged_at_the_pressure_of_rest():
-    """There σ is infinite and μ the last slope, 0.4: no bound binds, and the friction told is that of the entry."""
+    """There σ is infinite and μ the last slope, 0.4: no bound binds, and the friction reported is that of the entry."""
     solution = stalled_on_a_locus(material={"internal_friction_deg": 60.0})
     assert solution.status[0] == "stall"
     entry = solution.segments[0].entry["equivalent_friction"][0]

@@ -22,7 +22,7 @@ def starter():
 
 
 def numbers(table, path=""):
-    """All numbers of a spec, by their paths."""
+    """Yield all numbers of a spec, by their paths."""
     items = table.items() if isinstance(table, dict) else enumerate(table, 1)
     for key, value in items:
         here = f"{path}.{key}".lstrip(".")
@@ -33,39 +33,39 @@ def numbers(table, path=""):
 
 
 def expected(base, path, values):
-    """What single designs give, one after the other; NaN where there is none."""
-    told = []
+    """Return what single designs give, one after the other; NaN where there is none."""
+    computed = []
     for value in values:
         try:
             found = chutecalc.exits(base.vary({path: [value]}), columns=[name[5:] for name in OUTPUTS[:-1]])
         except chutecalc.SpecError as error:
             if error.designs is None:
                 raise
-            told.append([np.nan] * len(OUTPUTS))
+            computed.append([np.nan] * len(OUTPUTS))
         else:
             ok = found.ok[0]
-            told.append(
+            computed.append(
                 [*(found.exit[name[5:]][0] for name in OUTPUTS[:-1]), found.error_estimate[0] if ok else np.nan]
             )
-    return np.array(told).T
+    return np.array(computed).T
 
 
-def agree(told, right):
-    return np.array_equal(told, right, equal_nan=True)
+def agree(computed, right):
+    return np.array_equal(computed, right, equal_nan=True)
 
 
-def agree_within_rounding(told, base, path, values):
+def agree_within_rounding(computed, base, path, values):
     """Within what one digit more or less of the number does: NumPy's sine and C's may differ by as much."""
     rounded = np.array([expected(base, path, values * (1.0 + step * 2e-16)) for step in range(-4, 5)])
     none = np.isnan(rounded)
-    alike = np.where(np.isnan(told), none.any(axis=0), ~none.all(axis=0))
+    alike = np.where(np.isnan(computed), none.any(axis=0), ~none.all(axis=0))
     least, most = np.fmin.reduce(rounded), np.fmax.reduce(rounded)
     spread = most - least + 4e-16 * np.abs(most)
-    return bool((alike & (np.isnan(told) | (told >= least - spread) & (told <= most + spread))).all())
+    return bool((alike & (np.isnan(computed) | (computed >= least - spread) & (computed <= most + spread))).all())
 
 
 def test_every_number_of_random_chutes():
-    """By the way written down and by the chute built anew: the same numbers, and the same refusals."""
+    """By the recording and by a chute built again: the same numbers, and the same refusals."""
     random, traced = np.random.default_rng(5), 0
     for data in islice(random_specs(31), seeds.times(20)):
         try:
@@ -83,9 +83,9 @@ def test_every_number_of_random_chutes():
                 with pytest.raises(chutecalc.SpecError):
                     f(values)
                 continue
-            told = np.array(f(values))
-            assert np.array_equal([f(float(item)) for item in values], told.T, equal_nan=True), (path, values)
-            assert agree(told, right) or agree_within_rounding(told, base, path, values), (path, values)
+            computed = np.array(f(values))
+            assert np.array_equal([f(float(item)) for item in values], computed.T, equal_nan=True), (path, values)
+            assert agree(computed, right) or agree_within_rounding(computed, base, path, values), (path, values)
     assert traced > 100
 
 
@@ -175,9 +175,9 @@ def test_at_a_plate_the_impact_counts(outputs):
         segments=[{"name": "wall", "kind": "plate", "slope_deg": 40.0, "length_m": 1.0}],
     )
     right = chutecalc.exits(base, columns=[name[5:] for name in outputs]).exit
-    told = base.function(["inlet.velocity_m_s"], outputs)(3.0)
-    assert told == tuple(right[name[5:]][0] for name in outputs)
-    assert told[0] > 0.0
+    computed = base.function(["inlet.velocity_m_s"], outputs)(3.0)
+    assert computed == tuple(right[name[5:]][0] for name in outputs)
+    assert computed[0] > 0.0
 
 
 @pytest.mark.parametrize(
@@ -268,15 +268,15 @@ def test_one_design_needs_no_table_and_is_what_solve_says(name, monkeypatch):
     monkeypatch.setattr("chutecalc.api.function.run_recipe", never)
     monkeypatch.setattr("chutecalc.api.function.run_ends", never)
     for radius, friction in ((3.0, 20.0), (2.5, 55.0), (2.0, 15.0), (3.0, 20.0)):
-        told = f(radius, friction)
+        computed = f(radius, friction)
         changed = {"segments.last.radius_m": radius, "liners.wall.friction_deg": friction}
         solution = chutecalc.solve(base.vary(changed), 1e-12)
         if solution.status[0] == "ok":
             right = [solution.exit[name.removeprefix("exit_")][0] for name in ENDS[:-1]]
             scale = np.maximum(np.abs(right), [0.0, 1.0, 1.0, 1.0, 1.0, 0.0])  # m and degrees, where they are near 0
-            assert (np.abs(np.array(told[:-1]) - right) <= 2e-10 * scale).all()
+            assert (np.abs(np.array(computed[:-1]) - right) <= 2e-10 * scale).all()
         else:
-            assert np.isnan(told).all()
+            assert np.isnan(computed).all()
 
 
 def test_threads_share_a_function():

@@ -12,7 +12,7 @@ WORDS = ("", "s", "velocity", "μ_e\nW/m²", "depth\nm", "石炭", "e\u0301tage"
 
 
 def drawn(grid):
-    """What rich makes of it where nothing is cut, without what is at the end of lines."""
+    """Return what rich makes of it where nothing is cut, without what is at the end of lines."""
     stream = io.StringIO()
     Console(file=stream, width=10_000, color_system=None).print(grid.drawn())
     return [line.rstrip() for line in stream.getvalue().splitlines()]

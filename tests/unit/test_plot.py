@@ -10,8 +10,8 @@ import pytest
 import chutecalc
 from chutecalc.output.plots.run import PANELS, draw_run
 from chutecalc.output.plots.save import PICTURE_FORMATS, save
-from chutecalc.output.plots.side import STATIONS
 from chutecalc.output.plots.style import colours
+from chutecalc.output.plots.traces import STATIONS
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.friction.plot import draw_study
 from chutecalc.studies.friction.study import FrictionStudy

@@ -1,4 +1,4 @@
-"""The bar for long work: nothing but on a terminal, and there what it is told."""
+"""The bar for long work: nothing but on a terminal, and there the number given."""
 
 import time
 
@@ -18,9 +18,9 @@ def on_terminal(monkeypatch):
 @pytest.mark.parametrize(("slow", "pace"), [(False, "/s"), (True, "0:00:0")])
 def test_what_a_terminal_shows(slow, pace, monkeypatch, capsys):
     on_terminal(monkeypatch)
-    with progress("designs", slow) as told:
+    with progress("designs", slow) as report:
         for done in (300, 600, 900, 1200):
-            told(done, 1200)
+            report(done, 1200)
             time.sleep(0.02)  # longer than a tick of any clock
     shown = capsys.readouterr()
     last = shown.err[shown.err.rindex("1200/1200 designs") :]

@@ -6,7 +6,7 @@ import pytest
 import chutecalc
 from chutecalc.core.records import FIELDS
 from chutecalc.design import Status
-from chutecalc.solver import chain, profile
+from chutecalc.solver import chain, contact_profile
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.panels import Panels
 
@@ -27,7 +27,7 @@ CHAIN = {
 
 @pytest.fixture
 def panels(monkeypatch):
-    """How many panels have been tried by each design of each stretch."""
+    """Return how many panels have been tried by each design of each stretch."""
     tried = []
     solve = chain.batch_call.solve
 
@@ -49,7 +49,7 @@ def test_a_design_whose_first_pair_agrees_is_not_refined(panels):
 
 
 def test_a_stall_takes_few_panels(panels):
-    """The way whole, some in c as long as the ellipses of those refused say, one in r; by halves it is one more."""
+    """The whole segment, some panels in c as long as rejected ellipses allow, one in r; halving takes one more."""
     stalls = CHAIN | {"inlet": {"velocity_m_s": 2.0, "slope_deg": 60.0}, "segments": [CHAIN["segments"][2]]}
     many = chutecalc.parse(stalls).vary({"liners.steel.friction_deg": np.linspace(45.0, 60.0, 50)})
     assert (run_chain(many.design, 1e-10, dense_output=False)[1].status == Status.STALL).all()
@@ -79,8 +79,8 @@ def test_columns_that_are_not_asked_for_are_not_worked_out(monkeypatch):
     def never(*arguments):
         raise AssertionError("worked out")
 
-    monkeypatch.setattr(profile.profile, "tabulate_wall_loads", never)
-    monkeypatch.setattr(profile.critical_velocity, "critical_velocities", never)
+    monkeypatch.setattr(contact_profile.profile, "tabulate_wall_loads", never)
+    monkeypatch.setattr(contact_profile.critical_velocity, "critical_velocities", never)
     monkeypatch.setattr(Panels, "times", never)
     solution = chutecalc.solve(chutecalc.parse(CHAIN))
     table = solution.stations(columns=("velocity_m_s", "depth_m"))

@@ -300,8 +300,8 @@ def test_what_is_no_quantity_is_not_varied(path, values, given):
     with pytest.raises(chutecalc.SpecError) as caught:
         chutecalc.parse(STARTER).vary({path: values})
     (fault,) = caught.value.faults
-    said = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
-    assert fault[:4] == (path, *said, given)
+    fault_text = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
+    assert fault[:4] == (path, *fault_text, given)
 
 
 def test_faults_of_what_is_varied_are_told_together():

@@ -19,7 +19,7 @@ PROGRAMS = {
 
 
 def written(program):
-    """A recipe of two numbers."""
+    """Return a recipe of two numbers."""
     tape = Tape()
     return tape.recipe([program(tape.new_variable(X), tape.new_variable(Y))])
 
@@ -28,8 +28,8 @@ def written(program):
 def test_done_again(name):
     """Each is one operation of C's after the other; their functions are right to a digit."""
     numbers = np.random.default_rng(4).uniform(-1.5, 1.5, (50, 2))
-    told = run_recipe(written(PROGRAMS[name]), numbers)
-    assert told[:, 0] == pytest.approx(PROGRAMS[name](*numbers.T), rel=1e-14, abs=1e-15)
+    found = run_recipe(written(PROGRAMS[name]), numbers)
+    assert found[:, 0] == pytest.approx(PROGRAMS[name](*numbers.T), rel=1e-14, abs=1e-15)
 
 
 @pytest.mark.parametrize("holds", [lambda x, y: x > y, lambda x, y: (x > y).all(), lambda x, y: np.any(np.less(y, x))])

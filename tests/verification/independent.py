@@ -43,7 +43,7 @@ class Section:
 
 
 def travel(case: dict[str, Any]) -> tuple[str, float, float]:
-    """How a stream ends on one segment: status, distance travelled, velocity there.
+    """Return how a stream ends on one segment: status, distance travelled, velocity there.
 
     Args:
         case: kind, velocity, start and end slopes, radius or length, and what the section and the flow need.

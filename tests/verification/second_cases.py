@@ -15,7 +15,7 @@ KINDS = ["straight", "straight", "curve", "curve", "curve", "hood", "plate", "fa
 
 
 class Maker:
-    """Chutes of moderate size, with some extremes; told by a seed."""
+    """Chutes of moderate size, with some extremes, each given by a seed."""
 
     def __init__(self, seed: int) -> None:
         self.random = seeds.generator(7, seed)
@@ -141,7 +141,7 @@ class Maker:
             segment, slope = self.segment(slope)
             segments.append(segment)
         if self.maybe(0.15):
-            self.place(segments)
+            self.put_anywhere(segments)
         data["segments"] = segments
         if self.maybe(0.4):
             data["receiver"] = {
@@ -151,7 +151,7 @@ class Maker:
             }
         return data
 
-    def place(self, segments: list[dict[str, Any]]) -> None:
+    def put_anywhere(self, segments: list[dict[str, Any]]) -> None:
         number = int(self.random.integers(len(segments)))
         if segments[number]["kind"] == "fall":
             return
@@ -162,7 +162,7 @@ class Maker:
 
 
 def case(seed: int, maker: type[Maker] = Maker) -> tuple[dict[str, Any], chutecalc.Chute]:
-    """The first chute of this seed that is a chute: some draws are faults of geometry."""
+    """Return the first chute of this seed that is a chute: some draws are faults of geometry."""
     drawing = maker(seed)
     for _ in range(100):
         data = drawing.chute()
@@ -176,7 +176,7 @@ def case(seed: int, maker: type[Maker] = Maker) -> tuple[dict[str, Any], chuteca
 
 
 def theirs_of(chute: chutecalc.Chute, rtol: float = 1e-10) -> dict[str, Any]:
-    """What chutecalc says, as plain numbers."""
+    """Return what chutecalc says, as plain numbers."""
 
     def plain(table: dict[str, Any]) -> dict[str, float]:
         return {key: float(value[0]) for key, value in table.items()}
@@ -200,11 +200,12 @@ def theirs_of(chute: chutecalc.Chute, rtol: float = 1e-10) -> dict[str, Any]:
 
 
 def ours_of(data: dict[str, Any]) -> dict[str, Any]:
-    """What the second solver says, in the same words."""
-    return told(solve(data))
+    """Solve a spec with the second solver."""
+    return summary(solve(data))
 
 
-def told(result: Result) -> dict[str, Any]:
+def summary(result: Result) -> dict[str, Any]:
+    """Return a result of the second solver in the words of chutecalc."""
     segments = []
     for segment in result.segments:
         impact = segment.impacts[0] if segment.impacts else (nan, nan, nan)
@@ -239,7 +240,7 @@ def _ends(segment: Any, stream: Stream | None, which: int) -> dict[str, float]:
     if segment.setting is not None and stream.v > 0:
         u = (segment.begin, segment.end)[which]
         out["depth_m"] = segment.setting.load(u, stream.v).depth
-        # on a plate nothing slides: what is told there is the friction of the impact
+        # on a plate nothing slides: what is reported there is the friction of the impact
         plate = segment.setting.surface.side < 0 and segment.setting.surface.kappa == 0
         out["equivalent_friction"] = (
             segment.struck if plate and segment.impacts else segment.setting.equivalent(u, stream.v)
@@ -258,7 +259,7 @@ class Difference(NamedTuple):
 
 
 def differences(ours: dict[str, Any], theirs: dict[str, Any]) -> list[Difference]:
-    """Every number that both have."""
+    """Return every number that both have."""
     out = []
 
     def add(name: str, one: float, other: float, scale: float = 1.0) -> None:
@@ -293,7 +294,7 @@ CREEP = 1e-3  # m/s, slower than that chutecalc may call a stall
 
 
 def judge(seed: int, maker: type[Maker] = Maker) -> tuple[str, list[str]]:
-    """How one random chute compares: same, edge, creep, undecided or wrong; and what is wrong."""
+    """Return how one random chute compares: same, edge, creep, undecided or wrong; and what is wrong."""
     data, chute = case(seed, maker)
     return compare(data, theirs_of(chute))
 
@@ -333,7 +334,7 @@ def compare(data: dict[str, Any], theirs: dict[str, Any]) -> tuple[str, list[str
 
 
 def creeps(ours: dict[str, Any], theirs: dict[str, Any], off: dict[str, Any]) -> bool:
-    """Whether chutecalc called a stream stalled that creeps a few more millimetres before it is."""
+    """Return whether chutecalc called a stream stalled that creeps a few more millimetres before it is."""
     last = [k for k, segment in enumerate(theirs["segments"]) if segment["status"] == "stall"]
     if not last or not all(name.startswith(f"{last[0] + 1} exit") for name in off):
         return False
@@ -342,7 +343,7 @@ def creeps(ours: dict[str, Any], theirs: dict[str, Any], off: dict[str, Any]) ->
 
 
 def nudged(data: dict[str, Any], share: float) -> dict[str, Any]:
-    """The chute with its inlet's velocity changed by this share."""
+    """Return the chute with its inlet's velocity changed by this share."""
     changed = copy.deepcopy(data)
     inlet = changed["inlet"].get("belt", changed["inlet"])
     inlet["velocity_m_s"] *= 1 + share

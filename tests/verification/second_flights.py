@@ -110,7 +110,7 @@ def distance(flight: Flight, surface: Surface) -> list[float]:
 
 
 def roots(powers: list[float], begin: float, end: float) -> list[float]:
-    """Where a polynomial changes sign: its monotone pieces from its derivative's own roots, then brentq."""
+    """Return where a polynomial changes sign: its monotone pieces from its derivative's own roots, then brentq."""
 
     def value(t: float) -> float:
         total = 0.0
@@ -122,8 +122,7 @@ def roots(powers: list[float], begin: float, end: float) -> list[float]:
         return []
     turns = roots([k * power for k, power in enumerate(powers)][1:], begin, end)
     found = []
-    places = [begin, *turns, end]
-    for one, other in pairwise(places):
+    for one, other in pairwise([begin, *turns, end]):
         low, high = value(one), value(other)
         if low * high < 0:
             found.append(brentq(value, one, other, xtol=1e-300, rtol=1e-15, maxiter=500))
@@ -155,7 +154,7 @@ def passing(flight: Flight, surface: Surface) -> float:
 
 
 def horizon(flight: Flight, surface: Surface) -> float:
-    """A time by which the flight is past all of a surface: far below it, or far beyond its end."""
+    """Return a time by which the flight is past all of a surface: far below it, or far beyond its end."""
     size = (
         abs(flight.x - surface.x)
         + abs(flight.z - surface.z)
@@ -176,7 +175,7 @@ class Landing:
 
 
 def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
-    """The first meeting from the stream's side before the surface is passed, or None; and when it is passed.
+    """Return the first meeting from the stream's side before the surface is passed, or None; and when it is passed.
 
     It passes the end on the stream's side, or not at all: a stream that is behind the surface there fell short.
     """
@@ -188,7 +187,7 @@ def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
         if rate >= 0:  # from behind
             continue
         x, z = flight.at(t)
-        u = place(x, z, surface)
+        u = length_at(x, z, surface)
         if -1e-13 * surface.length <= u <= surface.length * (1 + 1e-13):
             u = min(max(u, 0.0), surface.length)
             vx, vz = flight.velocity(t)
@@ -199,15 +198,15 @@ def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
 
 
 def _height(flight: Flight, surface: Surface, t: float) -> float:
-    """How far the flight is on the stream's side of the surface's end."""
+    """Return how far the flight is on the stream's side of the surface's end."""
     x, z = surface.at(surface.length)
     angle = surface.slope_at(surface.length)
     at = flight.at(t)
     return surface.side * ((at[0] - x) * sin(angle) + (at[1] - z) * cos(angle))
 
 
-def place(x: float, z: float, surface: Surface) -> float:
-    """Distance along the surface of a point on it."""
+def length_at(x: float, z: float, surface: Surface) -> float:
+    """Return the distance along the surface of a point on it, m."""
     if surface.kappa == 0:
         return (x - surface.x) * cos(surface.slope) - (z - surface.z) * sin(surface.slope)
     radius = 1 / surface.kappa

@@ -25,7 +25,7 @@ class Load:
         return chi / (1 - self.missing / self.area) if law == "equilibrium" else chi
 
     def factor(self, law: str) -> float:
-        """All wall pressures by this much over hydrostatic ones, to carry (1 + χ) N."""
+        """Return all wall pressures by this much over hydrostatic ones, to carry (1 + χ) N."""
         chi, share = self.bent / self.area, self.missing / self.area
         return 1 / (1 - share) if law == "equilibrium" else (1 + chi) / (1 + chi - share)
 
@@ -168,7 +168,7 @@ Section = Polygon | Circle
 
 
 def section_of(table: dict[str, Any], ratio: float) -> Section:
-    """The section that a spec's table describes."""
+    """Return the section that a spec's table describes."""
     wall = table.get("wall_height_m", inf)
     shape = table["shape"]
     if shape == "circular":
@@ -184,7 +184,7 @@ def section_of(table: dict[str, Any], ratio: float) -> Section:
 
 
 def between(one: Any, other: Any, share: float) -> Any:
-    """A table whose numbers lie linearly between those of two."""
+    """Return a table whose numbers lie linearly between those of two."""
     if isinstance(one, dict):
         return {key: between(value, other[key], share) for key, value in one.items()}
     if isinstance(one, list):
@@ -225,7 +225,7 @@ class Friction:
         return slope + intercept / stress if intercept else slope
 
     def secant(self, stress: float, more: float) -> float:
-        """The shear stress that `more` normal stress adds, over it."""
+        """Return the shear stress that `more` normal stress adds, over it."""
         low, high = self.piece(stress), self.piece(stress + more)
         if low == high or more == 0:
             return self.pieces[low][2]
@@ -235,20 +235,20 @@ class Friction:
 
 
 def _least(lines: list[tuple[float, float, float]], strength: float) -> list[tuple[float, float, float]]:
-    """The lesser of a broken line and of the ray that is the material's own strength, as a broken line."""
+    """Return the lesser of a broken line and of the ray that is the material's own strength, as a broken line."""
     found: list[tuple[float, float, float]] = []
     for k, (start, intercept, slope) in enumerate(lines):
         end = lines[k + 1][0] if k + 1 < len(lines) else inf
         cut = intercept / (strength - slope) if strength != slope else inf
-        places = [start, cut] if start < cut < end else [start]
-        for place, stop in zip(places, [*places[1:], end], strict=True):
-            middle = place + 1 if stop == inf else (place + stop) / 2
+        starts = [start, cut] if start < cut < end else [start]
+        for begin, stop in zip(starts, [*starts[1:], end], strict=True):
+            middle = begin + 1 if stop == inf else (begin + stop) / 2
             if intercept + slope * middle > strength * middle:
                 intercept_here, slope_here = 0.0, strength
             else:
                 intercept_here, slope_here = intercept, slope
             if not found or found[-1][1:] != (intercept_here, slope_here):
-                found.append((place, intercept_here, slope_here))
+                found.append((begin, intercept_here, slope_here))
     return found
 
 

@@ -18,7 +18,7 @@ SPLITS = 200
 
 
 class UndecidedError(Exception):
-    """This solver cannot tell."""
+    """The second solver cannot solve this case."""
 
 
 @dataclass
@@ -103,7 +103,7 @@ class _Piece:
         return setting.g * sin(setting.surface.slope_at(u)) - mu * n, n, stress, section
 
     def margins(self, u: float, v: float) -> list[float]:
-        """What stays positive on this piece: facet's bounds, row's bounds, wall height, n, and f, of any sign."""
+        """Return what stays positive on this piece: bounds of facet and row, wall height, n, and f, of any sign."""
         setting = self.setting
         f, n, stress, section = self.state(u, v)
         area = setting.rate / v
@@ -139,7 +139,7 @@ def slide(setting: Setting, u: float, v: float) -> Slid:
 
 
 def _slow(f: float, v: float, length: float, share: float) -> bool:
-    """Whether the stream would stop within this share of the segment, at the force that it feels now."""
+    """Return whether the stream would stop within this share of the segment, at the force that it feels now."""
     return f < 0 and v * v < -2 * f * length * share
 
 
@@ -164,7 +164,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
 
         solver = DOP853(rhs, u, [v * v], length, rtol=RTOL, atol=1e-200, max_step=length / 10)
 
-    def place(t: float, y: float) -> tuple[float, float]:
+    def state_at(t: float, y: float) -> tuple[float, float]:
         return (y, t * t) if slow else (t, sqrt(y))
 
     def watched(t: float, y: float) -> list[float]:
@@ -198,7 +198,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
                 if back:  # it stands on the edge of a piece, and goes the other way
                     return back[0], u, v
             if hits:
-                return _first(hits, watched, dense, last, t, place)
+                return _first(hits, watched, dense, last, t, state_at)
             before, last = after, t
         if solver.status == "finished":
             if slow:
@@ -218,9 +218,9 @@ def _first(
     dense: Callable[[float], np.ndarray],
     begin: float,
     end: float,
-    place: Callable[[float, float], tuple[float, float]],
+    state_at: Callable[[float, float], tuple[float, float]],
 ) -> tuple[int, float, float]:
-    """The earliest of the events of a step."""
+    """Return the earliest of the events of a step."""
     found = []
     for hit in hits:
 
@@ -231,10 +231,10 @@ def _first(
         t = brentq(value, begin, end, xtol=1e-300, rtol=1e-15) if one * other < 0 else end
         found.append((abs(t - begin), hit, t))
     _, hit, t = min(found)
-    u, v = place(t, float(dense(t)[0]))
+    u, v = state_at(t, float(dense(t)[0]))
     return hit, u, v
 
 
 def _turns(before: float, after: float) -> bool:
-    """Whether the force changes sign; not where it is 0 but for rounding, on a stream that runs at its balance."""
+    """Return whether the force changes sign; not where it is 0 up to rounding, on a stream at its balance."""
     return before * after < 0 and max(abs(before), abs(after)) > 1e-8

@@ -58,7 +58,7 @@ class _FailedError(Exception):
 
 
 def inlet_of(data: dict[str, Any], g: float) -> Stream:
-    """Where the stream starts: given, or from a belt's pulley."""
+    """Return where the stream starts: given, or from a belt's pulley."""
     inlet = data["inlet"]
     x, z = inlet.get("at_m", (0.0, 0.0))
     if "belt" not in inlet:
@@ -164,7 +164,7 @@ class Solver:
     # surfaces
 
     def draw(self, table: dict[str, Any]) -> Surface:
-        """The drawn line or arc, and where the next one starts."""
+        """Return the drawn line or arc, and where the next one starts."""
         self.x, self.z = table.get("start_m", (self.x, self.z))
         kind = table["kind"]
         side = -1 if kind in ("hood", "plate") else 1
@@ -328,7 +328,7 @@ class Solver:
 
 
 def solve(data: dict[str, Any]) -> Result:
-    """What becomes of the stream of this chute."""
+    """Solve the stream of this chute."""
     return Solver(data).run()
 
 
@@ -345,10 +345,10 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("chutes", type=int)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1)
-    asked = parser.parse_args(arguments)
-    seeds = range(asked.first, asked.first + asked.chutes)
+    options = parser.parse_args(arguments)
+    seeds = range(options.first, options.first + options.chutes)
     counts: Counter[str] = Counter()
-    with Pool(asked.jobs) as pool:
+    with Pool(options.jobs) as pool:
         for seed, (verdict, wrong) in zip(seeds, pool.imap(judge, seeds, chunksize=20), strict=True):
             counts[verdict] += 1
             if verdict != "same":

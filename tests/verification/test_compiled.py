@@ -38,16 +38,16 @@ specs = [narrowing, *(data for _, data in zip(range(int(sys.argv[2])), random_sp
 for number, data in enumerate(specs):
     for rtol, complete in ((1e-12, True), (1e-6, False)):
         try:
-            legs, _ = run_chain(chutecalc.parse(data).design, rtol, complete)
+            solutions, _ = run_chain(chutecalc.parse(data).design, rtol, complete)
         except chutecalc.SpecError:
             continue
-        for leg in legs:
-            print(number, leg.status[0], *(float(numbers[0]).hex() for numbers in leg.exit[:8]))
+        for solved in solutions:
+            print(number, solved.status[0], *(float(numbers[0]).hex() for numbers in solved.exit[:8]))
 """
 
 
 def digits(form):
-    """What the core found of each design, and whether it was compiled."""
+    """Return what the core found of each design, and whether it was compiled."""
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM, form, str(COUNT)], capture_output=True, text=True, check=False
     )

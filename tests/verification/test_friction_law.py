@@ -13,7 +13,7 @@ OPEN = np.array([np.inf])
 
 
 def polygon(base, *sides):
-    """A section of facets, each with its length and its inclination in degrees."""
+    """Return a section of facets, each with its length and its inclination in degrees."""
     return Polygon(
         base=np.array([base]),
         lengths=tuple(np.array([length]) for length, _ in sides),

@@ -24,7 +24,7 @@ def solved(**tables):
 
 
 def added(stress, more, rows):
-    """What τ grows by over what σ does, kPa."""
+    """Return what τ grows by over what σ does, kPa."""
     total = stress + more
     return (friction(total, rows, 50.0) * total - friction(stress, rows, 50.0) * stress) / more
 
@@ -152,7 +152,7 @@ def test_a_crest_that_rises_is_met_again():
     solution = crest(velocity)
     again = solution.trajectory.results[-1]
     assert solution.status[0] == "ok"
-    assert [way.status[0] for way in solution.trajectory.results] == ["contact_lost", "ok", "ok"]
+    assert [result.status[0] for result in solution.trajectory.results] == ["contact_lost", "ok", "ok"]
     assert again.entry["slope_deg"][0] == pytest.approx(np.degrees(slope), rel=1e-11)
     assert again.impact["incidence_deg"][0] == pytest.approx(np.degrees(incidence), rel=1e-11)
     assert solution.exit_velocity[0] == pytest.approx(run.y[0, -1], rel=1e-10)

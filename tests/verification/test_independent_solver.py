@@ -44,7 +44,7 @@ def test_random_segment(kind, seed):
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("kind", ["spoon", "straight"])
 def test_a_stream_that_enters_just_at_the_top_of_the_chamfer(kind, seed):
-    """There the friction law has its kink, and the stream goes one way or the other from it at once."""
+    """There the friction law has its kink, and the stream takes one branch or the other from it at once."""
     case = random_case(kind, seed)
     section = Section(case["base"], case["chamfer"], case["chamfer_length"], case["delta"])
     top = section.area(case["chamfer_length"] * np.sin(np.radians(case["chamfer"])))
@@ -52,7 +52,7 @@ def test_a_stream_that_enters_just_at_the_top_of_the_chamfer(kind, seed):
 
 
 def check(case):
-    """chutecalc's outcome, place and velocity are those of the other solver."""
+    """chutecalc's outcome, position and velocity are those of the other solver."""
     kind = case["kind"]
     measure = {"length_m": case["length"], "slope_deg": case["start"]}
     arc = {"radius_m": case["radius"], "to_slope_deg": case["end"]}

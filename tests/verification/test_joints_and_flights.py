@@ -95,7 +95,7 @@ def test_leaving_an_edge_and_landing_further_down_a_straight():
 
     time = 2 * velocity * np.sin(second - first) / (G * np.cos(second))
     x, down = velocity * np.cos(first) * time, velocity * np.sin(first) + G * time
-    way = x / np.cos(second)
+    length = x / np.cos(second)
     arriving, slope = np.hypot(velocity * np.cos(first), down), np.arctan2(down, velocity * np.cos(first))
     friction = vee_friction(25.0, 45.0, 50.0)
     after = arriving * np.cos(slope - second) - friction * arriving * np.sin(slope - second)
@@ -105,7 +105,7 @@ def test_leaving_an_edge_and_landing_further_down_a_straight():
     assert flight.duration[0] == pytest.approx(time, rel=1e-12)
     assert arriving * np.sin(slope - second) == pytest.approx(velocity * np.sin(second - first), rel=1e-12)
     assert straight.entry["x_m"][0] == pytest.approx(x, rel=1e-12)
-    assert straight.entry["z_m"][0] == pytest.approx(-way * np.sin(second), rel=1e-12)
+    assert straight.entry["z_m"][0] == pytest.approx(-length * np.sin(second), rel=1e-12)
     assert straight.entry["velocity_m_s"][0] == pytest.approx(after, rel=1e-12)
     assert straight.entry["s_m"][0] == flight.exit["s_m"][0]
 
@@ -163,7 +163,7 @@ def test_contact_lost_goes_on_in_a_fall_from_where_the_stream_left():
     assert solution.status[0] == "ok"
     assert crest.status[0] == "contact_lost"
     assert fall.entry["velocity_m_s"][0] == pytest.approx(crest.exit["velocity_m_s"][0], rel=1e-14)
-    # the fall ends 1 m below the crest's drawn end, wherever the stream left it; energy is kept all the way
+    # the fall ends 1 m below the crest's drawn end, wherever the stream left it; energy is conserved
     level = -2.0 * (np.cos(np.radians(10.0)) - np.cos(np.radians(80.0))) - 1.0
     assert fall.exit["z_m"][0] == pytest.approx(level, rel=1e-13)
     assert fall.exit["velocity_m_s"][0] == pytest.approx(np.sqrt(9.0 - 2 * G * level), rel=1e-10)
@@ -180,7 +180,7 @@ def test_nothing_catches_a_stream_that_loses_contact_before_another_contact_segm
         )
     )
     assert solution.status[0] == "missed"
-    assert [way.status[0] for way in solution.trajectory.results] == ["contact_lost", "missed"]
+    assert [result.status[0] for result in solution.trajectory.results] == ["contact_lost", "missed"]
     # what is lost on the crest is a warning, for something follows; that this does not catch it is the failure
     severity = {finding.code: (finding.severity, finding.segment) for finding in solution.findings()}
     assert severity["contact_lost"] == ("warning", "crest")

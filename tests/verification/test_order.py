@@ -56,7 +56,7 @@ def test_the_end_of_a_panel_converges_with_twice_the_number_of_nodes(count, orde
 
 
 def kinked(**more):
-    """A spoon on which the depth passes the chamfer's top, down and up again."""
+    """Return a spoon on which the depth passes the chamfer's top, down and up again."""
     return chute(
         sections={"body": {"shape": "chamfered", "base_m": 0.4, "chamfer_deg": 50.0, "chamfer_m": 0.18}},
         inlet={"velocity_m_s": 4.6, "slope_deg": 85.0},

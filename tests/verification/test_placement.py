@@ -44,8 +44,8 @@ def test_onto_a_placed_straight(slope, length):
     assert throw.exit["velocity_m_s"][0] == pytest.approx(np.sqrt(16 - 2 * G * z), rel=1e-13)
     assert landed.exit["x_m"][0] == pytest.approx(start[0] + length * np.cos(np.radians(slope)), rel=1e-13)
     # only what lies after the landing is computed
-    way = landed.exit["s_m"][0] - landed.entry["s_m"][0]
-    assert way == pytest.approx(length - np.hypot(x - start[0], z - start[1]), rel=1e-12)
+    travelled = landed.exit["s_m"][0] - landed.entry["s_m"][0]
+    assert travelled == pytest.approx(length - np.hypot(x - start[0], z - start[1]), rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -140,7 +140,7 @@ def test_a_short_segment_is_flown_past_onto_the_one_after_it():
     inlet = {"velocity_m_s": 3.0, "slope_deg": 20.0}
     both = chutecalc.solve(chute(inlet=inlet, segments=[short, long]))
     one = chutecalc.solve(chute(inlet=inlet, segments=[long | {"length_m": 5.05}]))
-    assert [way.status[0] for way in both.segments] == ["passed", "ok"]
+    assert [result.status[0] for result in both.segments] == ["passed", "ok"]
     assert "flown_past" in [item.code for item in both.findings()]
     assert both.exit_velocity[0] == pytest.approx(one.exit_velocity[0], rel=1e-13)
     assert both.exit["s_m"][0] == pytest.approx(one.exit["s_m"][0], rel=1e-13)
@@ -173,8 +173,8 @@ def test_a_stream_that_lifts_off_a_crest_lands_on_what_follows():
         return z * np.cos(turn) + x * np.sin(turn)
 
     time = brentq(above, 0.2, 5.0, xtol=1e-15)
-    assert [way.status[0] for way in solution.segments] == ["contact_lost", "ok"]
-    assert [way.name for way in solution.trajectory.results] == ["curve", "straight:flight", "straight"]
+    assert [result.status[0] for result in solution.segments] == ["contact_lost", "ok"]
+    assert [result.name for result in solution.trajectory.results] == ["curve", "straight:flight", "straight"]
     assert (solution.segments[1].entry["x_m"][0], solution.segments[1].entry["z_m"][0]) == pytest.approx(fly(time))
     (lost,) = [item for item in solution.findings() if item.code == "contact_lost"]
     assert lost.severity == "warning"
@@ -196,7 +196,7 @@ def test_a_hood_that_the_stream_drops_off_is_struck_again():
             segments=[{"kind": "hood", "radius_m": radius, "to_slope_deg": 80.0}],
         )
     )
-    assert [way.name for way in solution.trajectory.results] == ["hood", "hood:flight", "hood"]
+    assert [result.name for result in solution.trajectory.results] == ["hood", "hood:flight", "hood"]
     flight, again = solution.trajectory.results[1:]
     assert flight.duration[0] == pytest.approx(time, rel=1e-11)
     assert (again.entry["x_m"][0], again.entry["z_m"][0]) == pytest.approx(fly(time), rel=1e-11)
@@ -322,7 +322,7 @@ def test_the_receiving_belt():
 
 
 def falling_onto(drop, velocity, slope, friction):
-    """A stream that falls straight down onto a belt."""
+    """Return a stream that falls straight down onto a belt."""
     receiver = {"velocity_m_s": velocity, "slope_deg": slope, "friction_deg": friction}
     segments = [{"kind": "fall", "drop_m": drop}]
     inlet = {"velocity_m_s": 0.0, "slope_deg": 90.0}

@@ -19,7 +19,7 @@ SPOONS = {name: list(stations) for name, stations in groupby(rows("spoon.csv"), 
 
 
 def spoon(row):
-    """The chute of a row: the stream enters along the arc's own slope."""
+    """Return the chute of a row: the stream enters along the arc's own slope."""
     value = {name: float(text) for name, text in row.items() if name != "case" and text}
     return chute(
         flow={"rate_t_h": value["rate_t_h"], "gravity_m_s2": value["gravity_m_s2"]},
@@ -46,15 +46,15 @@ def test_velocity_at_every_station_of_the_seventeen_spoons(case, rtol):
     part = solution.trajectory.parts[-1]
     start, end = (np.radians(90.0 - float(first[name])) for name in ("from_slope_deg", "to_slope_deg"))
     stations = [row for row in SPOONS[case] if row["velocity_m_s"]]
-    place = np.array([(float(row["theta_rad"]) - start) / (end - start) for row in stations])
+    share = np.array([(float(row["theta_rad"]) - start) / (end - start) for row in stations])
     expected = np.array([float(row["velocity_m_s"]) for row in stations])
 
     _, travelled = part.span()
-    velocity = part.at((np.clip(place, 0.0, 1.0) / travelled)[:, None], ["velocity_m_s"])["velocity_m_s"][:, 0]
+    velocity = part.at((np.clip(share, 0.0, 1.0) / travelled)[:, None], ["velocity_m_s"])["velocity_m_s"][:, 0]
 
-    # the entry velocity is handed over as a double, and each panel rounds: 1e-15; near a stop a place is worth
+    # the entry velocity is handed over as a double, and each panel rounds: 1e-15; near a stop a position is worth
     # dv = (dv/dc) rtol instead
-    slope = np.abs(np.gradient(expected, place))
+    slope = np.abs(np.gradient(expected, share))
     allowed = np.maximum(rtol * expected, rtol * slope)
     if case == "near_b45":  # almost stops, at 0.09 m/s: as ill-conditioned as its error estimate says
         allowed = np.maximum(allowed, solution.error_estimate[0] * expected)

@@ -1,4 +1,4 @@
-"""Circular and faceted sections, pressures on all walls, tapers: each against a second way."""
+"""Circular and faceted sections, pressures on all walls, tapers: each against another method."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ OPEN = np.array([np.inf])
 
 
 def polygon(base, *sides):
-    """A section of facets, each with its length and its inclination in degrees."""
+    """Return a section of facets, each with its length and its inclination in degrees."""
     lengths, angles = zip(*sides, strict=True) if sides else ((), ())
     return Polygon(
         base=np.array([base]),
@@ -34,7 +34,7 @@ def wet(section, ratio, depth):
 
 
 def ring(radius, sides):
-    """A polygon around the lower half circle, drawn through points at equal angles."""
+    """Return a polygon around the lower half circle, drawn through points at equal angles."""
     angles = np.linspace(0.0, np.pi / 2, sides + 1)
     slopes = 0.5 * (angles[1:] + angles[:-1])
     length = 2.0 * radius * np.sin(0.25 * np.pi / sides)
@@ -152,7 +152,7 @@ SECTIONS = {
 
 
 def elements(section, depth):
-    """The wetted walls of one side: width, inclination, ζ at their feet and tops, or the half-angle of an arc."""
+    """Yield the wetted walls of one side: width, inclination, ζ at their feet and tops, or the half-angle of an arc."""
     foot = 0.0
     sides = [(9.0, np.pi / 2)]
     if isinstance(section, Polygon):
@@ -197,7 +197,7 @@ def pressures(name, ratio, area, equilibrium):
 @pytest.mark.parametrize("depth", [0.01, 0.1, 0.5])
 @pytest.mark.parametrize("name", SECTIONS)
 def test_the_books_close(name, depth, equilibrium):
-    """∫ μ p v dl over the wetted walls is μ_e ρ n A v, with pressures falling from those told at the walls' feet."""
+    """∫ μ p v dl over the wetted walls is μ_e ρ n A v, with pressures that fall from those at the walls' feet."""
     section, ratio = SECTIONS[name], 0.3
     area, _ = wet(section, ratio, depth)
     excess = wetting(section, np.array([ratio]), area, equilibrium).excess
@@ -205,7 +205,7 @@ def test_the_books_close(name, depth, equilibrium):
     feet = [(chamfer if psi < np.pi / 2 else side, psi, below, above) for psi, below, above in elements(section, depth)]
     for drawn, pressure in ((True, chamfer), (False, side)):
         feet_of_kind = [pressure_ratio(psi, ratio) * below for _, psi, below, _ in feet if (psi < np.pi / 2) == drawn]
-        if feet_of_kind:  # what is told is the hardest pressed of its kind
+        if feet_of_kind:  # the reported pressure is the greatest of its kind
             scale = pressure / max(feet_of_kind)
     if isinstance(section, Circle):
         radius = float(section.radius[0])
@@ -270,7 +270,7 @@ def test_equilibrium_in_a_vee_is_one_over_cosine():
 
 
 def tapered(pieces, **more):
-    """A taper, or the same as constant sections each of its piece's middle."""
+    """Return a taper, or the same as constant sections each of its piece's middle."""
     wide = {"base_m": 0.8, "chamfer_deg": 40.0, "chamfer_m": 0.10}
     narrow = {"base_m": 0.3, "chamfer_deg": 60.0, "chamfer_m": 0.20}
     shape = {"shape": "chamfered"}

@@ -56,7 +56,7 @@ def test_no_added_stress_adds_friction_at_the_rate_of_its_piece():
 
 
 def test_a_locus_that_cuts_the_stress_axis_goes_to_the_origin_below_its_first_row():
-    """μ = τ1/σ1 = 0.3 there; on 2°, 20 m, 3 m/s the exact way to the stall by v dv/ds = A - B/v."""
+    """μ = τ1/σ1 = 0.3 there; on 2°, 20 m, 3 m/s the exact distance to the stall by v dv/ds = A - B/v."""
     solution = chutecalc.solve(
         chute(
             flow={"rate_t_h": 300.0},
@@ -78,13 +78,13 @@ def test_a_locus_that_cuts_the_stress_axis_goes_to_the_origin_below_its_first_ro
         return v / (9.80665 * (np.sin(slope) - mu * (1 + ratio * flow / v / 0.36) * np.cos(slope)))
 
     corner = 9.80665 * np.cos(slope) * flow / 2.0 / 0.6
-    ways = [
+    distances = [
         solve_ivp(rate, ends, [0.0], "DOP853", rtol=1e-12, atol=1e-14).y[0, -1]
         for ends in ((3.0, corner), (corner, 1e-7))
     ]
     assert solution.status[0] == "stall"
-    assert solution.segments[0].exit["s_m"][0] == pytest.approx(sum(ways), rel=1e-9)
-    assert sum(ways) == pytest.approx(1.669, abs=5e-4)
+    assert solution.segments[0].exit["s_m"][0] == pytest.approx(sum(distances), rel=1e-9)
+    assert sum(distances) == pytest.approx(1.669, abs=5e-4)
 
 
 def test_its_limit_at_no_pressure_is_the_materials_own():
@@ -165,8 +165,8 @@ def test_segments_against_an_independent_integration(rows, radius, velocity, rat
             segments=[segment],
         )
     )
-    # over a kink of the slope a step h of DOP853 is off by h² of what the slope jumps: 1e-7 of the way with 2,000 steps
-    # times the jump, a hundredth at most
+    # over a kink of the slope a step h of DOP853 is off by h² of what the slope jumps: with 2,000 steps 1e-7 of the
+    # distance times the jump, a hundredth at most
     assert solution.exit_velocity[0] == pytest.approx(integrated(case), rel=2e-9)
 
 
@@ -210,7 +210,7 @@ def test_the_locus_is_read_at_the_pressure_that_the_law_lays_on_the_floor(law, b
 
 
 def test_a_stream_that_leaves_a_hood_passes_the_rows_of_its_locus_on_the_way():
-    """On a panel that reaches beyond the loss of contact stress is negative, and no less a measure of the way there."""
+    """On a panel beyond the loss of contact stress is negative, and no less a measure of the path there."""
     rows = [[0.7294, 0.455], [0.8926, 0.5599], [1.219, 0.7961], [1.449, 0.7961], [3.2, 1.655]]
     radius, start, density, flow = 4.561, np.radians(-50.14), 641.1, 955.1 / 3.6 / 641.1
     of, lack = circle(0.2569), 1.0 - (1.0 - np.sin(np.radians(54.0))) / (1.0 + np.sin(np.radians(54.0)))

@@ -8,8 +8,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chutecalc.output.plots.side import END, Mark, Trace, deepest, draw_stream, extent, traces
+from chutecalc.output.plots.side import END, Mark, draw_stream
 from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, labels_of, looks, styled
+from chutecalc.output.plots.traces import Trace, deepest, extent, traces
 from chutecalc.output.table import outcome
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS

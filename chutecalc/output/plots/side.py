@@ -1,6 +1,6 @@
 """A chute from the side, to scale: its surfaces, and the stream at its depth, coloured by velocity."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,17 +10,12 @@ from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch
 
-from chutecalc.design import Contact, Status
 from chutecalc.output.plots.style import INK, MAP, PALE, SMALL, STEEL
+from chutecalc.output.plots.traces import Lines, Trace, deepest, extent, lost_flights, surfaces
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.surface import point
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
 
-STATIONS = 101
-"""Number of stations along each segment or flight."""
-DEEPEST = 0.25
-"""Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
 SHORT = 0.08
 """Share of the picture below which a segment has no name in it. Marks closer than half of it are drawn together."""
 ROOM = 0.09
@@ -34,17 +29,6 @@ SURFACE: dict[str, Any] = {
 }
 END: dict[str, Any] = {"marker": "X", "color": INK, "markersize": 8, "linestyle": "", "clip_on": False, "gid": "end"}
 """Look of the point where a stream ends before the chute does."""
-Lines = dict[str, Array]
-
-
-class Trace(NamedTuple):
-    """The stations of one segment or flight that the stream reached."""
-
-    name: str
-    kind: str
-    side: float
-    """1 on a floor, -1 under a roof, 0 in flight."""
-    columns: Lines
 
 
 class Mark(NamedTuple):
@@ -52,47 +36,6 @@ class Mark(NamedTuple):
 
     number: str
     s: float
-
-
-def traces(solution: SolvedChute) -> list[Trace]:
-    """Return the stream of the first design, a trace for each segment and flight that it reached.
-
-    A stream that reaches none has the inlet as its only trace.
-
-    Args:
-        solution: solution of one design.
-    """
-    stations = solution.stations(points=STATIONS)
-    found = []
-    for number, part in enumerate(solution.trajectory.parts):
-        rows = slice(number * STATIONS, (number + 1) * STATIONS)
-        reached = np.isfinite(stations["s_m"][0, rows])
-        if reached.any():
-            guide = part.solved.segment if part.contact is not None else None
-            side = guide.side if isinstance(guide, Contact) else 0.0
-            columns = {name: stations[name][0, rows][reached] for name in stations}
-            found.append(Trace(part.name, part.kind, side, columns))
-    return found or [_at_inlet(solution)]
-
-
-def _at_inlet(solution: SolvedChute) -> Trace:
-    """Return the inlet as a trace of one station."""
-    inlet = {name: values[:1] for name, values in solution.inlet.items()}
-    nowhere = {name: np.full(1, np.nan) for name in COLUMNS}
-    return Trace("inlet", "inlet", 0.0, nowhere | inlet | {"s_m": np.zeros(1)})
-
-
-def extent(solution: SolvedChute, stream: Sequence[Trace]) -> Array:
-    """Return width and height of a chute with its stream, seen from the side, m.
-
-    Args:
-        solution: solution of one design.
-        stream: traces of its stream.
-    """
-    paths = [(part.columns["x_m"], part.columns["z_m"]) for part in stream]
-    points = np.concatenate([np.stack(line) for line in (*paths, *_surfaces(solution))], axis=1)
-    size: Array = np.ptp(points, axis=1)
-    return size
 
 
 def draw_stream(axes: Axes, solution: SolvedChute, stream: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
@@ -108,16 +51,16 @@ def draw_stream(axes: Axes, solution: SolvedChute, stream: Sequence[Trace], mark
     velocity = np.concatenate([part.columns["velocity_m_s"] for part in stream])
     column = COLUMNS["velocity_m_s"]
     shades = Normalize(*column.converted(np.array([velocity.min(), velocity.max()]), units))
-    surfaces = list(_surfaces(solution))
+    drawn = list(surfaces(solution))
     for part in stream:
         values = column.converted(part.columns["velocity_m_s"], units)
         draw = _draw_flight if part.side == 0.0 else _draw_band
         draw(axes, part, deepest(solution, stream), units).set(
             array=0.5 * (values[1:] + values[:-1]), cmap=MAP, norm=shades
         )
-    for x, z in surfaces:
+    for x, z in drawn:
         axes.plot(_long(x, units), _long(z, units), **SURFACE)
-    for x, z in _lost_flights(solution, surfaces):
+    for x, z in lost_flights(solution, drawn):
         axes.plot(_long(x, units), _long(z, units), color=INK, linestyle=":", gid="missed")
     _draw_pulley(axes, solution, units)
     size = float(extent(solution, stream).max())
@@ -127,16 +70,6 @@ def draw_stream(axes: Axes, solution: SolvedChute, stream: Sequence[Trace], mark
         end = stream[-1].columns
         axes.plot(_long(end["x_m"][-1:], units), _long(end["z_m"][-1:], units), **END)
     _frame(axes, shades, any(part.side == 0.0 for part in stream), units)
-
-
-def deepest(solution: SolvedChute, stream: Sequence[Trace]) -> float:
-    """Return the greatest depth to which the stream is drawn, m.
-
-    Args:
-        solution: solution of one design.
-        stream: traces of its stream.
-    """
-    return DEEPEST * float(extent(solution, stream).max())
 
 
 def _long(metres: Array, units: str) -> Array:
@@ -170,27 +103,6 @@ def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineColle
     )
     axes.add_collection(line)
     return line
-
-
-def _surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
-    """Yield the line or arc of each contact segment that has a position."""
-    for solved in {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}.values():
-        if solved.contact is not None:
-            x, z, _ = point(solved.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
-            if np.isfinite(x[:, 0] + z[:, 0]).all():
-                yield x[:, 0], z[:, 0]
-
-
-def _lost_flights(solution: SolvedChute, surfaces: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
-    """Yield the paths of streams that miss the next segment, until they are below everything drawn."""
-    lowest = min((float(z.min()) for _, z in surfaces), default=np.inf)
-    further = max((float(np.ptp(z)) for _, z in surfaces), default=1.0)
-    for solved in solution.trajectory.segment_solutions:
-        if solved.status[0] == Status.MISSED:
-            x, z, forward, downward, gravity = solved.path[:, 0]
-            drop = z - min(lowest, z) + 0.2 * further
-            time = np.linspace(0.0, (np.sqrt(downward**2 + 2.0 * gravity * drop) - downward) / gravity, STATIONS)
-            yield x + forward * time, z - (downward + 0.5 * gravity * time) * time
 
 
 def _draw_pulley(axes: Axes, solution: SolvedChute, units: str) -> None:

@@ -7,18 +7,17 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.errors import UsageError
+from chutecalc.fields.ranges import read_values
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.friction import equivalent_friction
 from chutecalc.physics.pressure import greatest_wall_friction, pressure_ratio, vertical_pressure_ratio
 from chutecalc.physics.section import Polygon
 from chutecalc.physics.wetting import wetting
 
-CHAMFERS = tuple(float(angle) for angle in range(0, 91, 5))
-"""Chamfer angles β of the paper's figures, deg."""
-INTERNAL_FRICTIONS = tuple(float(angle) for angle in range(30, 56, 5))
-"""Angles of internal friction δ of the paper's figures, deg."""
 ANGLE_RANGES = {"beta": "0:90:5", "delta": "30:55:5"}
-"""Ranges of angles where a command line gives none, deg."""
+"""Ranges of the chamfer angle β and the angle of internal friction δ in the paper's figures, deg."""
+CHAMFERS, INTERNAL_FRICTIONS = (tuple(read_values(name, text).tolist()) for name, text in ANGLE_RANGES.items())
+"""The angles β and δ of these ranges, deg."""
 WALL_FRICTION, BASE, AREA = 25.0, 0.5, 0.05
 """Wall friction angle of the paper, deg; width, m, and flow area, m². Its text and figures agree with A/B² = 0.2."""
 FINE = 10_001

@@ -1,26 +1,16 @@
-"""Baselines: the numbers, statuses and findings of a standard design, in a file beside its spec."""
+"""Baselines: the numbers, statuses and findings of a standard design."""
 
-import hashlib
-import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
-from pydantic import Field, FiniteFloat, ValidationError
+from pydantic import Field, FiniteFloat
 
-from chutecalc import __version__
-from chutecalc.api.chute import Chute
-from chutecalc.api.solution import Solution
-from chutecalc.errors import SpecError
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.table import Table
-from chutecalc.results.columns import COLUMNS, NUMERIC
-from chutecalc.results.finding import Finding
-from chutecalc.spec.faults import faults_of
-from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
+from chutecalc.results.columns import COLUMNS
 
 TOLERANCE = 1e-9
 """Relative tolerance of a new baseline."""
@@ -40,7 +30,6 @@ EXTREME_MARGIN = 1e-6
 """Share of its value by which an extreme has to exceed all stations to be stored."""
 LEAST_SCALE = 1e-3
 """Smallest scale of any column: 1e-12 m, kPa or ° is rounding, such as x in a vertical fall."""
-
 Row = dict[str, FiniteFloat]
 """Numbers by the names of their columns."""
 
@@ -79,6 +68,7 @@ class Baseline(Table):
     """The results of a design, stored or computed now.
 
     >>> import chutecalc
+    >>> from chutecalc.studies.regression.record import baseline_of
     >>> chute = chutecalc.parse(chutecalc.STARTER)
     >>> now = baseline_of(chute, chutecalc.solve(chute), [])
     >>> list(now.visits()), [key.row for key, _ in now.rows() if key.segment == "fall"][:2]
@@ -92,7 +82,7 @@ class Baseline(Table):
     chutecalc: str
     """Version of chutecalc that computed the results."""
     spec_sha256: str
-    """Hash of the spec, from :func:`spec_hash`."""
+    """Hash of the spec, from :func:`chutecalc.studies.regression.record.spec_hash`."""
     rtol: FiniteFloat
     """Relative tolerance of the solution."""
     tolerance: Annotated[Number, Quantity("number", ge=1e-13, le=0.1)]
@@ -188,118 +178,3 @@ def column_of(name: str) -> str:
         return name
     units = [unit for unit in _OF_UNIT if name.endswith(f"_{unit}")]
     return _OF_UNIT[max(units, key=len)] if units else name
-
-
-def baseline_path(spec: Path) -> Path:
-    """Return the path of the baseline of a spec.
-
-    Args:
-        spec: Path of the spec.
-
-    >>> baseline_path(Path("spoon.toml")).name
-    'spoon.baseline.toml'
-    """
-    return spec.with_name(spec.name.removesuffix(".toml") + BASELINE_SUFFIX)
-
-
-def spec_path(baseline: Path) -> Path:
-    """Return the path of the spec of a baseline.
-
-    Args:
-        baseline: Path of the baseline.
-
-    >>> spec_path(Path("spoon.baseline.toml")).name
-    'spoon.toml'
-    """
-    return baseline.with_name(baseline.name.removesuffix(BASELINE_SUFFIX) + ".toml")
-
-
-def spec_hash(data: Mapping[str, Any]) -> str:
-    """Compute the hash of the parsed content of a spec, whatever its comments, layout and line ends.
-
-    A checkout that changes line ends passes, and a better comment needs no new baseline.
-
-    Args:
-        data: The parsed content.
-
-    >>> spec_hash({"b": 1, "a": 2}) == spec_hash({"a": 2, "b": 1})
-    True
-    """
-    text = json.dumps(data, sort_keys=True, ensure_ascii=False)
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()
-
-
-def baseline_of(
-    chute: Chute, solution: Solution, findings: Sequence[Finding], tolerance: float = TOLERANCE
-) -> Baseline:
-    """Return the baseline of a solved design, unrounded.
-
-    Args:
-        chute: A chute of one design.
-        solution: Its solution.
-        findings: The findings of the solution.
-        tolerance: Relative tolerance of the comparison.
-
-    >>> import chutecalc
-    >>> spoon = chutecalc.parse(chutecalc.STARTER)
-    >>> baseline_of(spoon, chutecalc.solve(spoon), []).segments[1].stations[4]["velocity_m_s"].__round__(3)
-    3.878
-    """
-    segments = []
-    for result, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True):
-        columns = part.at(STATIONS, NUMERIC)
-        stations = [_finite({name: columns[name][k] for name in NUMERIC}) for k in range(len(STATIONS))]
-        segments.append(
-            BaselineSegment(
-                name=result.name,
-                kind=result.kind,
-                status=str(result.status[0]),
-                impact=_finite(result.impact),
-                stations=[station for station in stations if station],
-                minimum=_beyond(result.minimum, stations, -1.0),
-                maximum=_beyond(result.maximum, stations, 1.0),
-            )
-        )
-    return Baseline(
-        format=1,
-        chutecalc=__version__,
-        spec_sha256=spec_hash(chute.data),
-        rtol=solution.rtol,
-        tolerance=tolerance,
-        status=str(solution.status[0]),
-        findings=[BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
-        inlet=_finite(solution.inlet),
-        segments=segments,
-        receiver=_finite({name: values for name, values in solution.receiver.items() if name in RECEIVER}),
-    )
-
-
-def _finite(numbers: Mapping[str, Any]) -> Row:
-    """Return the numbers of the first design, without NaN."""
-    return {name: float(values[0]) for name, values in numbers.items() if np.isfinite(values[0])}
-
-
-def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -> Row:
-    """Return the extremes that no station shows; beside a station that does, an extreme is rounding."""
-    return {
-        name: value
-        for name, value in _finite(extremes).items()
-        if all(sign * (value - row[name]) > EXTREME_MARGIN * abs(value) for row in stations if name in row)
-    }
-
-
-def read_baseline(path: Path) -> Baseline:
-    """Read a baseline from its file.
-
-    Args:
-        path: Path of the baseline.
-
-    Raises:
-        SpecError: The file cannot be read; otherwise all faults in it.
-    """
-    text = read_text(path)
-    data = parse_text(text, str(path))
-    try:
-        return Baseline.model_validate(data)
-    except ValidationError as error:
-        raise SpecError(faults_of(error, data, text), str(path)) from None

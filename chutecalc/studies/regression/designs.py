@@ -8,7 +8,7 @@ from typing import NamedTuple
 from chutecalc.api.chute import Chute
 from chutecalc.errors import AllSpecsError, SpecError, UsageError
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
-from chutecalc.studies.regression.baseline import baseline_path, spec_path
+from chutecalc.studies.regression.record import baseline_path, spec_path
 
 MARKS = {"flow", "segments"}
 """Tables of which a spec has at least one, and the settings of a project none."""

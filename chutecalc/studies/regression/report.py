@@ -10,7 +10,7 @@ from chutecalc.output.dataset import Dataset, block_of, document_head
 from chutecalc.output.grid import GAP, Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.columns import COLUMNS
-from chutecalc.studies.regression.regression import NO_BASELINE, OK, Drift, Verdict, first_and_largest
+from chutecalc.studies.regression.verdict import NO_BASELINE, OK, Drift, Verdict, first_and_largest
 
 ROW_COLUMNS: dict[str, type] = {
     "spec": str,

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.output.files import open_whole
-from chutecalc.studies.regression.baseline import baseline_path
+from chutecalc.studies.regression.record import baseline_path
 
 
 def write_baseline(spec: str, document: Mapping[str, Any]) -> Path:

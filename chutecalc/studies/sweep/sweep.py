@@ -11,25 +11,19 @@ from typing import Any
 import numpy as np
 
 from chutecalc import __version__
-from chutecalc.api.batch import CHUNK, exits
+from chutecalc.api.batch import CHUNK
 from chutecalc.api.chute import Chute, check_tolerance, solve
-from chutecalc.api.solution import Solution
-from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.errors import SpecError, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
-from chutecalc.results.columns import AT_EXIT, AT_STATION, closest
-from chutecalc.results.exits import output_numbers
-from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, select_rows
-from chutecalc.studies.sweep.columns import PREFIXES, row_columns
+from chutecalc.studies.sweep.checks import check_values, selected_columns
+from chutecalc.studies.sweep.design_rows import design_rows, station_rows
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
 
-DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
-EXTREME = {"max": LARGEST, "min": LEAST}
-"""Prefixes of columns that are extremes."""
 WITH_FINDINGS, STATIONS = 1024, 262_144
 """Designs of a block with findings, and stations of a block, roughly. Other blocks are one chunk of a batch."""
 
@@ -83,13 +77,13 @@ class Sweep:
         self.parameters, self.parallel, self.keep = tuple(parameters), parallel, keep
         self.profiles = points is not None or spacing is not None
         self.grid = Grid(parameters, parallel)
-        self.columns = self._columns(columns)
-        self._check_values()
+        self.columns = selected_columns(columns, chute, self.profiles)
+        check_values(chute, parameters)
         self.adjustment = SectionAdjustment(chute, [path for parameter in parameters for path in parameter.paths], keep)
         if self.top and self.profiles:
             raise UsageError("--top selects designs. It cannot be used with --points or --stations")
         if self.top and self.top.column not in self.header:
-            self.columns = self._columns([*self.columns, self.top.column])
+            self.columns = selected_columns([*self.columns, self.top.column], chute, self.profiles)
         if self.top and self.top.column in TEXT:
             raise UsageError(f"--by needs a column of numbers, not {self.top.column}")
 
@@ -203,7 +197,10 @@ class Sweep:
             return
         try:
             variants = self.chute.vary(changes)
-            piece = self._stations(rows, variants) if self.profiles else (rows, self._designs(variants, len(rows)))
+            if self.profiles:
+                piece = station_rows(variants, rows, self.columns, self.rtol, self.points, self.spacing)
+            else:
+                piece = rows, design_rows(variants, len(rows), self.columns, self.rtol)
         except SpecError as error:
             if error.designs is not None:
                 rest = rows[~np.broadcast_to(error.designs, len(rows))]
@@ -214,97 +211,3 @@ class Sweep:
                 yield from self._pieces(rows[half:])
         else:
             yield piece
-
-    def _designs(self, variants: Chute, count: int) -> Block:
-        """Compute a row for each design."""
-        by_prefix = {
-            prefix: [name.removeprefix(f"{prefix}_") for name in self.columns if name.startswith(f"{prefix}_")]
-            for prefix in PREFIXES
-        }
-        if self._at_ends:
-            ends = exits(variants, self.rtol, by_prefix["exit"], jobs=1)
-            status, ok, error = ends.status, ends.ok, ends.error_estimate
-            exit_, belt = ends.exit, ends.receiver
-            numbers: Block = {}
-        else:
-            run = solve(variants, self.rtol)
-            status, ok, error = run.status, run.ok, run.error_estimate
-            exit_ = run.exit_columns(by_prefix["exit"])
-            belt = run.receiver if any(name.startswith("receiver_") for name in self.columns) else {}
-            extremes = [(name, EXTREME[prefix]) for prefix in EXTREME for name in by_prefix[prefix]]
-            keys = [f"{prefix}_{name}" for prefix in EXTREME for name in by_prefix[prefix]]
-            numbers = dict(zip(keys, run.trajectory.extreme_columns(extremes).values(), strict=True))
-        numbers |= output_numbers(exit_, belt, error)
-        block: Block = {"status": status}
-        for name in self.columns:
-            block[name] = _codes(run) if name == "findings" else np.where(ok, numbers[name], np.nan)
-        return {name: np.broadcast_to(values, count) for name, values in block.items()}
-
-    def _stations(self, rows: Index, variants: Chute) -> tuple[Index, Block]:
-        """Compute a row for each station that the stream of a design reaches."""
-        run = solve(variants, self.rtol)
-        table = run.stations(self.points, self.spacing, [*self.columns, "s_m"])
-        table["status"] = run.status[:, None]
-        shape = (len(rows), table["s_m"].shape[1])
-        there = np.isfinite(np.broadcast_to(table["s_m"], shape))
-        numbers = np.broadcast_to(rows[:, None], shape)[there]
-        return numbers, {name: np.broadcast_to(table[name], shape)[there] for name in ("status", *self.columns)}
-
-    @cached_property
-    def _at_ends(self) -> bool:
-        """Whether all columns are those of the end of the chute, so that nothing before it must be computed."""
-        last = {f"exit_{name}" for name in AT_EXIT}
-        return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in self.columns)
-
-    def _columns(self, names: Sequence[str]) -> list[str]:
-        """Return the columns asked for, each once, without those that every row has."""
-        known = AT_STATION if self.profiles else row_columns()
-        usual = AT_STATION if self.profiles else DEFAULT
-        unknown = [name for name in names if name not in known and name != "status"]
-        if unknown:
-            own = (
-                "Use the columns of a station" if self.profiles else "Use exit_, max_ or min_ before a station's column"
-            )
-            plural = "s" if len(unknown) > 1 else ""
-            raise UsageError(
-                f"unknown column{plural} {', '.join(unknown)}. {closest(unknown, known)}{own}; chutecalc columns lists"
-                " them all"
-            )
-        belt = [name for name in names if name.startswith("receiver_")]
-        if belt and self.chute.spec.receiver is None:
-            raise UsageError(f"{belt[0]}: the spec has no [receiver]")
-        return [name for name in dict.fromkeys(names or usual) if name != "status"]
-
-    def _check_values(self) -> None:
-        """Check that every path is in the spec and takes its values, whatever they make together.
-
-        Raises:
-            SpecError: All faults.
-        """
-        first = {path: each.values[:1] for each in self.parameters for path in each.paths}
-        ends = {
-            path: np.array([each.values.min(), each.values.max()]) for each in self.parameters for path in each.paths
-        }
-        faults: list[Fault] = []
-        for path, values in ends.items():
-            faults += self._faults({path: values})
-        faults = faults or [*self._faults(first)]
-        if faults:
-            raise SpecError(list(dict.fromkeys(faults)), self.chute.source)
-
-    def _faults(self, changes: Block) -> tuple[Fault, ...]:
-        """Return the faults of values, other than that a section cannot be built."""
-        try:
-            self.chute.vary(changes)
-        except SpecError as error:
-            return error.faults if error.designs is None else ()
-        return ()
-
-
-def _codes(run: Solution) -> Any:
-    """Return the codes of each design's findings, each once, with blanks between them."""
-    codes: list[dict[str, None]] = [{} for _ in range(run.count)]
-    for finding in run.findings():
-        for k in np.flatnonzero(finding.mask):
-            codes[k][finding.code] = None
-    return np.array([" ".join(own) for own in codes])
