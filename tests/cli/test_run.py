@@ -114,7 +114,7 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
     assert "segments.2.radius_m = 0" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
-    assert "(it has 2: 1, spoon)" in capsys.readouterr().err
+    assert "segments has no item 'slide'. Use 1 (fall) or spoon." in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "nothing"]) == 2
     assert "PATH=VALUE" in capsys.readouterr().err
 

@@ -8,6 +8,7 @@ from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
 from chutecalc.fields.units import same_quantity
 from chutecalc.physics.arrays import Array
+from chutecalc.spec.paths import item_names
 
 SHORT = {
     "beta": ("sections", "chamfer_deg"),
@@ -124,8 +125,8 @@ def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
 def _tables(tables: Any, path: str) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield tables of the spec with their paths: the items of a list, named tables, or one table."""
     if isinstance(tables, list):
-        for number, entry in enumerate(tables, 1):
-            yield f"{path}.{entry.get('name', number)}", entry
+        for name, entry in zip(item_names(tables), tables, strict=True):
+            yield f"{path}.{name}", entry
     elif path in ("sections", "liners"):
         for name, entry in tables.items():
             yield f"{path}.{name}", entry
