@@ -47,7 +47,7 @@ def check(
 
     designs = find_designs(paths or ["."])
     specs = [chute.source for chute in designs.chutes]
-    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit)
+    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
     verdicts = _verdicts(designs, rtol, update)
     written = [str(write_baseline(verdict.spec, verdict.document)) for verdict in verdicts if verdict.document]
     if junit:

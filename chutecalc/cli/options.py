@@ -20,7 +20,7 @@ JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Defa
 
 
 class Units(StrEnum):
-    """Units of what people read. Data files are always in SI units and degrees."""
+    """Units of what people read. Data files are always metric."""
 
     METRIC = "metric"
     US = "us"

@@ -1,7 +1,7 @@
 """Puts values at key paths: ``segments.2.radius_m``, or by name ``segments.spoon.radius_m``."""
 
 import copy
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
@@ -40,6 +40,8 @@ def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str],
     """Put one value; return the fault of a path to no table, or to a quantity that has a value already."""
     *tables, key = path.split(".")
     here: Any = data
+    if not tables and key not in data and (meant := list(_paths_to(data, key))):
+        return Fault(path, "is not a key of the spec", f"did you mean {' or '.join(meant)}?", value_text(value))
     for number, item in enumerate(tables):
         below = _below(here, item)
         if below is None:
@@ -75,6 +77,16 @@ def _below(here: Any, item: str) -> Any:
             return here[int(item) - 1] if 1 <= int(item) <= len(here) else None
         return next((table for table, name in zip(here, item_names(here), strict=True) if name == item != ""), None)
     return None
+
+
+def _paths_to(here: Any, key: str, above: str = "") -> Iterator[str]:
+    """Yield the paths of the tables below that have a quantity, each with the key that was given for it."""
+    names = item_names(here) if isinstance(here, list) else ()
+    tables = zip(names, here, strict=True) if names else here.items() if isinstance(here, dict) else ()
+    for name, table in tables:
+        if isinstance(table, dict) and not {*same_quantity(key)}.isdisjoint(table):
+            yield f"{above}{name}.{key}"
+        yield from _paths_to(table, key, f"{above}{name}.")
 
 
 def _nowhere(here: Any, path: str, item: str) -> tuple[str, str]:

@@ -126,6 +126,13 @@ def test_version_and_help(capsys):
         ("run a.toml --plot a.svg --plot b.png", "--plot is given twice. Give it once.\n"),
         ("sweep beta --keep x", "--keep must be base, width or depth, not x.\n"),
         ("dem --wall-friction 99", "--wall-friction must be from 0 to 89, not 99.\n"),
+        ("run a.baseline.toml", "a.baseline.toml is a baseline, not a chute. Run a.toml.\n"),
+        (
+            "run a.toml --set flow.rate_t_h=2,5",
+            "--set flow.rate_t_h=2,5: 2,5 is not a number. Write a decimal point: 2.5",
+        ),
+        ("new no/such/a.toml", "no/such/a.toml cannot be written: there is no folder no/such. Create it first.\n"),
+        ("new .", ". is a folder. Name a file in it.\n"),
         ("new a b", "b is more than the command takes. For example: chutecalc new\n"),
     ],
 )
