@@ -171,28 +171,26 @@ class Table(BaseModel):
             return _detail((*location, tag), problem, remedy)
         if kind == "list_type":
             return _detail(location, "must be a list of tables", f"write [[{location[-1]}]] above each of them")
-        if kind.endswith(("dict_type", "model_type", "model_attributes_type")) and len(location) == 2:
+        if _EXPECTED.get(kind) == _TABLE and len(location) == 2:
             return _detail(location, "must be a table", f"put it under a name of your choice: [{location[0]}.NAME]")
         if kind == "string_pattern_mismatch":
             return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
         if kind == "literal_error":
             return _detail(location, f"must be {item['ctx']['expected']}", "correct the value")
-        expected = _EXPECTED.get(kind)
-        return _detail(
-            location, expected or item["msg"], "put quotes around it" if kind == "string_type" else "correct it"
-        )
+        return _detail(location, *_EXPECTED.get(kind, (item["msg"], "correct it")))
 
 
 _NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
+_TABLE = "must be a table", "write its keys under a header, as in [flow]"
 _EXPECTED = {
-    "string_type": "must be text in quotes",
-    "dict_type": "must be a table",
-    "model_type": "must be a table",
-    "model_attributes_type": "must be a table",
-    "too_short": "must have at least one table",
-    "bool_type": "must be true or false",
-    "float_type": "must be a number",
-    "finite_number": "must be a finite number",
+    "string_type": ("must be text in quotes", "put quotes around it"),
+    "dict_type": _TABLE,
+    "model_type": _TABLE,
+    "model_attributes_type": _TABLE,
+    "too_short": ("must have at least one table", "add one"),
+    "bool_type": ("must be true or false", "write one of these without quotes"),
+    "float_type": ("must be a number", "write a number"),
+    "finite_number": ("must be a finite number", "write a finite number"),
 }
 
 

@@ -32,7 +32,7 @@ class Extremes(Enum):
 
 
 class Needs(Flag):
-    """What the solver has to work out at the end of a chute for the value of a column there."""
+    """What the solver must work out at the end of a chute for the value of a column there."""
 
     NOTHING = 0
     DEPTH = 1

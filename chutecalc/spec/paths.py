@@ -81,9 +81,9 @@ def _below(here: Any, item: str) -> Any:
 
 def _paths_to(here: Any, key: str, above: str = "") -> Iterator[str]:
     """Yield the paths of the tables below that have a quantity, each with the key that was given for it."""
-    names = item_names(here) if isinstance(here, list) else ()
-    tables = zip(names, here, strict=True) if names else here.items() if isinstance(here, dict) else ()
-    for name, table in tables:
+    if isinstance(here, list):
+        here = {name or str(k): table for k, (name, table) in enumerate(zip(item_names(here), here, strict=True), 1)}
+    for name, table in here.items() if isinstance(here, dict) else ():
         if isinstance(table, dict) and not {*same_quantity(key)}.isdisjoint(table):
             yield f"{above}{name}.{key}"
         yield from _paths_to(table, key, f"{above}{name}.")

@@ -115,6 +115,9 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert "segments.2.radius_m = 0" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
     assert "segments has no item 'slide'. Use 1 (fall) or spoon." in capsys.readouterr().err
+    assert main(["run", str(starter), "--set", "radius_mm=1"]) == 2
+    expected = "radius_mm = 1 is not a key of the spec. Did you mean segments.spoon.radius_mm?"
+    assert expected in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "nothing"]) == 2
     assert "PATH=VALUE" in capsys.readouterr().err
 
