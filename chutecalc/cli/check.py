@@ -24,7 +24,7 @@ EXAMPLES = (
 
 @with_groups
 def check(
-    paths: list[str] = typer.Argument(None, metavar="PATH", help="Specs, or folders of them. Default: this folder."),
+    paths: list[str] = typer.Argument(None, metavar="PATH...", help="Specs, or folders of them. Default: this folder."),
     update: bool = typer.Option(False, "--update", help="Write the baselines that are missing or no longer hold."),
     junit: str | None = typer.Option(
         None, metavar="FILE", help="Write the verdicts as JUnit XML, for CI; - for standard output."

@@ -10,14 +10,6 @@ from typer.core import TyperCommand
 
 from chutecalc.errors import UsageError
 
-LIMITS = {
-    "greater_than_equal": ("at least", "ge"),
-    "greater_than": ("greater than", "gt"),
-    "less_than_equal": ("at most", "le"),
-    "less_than": ("less than", "lt"),
-}
-"""How pydantic's errors of numbers out of range are worded, and where they hold the limit."""
-
 
 class Command(TyperCommand):
     """A command whose options are given once, and whose help shows arguments as they are written."""
@@ -40,12 +32,13 @@ class Command(TyperCommand):
         return super().parse_args(ctx, args)
 
     def collect_usage_pieces(self, ctx: Any) -> list[str]:
-        """Return the pieces of the usage line, without Typer's braces around what is required.
+        """Return the pieces of the usage line, without Typer's braces around what is required, and with dots once.
 
         Args:
             ctx: Typer's context.
         """
-        return [re.sub(r"^\{(.*)\}(\.\.\.)?$", r"\1", piece) for piece in super().collect_usage_pieces(ctx)]
+        pieces = [re.sub(r"\.\.\.([]}])\.\.\.$", r"...\1", piece) for piece in super().collect_usage_pieces(ctx)]
+        return [re.sub(r"^\{(.*)\}(\.\.\.)?$", r"\1", piece) for piece in pieces]
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the arguments without their Python types, and the options under their headings.
@@ -107,19 +100,24 @@ def explain(error: typer.TyperException, given: Sequence[str], examples: Sequenc
 
 
 def _worded(error: Any) -> str:
-    """Return what is wrong with the value of an option, as the end of a sentence."""
-    causes = getattr(error.__cause__, "errors", None)
-    fault: dict[str, Any] = causes(include_url=False)[0] if causes else {}
-    kind, value, limits = fault.get("type", ""), fault.get("input"), (error.param.min, error.param.max)
-    if kind in LIMITS:
-        words, key = LIMITS[kind]
-        bound = "from {:g} to {:g}".format(*limits) if None not in limits else f"{words} {fault['ctx'][key]:g}"
-        return f"must be {bound}, not {value}."
-    if kind.startswith("int_"):
+    """Return what is wrong with the value of an option, as the end of a sentence.
+
+    Depending on the version of Typer, the value is in an error of pydantic, or at the beginning of the message.
+    """
+    message, param = error.message, error.param
+    causes, named = getattr(error.__cause__, "errors", None), re.match(r"(?:Value error, )?'?(.*?)'? is not ", message)
+    value = named[1] if named else causes(include_url=False)[0]["input"] if causes else ""
+    holder = param if hasattr(param, "min") else param.type
+    low, high = getattr(holder, "min", None), getattr(holder, "max", None)
+    if re.search("greater than|less than|in the range", message):
+        one_sided = f"at most {high:g}" if low is None else f"at least {low:g}"
+        bound = one_sided if None in (low, high) else f"from {low:g} to {high:g}"
+        return f"must be {bound}, not {float(value):g}."
+    if "valid int" in message:
         return f"must be a whole number, not {value}."
-    if kind.startswith(("float_", "finite_")):
+    if re.search("valid (number|float)|finite", message):
         return f"must be a number, not {value}."
-    if found := re.fullmatch(r"(?:Value error, )?'(.*)' is not one of (.*)\.", error.message):
-        *others, last = found[2].replace("'", "").split(", ")
-        return f"must be {', '.join(others)} or {last}, not {found[1]}."
-    return f"cannot be used: {error.message}"
+    if found := re.search(r" is not one of (.*)\.", message):
+        *others, last = found[1].replace("'", "").split(", ")
+        return f"must be {', '.join(others)} or {last}, not {value}."
+    return f"cannot be used: {message}"

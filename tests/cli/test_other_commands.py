@@ -143,7 +143,7 @@ def test_a_wrong_command_line_is_explained(arguments, message, capsys):
 
 @pytest.mark.parametrize(
     ("command", "usage"),
-    [("run", "SPEC..."), ("sweep", "PARAMETER... [SPEC]"), ("check", "[PATH]..."), ("new", "[FILE]")],
+    [("run", "SPEC..."), ("sweep", "PARAMETER... [SPEC]"), ("check", "[PATH...]"), ("new", "[FILE]")],
 )
 def test_help_writes_arguments_as_a_user_does(command, usage, capsys):
     assert main([command, "--help"]) == 0

@@ -176,7 +176,7 @@ def test_a_spec_from_standard_input(capsys, monkeypatch):
     [
         (["run", "a.toml", "--json", "-", "--csv", "-"], "only one output"),
         (["run", "-", "-"], "only one spec"),
-        (["run", "a.toml", "--json", "x", "--csv", "x"], "the same file"),
+        (["run", "a.toml", "--json", "x", "--csv", "x"], "--csv and --json both write to x."),
         (["run", "a.toml", "--csv", "a.toml"], "overwrite"),
         (["run", "a.toml", "--points", "5", "--stations", "0.1"], "give one of them"),
         (["run", "a.toml", "--stations", "-1"], "greater than 0"),
