@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from chutecalc.api.chute import Chute, load, parse, solve
     from chutecalc.api.function import Function
     from chutecalc.api.solution import Solution
-    from chutecalc.errors import ChutecalcError, Fault, SpecError, UsageError
+    from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
     from chutecalc.results.exits import Exits
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
@@ -34,6 +34,7 @@ __all__ = [
     "Chute",
     "ChutecalcError",
     "Exits",
+    "ExtraMissingError",
     "Fault",
     "Finding",
     "Function",
@@ -54,6 +55,7 @@ _MODULES = {
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
     "Exits": "chutecalc.results.exits",
+    "ExtraMissingError": "chutecalc.errors",
     "Fault": "chutecalc.errors",
     "Finding": "chutecalc.results.finding",
     "Function": "chutecalc.api.function",

@@ -20,7 +20,7 @@ class ExitStatus(IntEnum):
     FAILS = 1, "A chute fails, check finds a difference, or a dem case fails."
     USAGE = 2, "The command or a spec is wrong, or an output cannot be opened."
     EXTRA_MISSING = 3, "An optional library or program is not installed."
-    INTERNAL = 70, "A fault of chutecalc itself. --debug shows a traceback."
+    INTERNAL = 70, "A bug in chutecalc; --debug shows a traceback."
     WRITE_FAILED = 74, "Writing an output failed, for example because the disk is full."
     INTERRUPTED = 130, "Interrupted with Ctrl-C."
 

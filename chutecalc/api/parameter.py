@@ -12,6 +12,7 @@ from chutecalc.fields.table import Table
 from chutecalc.fields.units import convert, first_unit
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.paths import is_number
+from chutecalc.spec.segment_names import segment_names
 
 Limits = tuple[float, float]
 """Least and greatest value."""
@@ -176,7 +177,7 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
                     break
                 part = name
             here = _below(here, part)
-    except (KeyError, IndexError, AttributeError, ValueError, TypeError, StopIteration):
+    except (KeyError, IndexError, AttributeError, ValueError, TypeError):
         pass
     raise SpecError(
         [
@@ -201,6 +202,6 @@ def _below(here: Any, part: str) -> Any:
         return here[part]
     if isinstance(here, list):
         if not is_number(part):
-            return next(item for item in here if item.name == part)
+            return here[segment_names([(item.name, item.kind) for item in here]).index(part)]
         return here[_index(part)]
     return getattr(here, part)

@@ -10,10 +10,11 @@ from importlib import import_module
 import typer
 
 from chutecalc import __version__
+from chutecalc.cli.command import Command, explain
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
-COMMANDS = ("run", "sweep", "check", "dem", "new", "schema", "columns")
+COMMANDS = ("new", "run", "sweep", "check", "schema", "columns", "dem")
 HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
 
@@ -43,7 +44,7 @@ def _app(given: Sequence[str]) -> typer.Typer:
     app.callback(help=HELP, epilog=_block("Exit status:", exit_statuses()))(_common)
     for name in given[:1] if given and given[0] in COMMANDS else COMMANDS:
         module = import_module(f"chutecalc.cli.{name}")
-        app.command(name, epilog=_block("Examples:", module.EXAMPLES))(getattr(module, name))
+        app.command(name, cls=Command, epilog=_block("Examples:", module.EXAMPLES))(getattr(module, name))
     return app
 
 
@@ -83,7 +84,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return ExitStatus.OK
     except typer.TyperException as error:
-        return _complain(error.format_message(), ExitStatus(error.exit_code))
+        return _complain(_explained(error, given), ExitStatus(error.exit_code))
     except SpecError as error:
         return _complain(str(error), error.exit_status)
     except ChutecalcError as error:
@@ -100,6 +101,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "Please report it with the command and the spec. --debug shows a traceback.",
             ExitStatus.INTERNAL,
         )
+
+
+def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
+    """Return what is wrong with a command line; the help, if it is empty."""
+    if not given:
+        return error.format_message()
+    called = given[0] in COMMANDS
+    examples = import_module(f"chutecalc.cli.{given[0]}").EXAMPLES if called else ()
+    return f"chutecalc: {explain(error, given, examples, COMMANDS)}"
 
 
 def _use_unicode() -> None:

@@ -24,7 +24,7 @@ EXAMPLES = (
 
 @with_groups
 def check(
-    paths: list[str] = typer.Argument(None, metavar="PATH", help="Specs, or folders of them. Default: this folder."),
+    paths: list[str] = typer.Argument(None, metavar="PATH...", help="Specs, or folders of them. Default: this folder."),
     update: bool = typer.Option(False, "--update", help="Write the baselines that are missing or no longer hold."),
     junit: str | None = typer.Option(
         None, metavar="FILE", help="Write the verdicts as JUnit XML, for CI; - for standard output."
@@ -47,7 +47,7 @@ def check(
 
     designs = find_designs(paths or ["."])
     specs = [chute.source for chute in designs.chutes]
-    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit)
+    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
     verdicts = _verdicts(designs, rtol, update)
     written = [str(write_baseline(verdict.spec, verdict.document)) for verdict in verdicts if verdict.document]
     if junit:

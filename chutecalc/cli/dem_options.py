@@ -25,7 +25,9 @@ class TroughOptions(OptionGroup):
         None, min=0, max=100, metavar="M", help="Width of the floor, 0 for a vee. Default: 0.5."
     )
     chamfer: float | None = typer.Option(None, min=1e-3, metavar="M", help="Length of a chamfer. Default: no end.")
-    area: str | None = typer.Option(None, metavar="M2", help="Areas of the beds, one or more. Default: 0.05.")
+    area: str | None = typer.Option(
+        None, metavar="M2", help="Flow areas of the beds, m², separated by commas. Default: 0.05."
+    )
     delta: float | None = typer.Option(None, min=0, max=89, metavar="DEG", help="Compare with this δ too.")
 
     @property
@@ -42,7 +44,9 @@ class PourOptions(OptionGroup):
     pour: str = typer.Option("rain", metavar="LIST", help="gentle (0.3 m/s), rain (1 m/s), freefall; or all.")
     seeds: int = typer.Option(1, min=1, max=100, metavar="N", help="Number of beds of each kind, for the scatter.")
     body_force: str = typer.Option("1", metavar="G", help="Body forces while pouring, in g.")
-    raise_to: float = typer.Option(0.0, min=0, max=100, metavar="G", help="Raise it on the resting bed to this, in g.")
+    raise_to: float = typer.Option(
+        0.0, min=0, max=100, metavar="G", help="After the bed is at rest, raise the body force to this, in g."
+    )
     diameter: float = typer.Option(0.01, min=1e-4, max=1, metavar="M", help="Diameter of the particles.")
     slice_: float = typer.Option(0.05, "--slice", min=1e-3, max=10, metavar="M", help="Length of the periodic trough.")
 

@@ -5,6 +5,7 @@ options instead.
 """
 
 import inspect
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from typing import Any, get_type_hints
@@ -13,7 +14,7 @@ import typer
 
 from chutecalc.errors import UsageError
 
-RTOL = typer.Option(1e-10, metavar="R", help="Relative tolerance of the velocity, 1e-13 to 1e-3.")
+RTOL = typer.Option(1e-10, min=1e-13, max=1e-3, metavar="R", help="Relative tolerance of the velocity.")
 JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Default: one for each processor.")
 
 
@@ -51,6 +52,8 @@ class StationOptions(OptionGroup):
     def __post_init__(self) -> None:
         if self.points is not None and self.stations is not None:
             raise UsageError("--points and --stations exclude each other: give one of them")
+        if self.stations is not None and not 0.0 < self.stations < math.inf:
+            raise UsageError(f"--stations must be greater than 0 m, not {self.stations:g}")
 
     @property
     def given(self) -> bool:

@@ -69,7 +69,7 @@ class Outputs(OptionGroup):
             text = f"Show {cls.charted} as a small chart (extra chart)."
             found.append(option("chart", bool, typer.Option(False, "--chart", help=text)))
         if cls.has_units:
-            text = "Units of tables, charts and pictures. Data files are always SI."
+            text = "Units of tables, charts and pictures. Data files are always metric."
             found.append(option("units", Units, typer.Option(Units.METRIC, help=text)))
         debug = typer.Option(False, "--debug", help="Show a traceback if chutecalc itself fails.")
         return [*found, option("debug", bool, debug)]
@@ -80,19 +80,19 @@ class Outputs(OptionGroup):
         names = (name for name, file in self.files.items() if file == STANDARD_STREAM)
         return next((output_formats()[name] for name in names), None)
 
-    def check(self, inputs: Sequence[str] = (), *others: str | None) -> None:
+    def check(self, inputs: Sequence[str] = (), **others: str | None) -> None:
         """Check that all outputs can be written. Call it before anything is solved.
 
         Args:
             inputs: files that the command reads.
-            *others: further files that it writes.
+            **others: further files that it writes, by option.
 
         Raises:
             UsageError: two outputs are the same, one is an input, or a format does not fit its target.
             ExtraMissingError: an optional library is not installed.
             OutputError: a file cannot be opened.
         """
-        targets = [*self.files.values(), self.plot, *others]
+        targets = {f"--{name}": file for name, file in {**self.files, "plot": self.plot, **others}.items()}
         check_targets(targets, inputs)
         for name, file in self.files.items():
             _check_format(output_formats()[name], file)
@@ -100,7 +100,7 @@ class Outputs(OptionGroup):
             picture_format(self.plot)
         if self.chart:
             require_extra("--chart", CHART)
-        for target in targets:
+        for target in targets.values():
             check_openable(target)
 
     def write(self, dataset: Dataset, *more: RowWriter) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import tomllib
 from collections.abc import Sequence
@@ -21,10 +22,16 @@ def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
     Args:
         spec: path of its file, or ``-`` for standard input.
         changes: values by key path that replace those of the spec.
+
+    Raises:
+        UsageError: the file is a baseline.
     """
     from chutecalc.api.chute import load, parse
-    from chutecalc.spec.parse import decode
+    from chutecalc.spec.parse import BASELINE_SUFFIX, decode
 
+    if spec.endswith(BASELINE_SUFFIX):
+        chute = spec.removesuffix(BASELINE_SUFFIX) + ".toml"
+        raise UsageError(f"{spec} is a baseline, not a chute. Run {chute}.")
     if spec == "-":
         return parse(decode(sys.stdin.buffer.read(), STANDARD_INPUT), STANDARD_INPUT, changes)
     return load(spec, changes)
@@ -40,7 +47,7 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str]) -> list[Chute]:
 
     Raises:
         AllSpecsError: the faults of all specs.
-        UsageError: a setting that is not ``PATH=VALUE``.
+        UsageError: a setting that is not ``PATH=VALUE``, or no spec but baselines.
     """
     from chutecalc.spec.parse import BASELINE_SUFFIX
 
@@ -64,7 +71,7 @@ def read_setting(text: str) -> tuple[str, Any]:
         text: ``PATH=VALUE``, with a value of TOML, or else text without quotes.
 
     Raises:
-        UsageError: it has no path, or no equals sign.
+        UsageError: it has no path or no equals sign, or a number has a decimal comma.
 
     >>> read_setting("segments.1.drop_m=2"), read_setting("title=Coal")
     (('segments.1.drop_m', 2), ('title', 'Coal'))
@@ -75,4 +82,8 @@ def read_setting(text: str) -> tuple[str, Any]:
     try:
         return path.strip(), tomllib.loads(f"value = {value}")["value"]
     except tomllib.TOMLDecodeError:
-        return path.strip(), value.strip()
+        value = value.strip()
+        if re.fullmatch(r"[+-]?\d+,\d+", value):
+            remedy = f"Write a decimal point: {value.replace(',', '.')}."
+            raise UsageError(f"--set {text}: {value} is not a number. {remedy}") from None
+        return path.strip(), value

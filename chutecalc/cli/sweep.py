@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 CONFIRMED_ABOVE = 10_000_000
 """Designs above which a user is asked whether so many are meant."""
 MOST_DRAWN = 1_000_000
+STUDY = "Friction study only"
+"""Heading of its options in the help."""
 EXAMPLES = (
     "chutecalc sweep radius=2:4:0.5 phi=20:30:5 chute.toml --csv designs.csv",
     "chutecalc sweep beta delta=30,40,50 --keep width --plot friction.svg",
@@ -48,9 +50,13 @@ class BestOptions(OptionGroup):
 
         if self.top is None and self.by is None:
             return None
-        name, _, direction = (self.by or "").rpartition(":")
-        if self.top is None or not name or direction not in ("max", "min"):
-            raise UsageError("choose the best rows with --top N and --by COLUMN:max or COLUMN:min")
+        if self.by is None:
+            raise UsageError("--top needs --by, such as --by exit_velocity_m_s:max.")
+        if self.top is None:
+            raise UsageError("--by needs --top, such as --top 10.")
+        name, _, direction = self.by.rpartition(":")
+        if not name or direction not in ("max", "min"):
+            raise UsageError(f"--by takes COLUMN:max or COLUMN:min, such as exit_velocity_m_s:max, not {self.by}.")
         return Top(self.top, name, direction == "max")
 
 
@@ -58,9 +64,13 @@ class BestOptions(OptionGroup):
 class StudyOptions(OptionGroup):
     """Inputs of the friction study beside its angles."""
 
-    phi: float | None = typer.Option(None, metavar="DEG", help="Friction study: wall friction angle. Default: 25.")
-    base: float | None = typer.Option(None, metavar="M", help="Friction study: width at 90°. Default: 0.5.")
-    area: float | None = typer.Option(None, metavar="M2", help="Friction study: flow area. Default: 0.05.")
+    phi: float | None = typer.Option(
+        None, metavar="DEG", help="Wall friction angle. Default: 25.", rich_help_panel=STUDY
+    )
+    base: float | None = typer.Option(
+        None, metavar="M", help="Width between square corners. Default: 0.5.", rich_help_panel=STUDY
+    )
+    area: float | None = typer.Option(None, metavar="M2", help="Flow area. Default: 0.05.", rich_help_panel=STUDY)
 
 
 class SweepOutputs(Outputs):
@@ -75,7 +85,7 @@ class SweepOutputs(Outputs):
 def sweep(
     arguments: list[str] = typer.Argument(
         ...,
-        metavar="ARG...",
+        metavar="PARAMETER... [SPEC]",
         help="Parameters, such as beta, radius=1:4:0.5, rate=500,1000 or segments.1.drop_m=1:3:#21, and a spec (.toml,"
         " or - for standard input).",
     ),

@@ -36,7 +36,9 @@ class SweepRun:
         self.sweep, self.outputs, self.jobs = sweep, outputs, jobs
         files = [file for file in outputs.files.values() if _is_regular(file)]
         if resume and not files:
-            raise UsageError("--resume continues a data file: repeat the command that was interrupted, and add it")
+            raise UsageError(
+                "--resume needs --csv, --json or --parquet: repeat the interrupted command with --resume added."
+            )
         self.store = BlockStore(files[0], sweep.identity(), resume) if files else None
 
     def run(self) -> int:

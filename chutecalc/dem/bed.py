@@ -14,7 +14,7 @@ energy of a particle over m g d; unevenness over depth."""
 
 
 class Check(NamedTuple):
-    """A condition that every bed has to meet."""
+    """A condition that every bed must meet."""
 
     name: str
     """``balance``, ``sides``, ``rest`` or ``level``."""

@@ -95,7 +95,7 @@ class Quantity:
         if shape:
             count = shape[0]
             if not isinstance(value, list | tuple) or (count is not None and len(value) != count):
-                raise PydanticCustomError("quantity", f"must be {_LISTS[self.shape]}, each")
+                raise _fault(f"must be {_LISTS[self.shape]}, each", "write them in brackets")
             return [self._checked(item, shape[1:]) for item in value]
         return self.check_number(value)
 
@@ -110,22 +110,22 @@ class Quantity:
         """
         if isinstance(value, np.ndarray):
             if value.ndim != 1 or not value.size or value.dtype.kind not in "fiu":
-                raise PydanticCustomError("quantity", "must be a number, or a one-dimensional array of numbers, each")
+                raise _fault("must be a number, or a one-dimensional array of numbers, each", "use numbers")
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
-            raise PydanticCustomError("quantity", "must be a number")
+            raise _fault("must be a number", "write a number")
         else:
             try:
                 value = smallest = largest = float(value)
             except OverflowError:
                 value = smallest = largest = np.inf
         if not (isfinite(smallest) and isfinite(largest)):
-            raise PydanticCustomError("quantity", "must be finite and")
+            raise _fault("must be finite and", "write a finite number")
         bounds = self.bounds
         low = smallest > bounds.get("gt", -np.inf) and smallest >= bounds.get("ge", -np.inf)
         high = largest < bounds.get("lt", np.inf) and largest <= bounds.get("le", np.inf)
         if not (low and high):
-            raise PydanticCustomError("quantity", "must be")
+            raise _fault("must be", f"use a {'smaller' if low else 'larger'} value")
         return value
 
     def bounds_text(self, unit: str) -> str:
@@ -135,11 +135,22 @@ class Quantity:
             unit: suffix of the unit.
 
         >>> Quantity("length", gt=0, le=90).bounds_text("mm")
-        'greater than 0 mm and at most 90000 mm'
+        'greater than 0 mm and at most 90,000 mm'
         """
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
         shown = "°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip()
-        return " and ".join(f"{names[name]} {limit:.6g}{shown}" for name, limit in self.bounds_in(unit).items())
+        return " and ".join(f"{names[name]} {_plain(limit)}{shown}" for name, limit in self.bounds_in(unit).items())
+
+
+def _fault(problem: str, remedy: str) -> PydanticCustomError:
+    """Return a fault of a quantity; its bounds follow in the message."""
+    return PydanticCustomError("quantity", problem, {"remedy": remedy})
+
+
+def _plain(number: float) -> str:
+    """Return six digits of a number, a large one with separators between thousands."""
+    short = f"{number:.6g}"
+    return f"{float(short):,.0f}" if abs(number) >= 1e4 else short
 
 
 _LISTS = {(2,): "a list of two numbers", (None, 2): "a list of rows of two numbers"}

@@ -50,10 +50,13 @@ def _item(name: str, item: str, most: int) -> Array:
         step = (last - first) / max(count - 1, 1)
     else:
         step = _number(name, parts[2])
-        if step == 0 or (last - first) / step < 0:
+        if step == 0:
+            raise UsageError(f"{name}: the step must not be 0.")
+        if (last - first) / step < 0:
+            text = parts[2].strip()
+            turned = text[1:] if text.startswith("-") else f"-{text.removeprefix('+')}"
             raise UsageError(
-                f"{name}: a step of {parts[2].strip()} does not lead from {parts[0]} to {parts[1]}."
-                " Give a step that is not 0 and has the right sign."
+                f"{name}: a step of {text} does not lead from {parts[0]} to {parts[1]}. Use a step of {turned}."
             )
         count = math.floor((last - first) / step) + 1
     if count > most:

@@ -46,6 +46,8 @@ class Table(BaseModel):
     """Functions that yield what is broken in a table, which they get with documented keys alone."""
     choices: ClassVar[dict[str, tuple[str, ...]]] = {}
     """Key that tells variants of the tables below apart, ``kind`` or ``shape``, to its known values."""
+    hints: ClassVar[dict[str, str]] = {}
+    """Value that such a key does not know, to what to do."""
 
     @classmethod
     @cache
@@ -158,7 +160,7 @@ class Table(BaseModel):
         if quantity and kind == "quantity":
             key = written[str(name)]
             limits = quantity.bounds_text(cls.keys()[key][1])
-            return _detail((key,), f"{item['msg']} {limits}".rstrip(), "change the value")
+            return _detail((key,), f"{item['msg']} {limits}".rstrip(), item["ctx"]["remedy"])
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")
             if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
@@ -166,26 +168,31 @@ class Table(BaseModel):
             problem = (
                 f"is not a known {tag}" if isinstance(item["input"], dict) and tag in item["input"] else "is missing"
             )
-            return _detail((*location, tag), problem, f"use one of {', '.join(cls.choices[tag])}")
+            value = item["input"].get(tag) if isinstance(item["input"], dict) else None
+            remedy = cls.hints.get(str(value), f"use one of {', '.join(cls.choices[tag])}")
+            return _detail((*location, tag), problem, remedy)
+        if kind == "list_type":
+            return _detail(location, "must be a list of tables", f"write [[{location[-1]}]] above each of them")
+        if _EXPECTED.get(kind) == _TABLE and len(location) == 2:
+            return _detail(location, "must be a table", f"put it under a name of your choice: [{location[0]}.NAME]")
         if kind == "string_pattern_mismatch":
             return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
         if kind == "literal_error":
-            return _detail(location, f"must be {item['ctx']['expected']}", "change the value")
-        expected = _EXPECTED.get(kind)
-        return _detail(location, expected or item["msg"], "change it")
+            return _detail(location, f"must be {item['ctx']['expected']}", "correct the value")
+        return _detail(location, *_EXPECTED.get(kind, (item["msg"], "correct it")))
 
 
 _NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
+_TABLE = "must be a table", "write its keys under a header, as in [flow]"
 _EXPECTED = {
-    "string_type": "must be text in quotes",
-    "dict_type": "must be a table",
-    "model_type": "must be a table",
-    "model_attributes_type": "must be a table",
-    "list_type": "must be a list of tables, each under [[…]]",
-    "too_short": "must have at least one table",
-    "bool_type": "must be true or false",
-    "float_type": "must be a number",
-    "finite_number": "must be a finite number",
+    "string_type": ("must be text in quotes", "put quotes around it"),
+    "dict_type": _TABLE,
+    "model_type": _TABLE,
+    "model_attributes_type": _TABLE,
+    "too_short": ("must have at least one table", "add one"),
+    "bool_type": ("must be true or false", "write one of these without quotes"),
+    "float_type": ("must be a number", "write a number"),
+    "finite_number": ("must be a finite number", "write a finite number"),
 }
 
 

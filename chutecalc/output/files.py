@@ -3,7 +3,7 @@
 import errno
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any
@@ -13,24 +13,29 @@ from chutecalc.errors import OutputError, UsageError, WriteError
 STANDARD_STREAM = "-"
 
 
-def check_targets(outputs: Sequence[str | None], inputs: Sequence[str]) -> None:
+def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str]) -> None:
     """Check that no two outputs are the same, and that no output is an input.
 
     Args:
-        outputs: files that are written; None for an output that was not asked for.
+        outputs: files that are written, by option; None for an output that was not asked for.
         inputs: files that are read.
 
     Raises:
         UsageError: the outputs that are the same, or the output that is an input.
     """
-    given = [output for output in outputs if output]
-    if given.count(STANDARD_STREAM) > 1:
+    given = {option: output for option, output in outputs.items() if output}
+    if list(given.values()).count(STANDARD_STREAM) > 1:
         raise UsageError("only one output can go to standard output (-)")
     if list(inputs).count(STANDARD_STREAM) > 1:
         raise UsageError("only one spec can come from standard input (-)")
-    files = [os.path.realpath(output) for output in given if output != STANDARD_STREAM]
-    if len(set(files)) < len(files):
-        raise UsageError(f"two outputs go to the same file: {', '.join(given)}")
+    files: dict[str, str] = {}
+    for option, output in given.items():
+        if output == STANDARD_STREAM:
+            continue
+        file = os.path.realpath(output)
+        if file in files:
+            raise UsageError(f"{files[file]} and {option} both write to {output}. Give one of them another name.")
+        files[file] = option
     for file in files:
         if file in {os.path.realpath(name) for name in inputs if name != STANDARD_STREAM}:
             raise UsageError(f"{file} is an input, and the output would overwrite it: choose another name")

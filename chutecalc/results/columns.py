@@ -33,7 +33,7 @@ class Extremes(Enum):
 
 
 class Needs(Flag):
-    """What the solver has to work out at the end of a chute for the value of a column there."""
+    """What the solver must work out at the end of a chute for the value of a column there."""
 
     NOTHING = 0
     DEPTH = 1
@@ -146,7 +146,7 @@ _CATALOGUE = (
     StreamColumn("equivalent_friction", "μ_e", "μ_e", "equivalent friction", "number", "", 4,
                  formula=lambda part, at: at.friction, exists=on_surface, needs=Needs.WALLS,
                  extremes=Extremes.REPORTED, in_tables=True, source="Paper Eq 11"),
-    StreamColumn("normal_acceleration_m_s2", "n", "n", "acceleration that presses the stream on its surface",
+    StreamColumn("normal_acceleration_m_s2", "n", "n", "acceleration that presses the stream against its surface",
                  "acceleration", "m_s2", 2, "ft_s2", 1,
                  formula=lambda part, at: at.normal_acceleration, exists=on_surface, needs=Needs.WALLS),
     StreamColumn("pressure_kpa", "pressure", "p",

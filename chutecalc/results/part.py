@@ -250,7 +250,7 @@ def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
 
 
 def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:
-    """Return what the solver has to work out at the exit for some columns.
+    """Return what the solver must work out at the exit for some columns.
 
     Args:
         names: of columns.

@@ -25,7 +25,7 @@ def downhill(table: dict[str, Any]) -> Iterator[Violation]:
     slope: Any = table.get("slope_deg")
     if is_numeric(slope) and np.any(np.less(slope, 0.0)):
         yield Violation(
-            ("slope_deg",), "must be at least 0: a straight floor does not rise", "change the value, or use a curve"
+            ("slope_deg",), "must be at least 0: a straight floor does not rise", "use a curve for a floor that rises"
         )
 
 

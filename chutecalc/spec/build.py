@@ -13,6 +13,7 @@ from chutecalc.physics.pressure import vertical_pressure_ratio
 from chutecalc.physics.wall import constant_wall, yield_locus
 from chutecalc.segments.base import Context, Lining
 from chutecalc.spec import chute_spec as model
+from chutecalc.spec.segment_names import segment_names
 
 
 def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None) -> Design:
@@ -30,22 +31,6 @@ def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None
     design = geometry.design()
     geometry.faults.raise_any()
     return design
-
-
-def segment_names(spec: model.ChuteSpec) -> list[str]:
-    """Return the name of each segment; one without a name is called by its kind, numbered where that is taken.
-
-    Args:
-        spec: the checked spec.
-    """
-    names: list[str] = []
-    taken = {segment.name for segment in spec.segments if segment.name}
-    for segment in spec.segments:
-        free = (f"{segment.kind}_{number}" for number in range(2, len(spec.segments) + 2))
-        name = segment.name or next(item for item in (segment.kind, *free) if item not in taken)
-        taken.add(name)
-        names.append(name)
-    return names
 
 
 class _Geometry:
@@ -116,8 +101,9 @@ class _Geometry:
         self.check_start(velocity)
         slope: Array | None = shared(np.where(velocity == 0.0, VERTICAL, inlet_slope))  # a stream at rest falls
         falling = bool(np.all(slope == np.pi / 2))  # straight down, and past nothing yet that it may not follow
+        names = segment_names([(table.name, table.kind) for table in tables])
         built: list[Segment] = []
-        for number, (name, table) in enumerate(zip(segment_names(self.spec), tables, strict=True)):
+        for number, (name, table) in enumerate(zip(names, tables, strict=True)):
             flies = number > 0 and not tables[number - 1].guides and not falling
             tangent = self.drawn_slopes.get(number, None if flies else slope)
             context = Context(

@@ -112,4 +112,5 @@ class ChuteSpec(Table):
     receiver: Receiver | None = Field(None, description="belt that the stream goes to, optional")
     segments: list[AnySegment] = Field(min_length=1, description="segments in the order in which the stream meets them")
     rules: ClassVar = (known_format, names, placement, known_strength)
+    hints: ClassVar = dict.fromkeys(("spoon", "crest"), "use curve: a spoon or crest is a curve")
     choices: ClassVar = {"kind": tuple(KINDS), "shape": tuple(SHAPES)}

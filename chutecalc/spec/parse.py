@@ -13,6 +13,7 @@ BASELINE_SUFFIX = ".baseline.toml"
 
 _HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
 _KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
+_DECIMAL_COMMA = r"^\s*([A-Za-z0-9_.-]+)\s*=\s*([+-]?\d+),(\d+)\s*(?:#.*)?$"
 
 
 def read_text(path: Path) -> str:
@@ -71,6 +72,12 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
     except tomllib.TOMLDecodeError as error:
         message = str(error)
         found = re.search(r"\(at line (\d+), column (\d+)\)", message)
+        if found and (comma := re.match(_DECIMAL_COMMA, text.splitlines()[int(found[1]) - 1])):
+            key, whole, decimals = comma.groups()
+            remedy = f"write a decimal point: {whole}.{decimals}"
+            raise SpecError(
+                [Fault(key, "is not a number", remedy, f"{whole},{decimals}", int(found[1]))], source
+            ) from None
         problem = "is not valid TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
         if found:
             fault = Fault("", f"{problem}, column {found[2]}", "see https://toml.io", line=int(found[1]))

@@ -1,10 +1,12 @@
 """Puts values at key paths: ``segments.2.radius_m``, or by name ``segments.spoon.radius_m``."""
 
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
 from chutecalc.fields.units import same_quantity
 from chutecalc.spec.faults import value_text
+from chutecalc.spec.segment_names import segment_names
 
 OPTIONAL_TABLES = ("model", "receiver", "belt")
 """Tables that a path creates where they are missing; the check that follows refuses them in the wrong place."""
@@ -44,6 +46,8 @@ def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str],
     """Put one value; return the fault of a path to no table, or to a quantity that has a value already."""
     *tables, key = path.split(".")
     here: Any = data
+    if not tables and key not in data and (meant := list(_paths_to(data, key))):
+        return Fault(path, "is not a key of the spec", f"did you mean {' or '.join(meant)}?", value_text(value))
     for number, item in enumerate(tables):
         below = _below(here, item)
         if below is None:
@@ -77,9 +81,18 @@ def _below(here: Any, item: str) -> Any:
     if isinstance(here, list):
         if is_number(item):
             return here[int(item) - 1] if 1 <= int(item) <= len(here) else None
-        named = (table for table, name in zip(here, _names(here), strict=True) if name == item != "")
-        return next(named, None)
+        return next((table for table, name in zip(here, item_names(here), strict=True) if name == item != ""), None)
     return None
+
+
+def _paths_to(here: Any, key: str, above: str = "") -> Iterator[str]:
+    """Yield the paths of the tables below that have a quantity, each with the key that was given for it."""
+    if isinstance(here, list):
+        here = {name or str(k): table for k, (name, table) in enumerate(zip(item_names(here), here, strict=True), 1)}
+    for name, table in here.items() if isinstance(here, dict) else ():
+        if isinstance(table, dict) and not {*same_quantity(key)}.isdisjoint(table):
+            yield f"{above}{name}.{key}"
+        yield from _paths_to(table, key, f"{above}{name}.")
 
 
 def _nowhere(here: Any, path: str, item: str) -> tuple[str, str]:
@@ -89,15 +102,37 @@ def _nowhere(here: Any, path: str, item: str) -> tuple[str, str]:
         remedy = f"use one of {', '.join(tables)}" if tables else f"use a key of {path or 'the spec'}"
         return f"does not exist: {path or 'the spec'} has no table {item}", remedy
     if isinstance(here, list):
-        names = ", ".join(name or str(number) for number, name in enumerate(_names(here), 1))
-        return f"does not exist: {path} has no item {item} (it has {len(here)}: {names})", "use one of these"
+        return f"does not exist: {path} has no item {item!r}", f"use {_listed(here)}"
     return f"does not exist: {path} is a value, not a table", f"use the path {path}"
 
 
-def _names(tables: list[Any]) -> list[str]:
-    """Return the name of each table of a list; empty for those without one."""
-    names = [table.get("name") if isinstance(table, dict) else None for table in tables]
-    return [name if isinstance(name, str) else "" for name in names]
+def item_names(tables: Sequence[Any]) -> list[str]:
+    """Return the name of each item of a list, as paths take it: that of a segment, which may be its kind; else empty.
+
+    Args:
+        tables: the list, as the user wrote it.
+
+    >>> item_names([{"kind": "fall"}, {"name": "spoon", "kind": "curve"}]), item_names([{"slope_deg": 5}])
+    (['fall', 'spoon'], [''])
+    """
+    known = [(_text(table, "name"), _text(table, "kind")) for table in tables]
+    return [name if any(own) else "" for name, own in zip(segment_names(known), known, strict=True)]
+
+
+def _text(table: Any, key: str) -> str:
+    """Return the text that a table has at a key, or empty text."""
+    value = table.get(key) if isinstance(table, dict) else None
+    return value if isinstance(value, str) else ""
+
+
+def _listed(tables: list[Any]) -> str:
+    """Return the items of a list as a path may call them; one called by its kind also by its number."""
+    names = enumerate(zip(tables, item_names(tables), strict=True), 1)
+    items = [
+        name if _text(table, "name") else f"{number} ({name})" if name else str(number)
+        for number, (table, name) in names
+    ]
+    return " or ".join(filter(None, (", ".join(items[:-1]), *items[-1:])))
 
 
 def is_number(item: str) -> bool:

@@ -19,7 +19,7 @@ def known_format(table: dict[str, Any]) -> Iterator[Violation]:
         table: the spec, with documented keys.
     """
     if "format" in table and type(table["format"]) is not int:
-        yield Violation(("format",), "must be 1", "change the value")
+        yield Violation(("format",), "must be 1", "correct the value")
 
 
 def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
@@ -116,12 +116,13 @@ def _reference(
     known = ", ".join(defined)
     if named is None and len(defined) > 1:
         yield Violation(
-            (*location, key), f"is missing, and the spec has several {kinds}", f"name one of {known}", is_missing=True
+            (*location, key), f"is missing, and the spec has several {kinds}", f"use one of {known}", is_missing=True
         )
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
             problem = f"names {name}, which is not defined in [{kinds}]"
-            yield Violation((*location, key), problem, f"name one of {known}, or add [{kinds}.{name}]")
+            remedy = f"use {known if len(defined) == 1 else f'one of {known}'}, or add [{kinds}.{name}]"
+            yield Violation((*location, key), problem, remedy)
 
 
 def placement(table: dict[str, Any]) -> Iterator[Violation]:

@@ -75,7 +75,7 @@ def test_a_changed_liner_is_an_edited_spec_and_all_that_drifted_is_told_with_its
     lines = capsys.readouterr().out.splitlines()
     assert lines[:2] == [
         "spoon.toml: edited (tolerance 1e-09)",
-        "  the spec has been edited since its baseline was written",
+        "  the spec has been edited since its baseline was written; if that is intended, run check --update",
     ]
     (row,) = (line.split() for line in lines if line.split()[0] == "velocity_m_s")
     before = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).exit_velocity[0]

@@ -93,7 +93,7 @@ def test_columns_lists_them_all(capsys):
 
 def test_version_and_help(capsys):
     assert main(["--version"]) == 0
-    form = "" if compiled() else " (its core uncompiled: slower)"
+    form = "" if compiled() else " (core not compiled: slower)"
     assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}{form}\n"
     assert main(["--help"]) == 0
     listed = capsys.readouterr().out
@@ -103,6 +103,53 @@ def test_version_and_help(capsys):
         assert later not in listed
     assert main(["run", "-h"]) == 0
     assert "--stations" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ("run", "SPEC is missing. For example: chutecalc run chute.toml --plot chute.svg"),
+        ("sweep", "PARAMETER is missing. For example: chutecalc sweep radius=2:4:0.5 phi=20:30:5 chute.toml"),
+        ("chute.toml", "there is no command chute.toml. To solve a chute: chutecalc run chute.toml\n"),
+        ("swep", "there is no command swep. Did you mean sweep?\n"),
+        ("xyz", "there is no command xyz. Use new, run, sweep, check, schema, columns or dem.\n"),
+        ("run a.toml --foo", "there is no option --foo. chutecalc run --help lists the options.\n"),
+        ("run a.toml --plott x", "there is no option --plott. Did you mean --plot"),
+        ("run a.toml --plot", "--plot needs a value after it.\n"),
+        ("run a.toml --strict=3", "--strict takes no value. Write --strict alone.\n"),
+        ("run a.toml --points 1", "--points must be at least 2, not 1.\n"),
+        ("run a.toml --points x", "--points must be a whole number, not x.\n"),
+        ("run a.toml --stations x", "--stations must be a number, not x.\n"),
+        ("run a.toml --stations 0", "--stations must be greater than 0 m, not 0\n"),
+        ("run a.toml --stations nan", "--stations must be greater than 0 m, not nan\n"),
+        ("run a.toml --rtol 2", "--rtol must be from 1e-13 to 0.001, not 2.\n"),
+        ("run a.toml --plot a.svg --plot b.png", "--plot is given twice. Give it once.\n"),
+        ("sweep beta --keep x", "--keep must be base, width or depth, not x.\n"),
+        ("dem --wall-friction 99", "--wall-friction must be from 0 to 89, not 99.\n"),
+        ("run a.baseline.toml", "a.baseline.toml is a baseline, not a chute. Run a.toml.\n"),
+        (
+            "run a.toml --set flow.rate_t_h=2,5",
+            "--set flow.rate_t_h=2,5: 2,5 is not a number. Write a decimal point: 2.5",
+        ),
+        ("new no/such/a.toml", "no/such/a.toml cannot be written: there is no folder no/such. Create it first.\n"),
+        ("new .", ". is a folder. Name a file in it.\n"),
+        ("new a b", "b is more than the command takes. For example: chutecalc new\n"),
+    ],
+)
+def test_a_wrong_command_line_is_explained(arguments, message, capsys):
+    assert main(arguments.split()) == 2
+    assert capsys.readouterr().err.startswith(f"chutecalc: {message}")
+
+
+@pytest.mark.parametrize(
+    ("command", "usage"),
+    [("run", "SPEC..."), ("sweep", "PARAMETER... [SPEC]"), ("check", "[PATH...]"), ("new", "[FILE]")],
+)
+def test_help_writes_arguments_as_a_user_does(command, usage, capsys):
+    assert main([command, "--help"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith(f"Usage: chutecalc {command} [OPTIONS] {usage}\n")
+    assert "str>" not in out
 
 
 def test_no_command_shows_the_help_and_is_a_wrong_command(capsys):

@@ -69,7 +69,7 @@ def test_what_cannot_be_written_is_told_before_solving(target, words, tmp_path, 
 def test_two_outputs_to_one_file(tmp_path, capsys):
     file = str(tmp_path / "same.svg")
     assert main(["run", SPOON, "--plot", file, "--csv", file]) == 2
-    assert "the same file" in capsys.readouterr().err
+    assert f"--csv and --plot both write to {file}." in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -133,7 +133,10 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
     assert "segments.2.radius_m = 0" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
-    assert "(it has 2: 1, spoon)" in capsys.readouterr().err
+    assert "segments has no item 'slide'. Use 1 (fall) or spoon." in capsys.readouterr().err
+    assert main(["run", str(starter), "--set", "radius_mm=1"]) == 2
+    expected = "radius_mm = 1 is not a key of the spec. Did you mean segments.spoon.radius_mm?"
+    assert expected in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "nothing"]) == 2
     assert "PATH=VALUE" in capsys.readouterr().err
 
@@ -192,7 +195,7 @@ def test_a_spec_from_standard_input(capsys, monkeypatch):
     [
         (["run", "a.toml", "--json", "-", "--csv", "-"], "only one output"),
         (["run", "-", "-"], "only one spec"),
-        (["run", "a.toml", "--json", "x", "--csv", "x"], "the same file"),
+        (["run", "a.toml", "--json", "x", "--csv", "x"], "--csv and --json both write to x."),
         (["run", "a.toml", "--csv", "a.toml"], "overwrite"),
         (["run", "a.toml", "--points", "5", "--stations", "0.1"], "give one of them"),
         (["run", "a.toml", "--stations", "-1"], "greater than 0"),

@@ -280,7 +280,7 @@ def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, t
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
     message = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
-    for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item spool"):
+    for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item 'spool'"):
         assert words in message
 
 
@@ -288,17 +288,21 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     ("arguments", "words"),
     [
         (["radius", SPOON], "has no values"),
-        (["rad=1", SPOON], "rad is neither a short name (beta, delta, phi, rate, radius, base) nor a path"),
+        (["xyz=1", SPOON], "xyz: it is neither a short name (beta, delta, phi, rate, radius, base) nor a path"),
+        (["radius_kg=1", SPOON], "radius_kg: _kg is not a unit of length. Use radius_m or radius_mm or radius_in or"),
+        (["drop_m=1,2", SPOON], "drop_m: name the whole path, segments.fall.drop_m."),
+        (["rad=1", SPOON], "rad: did you mean radius?"),
         (["base=1", VEE], "base: the spec has no base_m in its sections. Use the path of another number"),
         (
             ["delta=30,40", BOTH],
             "delta: material.pressure_ratio sets K_v, whatever δ is. Vary that, or remove",
         ),
         (["delta_rad=0.5,0.6", BOTH], "material.pressure_ratio sets K_v"),
-        (["radius=1,2", CURVES], "the spec has several. Use segments.1.radius_m or segments.last.radius_m"),
+        (["radius=1,2", CURVES], "the spec has several. Use segments.curve.radius_m or segments.last.radius_m"),
         (["radius=a:b", SPOON], "is not a range"),
-        (["radius=1:2:0", SPOON], "does not lead"),
-        (["radius=1:2:-1", SPOON], "does not lead"),
+        (["radius=1:2:0", SPOON], "radius: the step must not be 0."),
+        (["radius=1:2:-1", SPOON], "does not lead from 1 to 2. Use a step of 1."),
+        (["radius=2:1:0.5", SPOON], "does not lead from 2 to 1. Use a step of -0.5."),
         (["radius=1:2:#0", SPOON], "is not a count"),
         (["radius=nan", SPOON], "is not a number"),
         (["radius=0:1e9:1e-9", SPOON], "the limit is 100,000,000"),
@@ -324,13 +328,20 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
         (["rate=1,2", VEE, "--keep", "width"], "--keep width needs a section of shape chamfered, and the spec has"),
         (["beta", SPOON, "--columns", "exit_velocity"], "Did you mean exit_velocity_m_s?"),
         (["beta", SPOON, "--columns", "receiver_velocity_ratio"], "no [receiver]"),
-        (["beta", SPOON, "--top", "3"], "--by COLUMN:max"),
+        (["beta", SPOON, "--top", "3"], "--top needs --by, such as --by exit_velocity_m_s:max."),
+        (["beta", SPOON, "--by", "exit_depth_m:max"], "--by needs --top, such as --top 10."),
+        (["beta", SPOON, "--top", "3", "--by", "exit_depth_m"], "--by takes COLUMN:max or COLUMN:min"),
+        (["beta", SPOON, "--csv", "a.csv", "--csv=b.csv"], "--csv is given twice. Give it once."),
         (["beta", SPOON, "--top", "3", "--by", "status:max"], "numbers"),
         (["beta", SPOON, "--top", "3", "--by", "depth_m:max", "--points", "3"], "--top selects designs"),
         (["beta", SPOON, "--points", "3", "--columns", "exit_depth_m"], "Use the columns of a station"),
         (["beta", SPOON, "--points", "3", "--stations", "1"], "one of them"),
-        (["beta", SPOON, "--resume"], "--resume continues a data file"),
+        (["beta", SPOON, "--resume"], "--resume needs --csv, --json or --parquet"),
         (["beta", SPOON, "--csv", "no/such/folder/a.csv"], "no folder"),
+        (
+            ["beta", SPOON, "--csv", "o", "--json", "./o"],
+            "--csv and --json both write to ./o. Give one of them",
+        ),
         (["beta", SPOON, "--csv", "-", "--json", "-"], "standard output"),
         (["beta", SPOON, "--parquet", "-"], "standard output"),
         (["beta", "radius=1,2", "rate=1,2", SPOON, "--plot", "a.svg"], "one or two parameters"),
@@ -561,6 +572,18 @@ def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
     assert 1 < part.count(b"\r\n") < 90_001
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
     assert target.read_bytes() == whole.read_bytes()
+
+
+def test_without_blocks_there_is_nothing_to_resume(tmp_path, capsys):
+    target = tmp_path / "rows.csv"
+    arguments = ["phi=20,30", SPOON, "--csv", str(target)]
+    assert f"there is no {target}.part to continue. To start the sweep anew" in refused(capsys, *arguments, "--resume")
+    assert main(["sweep", *arguments]) == 0
+    finished = target.read_bytes()
+    capsys.readouterr()
+    assert f"there is no {target}.part to continue" in refused(capsys, "phi=20", *arguments[1:], "--resume")
+    assert target.read_bytes() == finished
+    assert [path.name for path in tmp_path.iterdir()] == ["rows.csv"]
 
 
 def test_another_spec_or_version_is_not_resumed(tmp_path, capsys, monkeypatch):

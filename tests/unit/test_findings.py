@@ -179,7 +179,7 @@ def test_below_cut_off(off):
     limit = float(np.degrees(np.arctan(friction)) + 5.0)
     assert ("below_cut_off" in codes(ends_at(limit + off))) == (off < 0)
     finding = found(ends_at(limit - 1.0), "below_cut_off")
-    assert "practice" in finding.message()
+    assert "rule of thumb" in finding.message()
 
 
 @pytest.mark.parametrize("factor", [0.9999, 1.0001])

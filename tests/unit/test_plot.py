@@ -184,14 +184,14 @@ def test_several_chutes_are_lines_to_compare():
     shapes = [load(f"paper/r{radius}_d30_{shape}") for radius in (1, 4) for shape in ("chamfered", "square")]
     figure, axes, solutions = drawn(*shapes)
     assert len({axes[column].get_xlim() for column in PANELS}) == 1
-    assert figure.get_suptitle() == "Paper, worked example, δ = 30°"
+    assert figure.get_suptitle() == "Comparison: Paper, worked example, δ = 30°"
     for column in PANELS:
         for line, solution in zip(by_name(axes[column], column), solutions, strict=True):
             stations = solution.stations(points=STATIONS)
             assert np.array_equal(line.get_ydata(), stations[column][0], equal_nan=True)
     for line, solution in zip(by_name(axes["side"], "path"), solutions, strict=True):
         assert np.array_equal(line.get_xdata(), solution.stations(points=STATIONS)["x_m"][0])
-    legend = [text.get_text() for text in axes["notes"].get_legend().get_texts()]
+    legend = [text.get_text() for text in figure.legends[0].get_texts()]
     assert legend == [f"R = {r} m, {s}" for r in (1, 4) for s in ("45° chamfers", "square corners")]
     lines = by_name(axes["velocity_m_s"], "velocity_m_s")
     looks = {(line.get_color(), line.get_linestyle(), line.get_marker()) for line in lines}
@@ -199,18 +199,37 @@ def test_several_chutes_are_lines_to_compare():
     assert [line.get_linestyle() for line in lines] == ["-", "--", "-", "--"]  # the shape, whatever the radius
 
 
+@pytest.mark.parametrize(("count", "length"), [(8, 60), (2, 300)])
+def test_the_legend_of_long_titles_stays_on_the_page_and_leaves_the_panels_their_room(count, length):
+    data = tomllib.loads(chutecalc.STARTER)
+    titles = [f"{number} " + length // 6 * "spoon " for number in range(count)]
+    long, short = (
+        drawn(*(chutecalc.parse(data | {"title": title}) for title in each))[0] for each in (titles, ["a", "b"])
+    )
+    for figure in (long, short):
+        save(figure, io.BytesIO(), "png")  # lays it out
+    page, legend = long.bbox, long.legends[0].get_window_extent()
+    assert page.x0 <= legend.x0
+    assert legend.x1 <= page.x1
+    assert page.y0 <= legend.y0
+    assert legend.y1 <= min(axes.get_window_extent().y0 for axes in long.axes)
+    for axes, of_short in zip(long.axes, short.axes, strict=True):
+        width, height = axes.get_window_extent().size
+        assert (width, height) == pytest.approx(of_short.get_window_extent().size, rel=0.05)
+
+
 def test_chutes_without_titles_go_by_their_files():
     data = spec()
     first, second = (chutecalc.parse(data, f"{name}.toml") for name in "ab")
-    _, axes, _ = drawn(first, second)
-    assert [text.get_text() for text in axes["notes"].get_legend().get_texts()] == ["a.toml", "b.toml"]
+    figure, *_ = drawn(first, second)
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["a.toml", "b.toml"]
 
 
 def test_chutes_of_one_title_go_by_their_files_too():
     text = chutecalc.STARTER
     first, second = (chutecalc.parse(tomllib.loads(text), f"{name}.toml") for name in "ab")
-    _, axes, _ = drawn(first, second)
-    assert [text.get_text() for text in axes["notes"].get_legend().get_texts()] == ["a.toml", "b.toml"]
+    figure, *_ = drawn(first, second)
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["a.toml", "b.toml"]
 
 
 @pytest.mark.parametrize("ending", PICTURE_FORMATS)

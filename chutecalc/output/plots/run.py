@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.textpath import TextPath
 
 from chutecalc.output.plots.side import END, Mark, draw_stream
 from chutecalc.output.plots.style import INK, PALE, SMALL, label_axes, labels_of, looks, styled
@@ -31,6 +32,10 @@ CHARACTER_WIDTH = 0.6
 """Width of a character over its height, about."""
 NOTE_LENGTH = 165
 """Characters in a line of notes."""
+LABEL_LENGTH = 130
+"""Characters in a line of a legend's label."""
+LEGEND_LINE = 6.0
+"""Width of a line, and of the gaps beside it and its label, in a legend; over the size of its letters."""
 
 
 def draw_run(solutions: Sequence[SolvedChute], units: str = "metric") -> Figure:
@@ -51,7 +56,7 @@ def _one(solution: SolvedChute, units: str) -> Figure:
     """Draw a chute with its stream at its depth."""
     stream = traces(solution)
     notes, marks = _notes(solution, stream, units)
-    figure, axes = _layout(len(notes), extent(solution, stream), units)
+    figure, axes = _layout(extent(solution, stream), units, notes=len(notes))
     figure.suptitle(solution.spec.title or solution.source, x=0.01, ha="left")
     draw_stream(axes["side"], solution, stream, marks, units)
     for name in PANELS:
@@ -73,40 +78,52 @@ def _several(solutions: Sequence[SolvedChute], units: str) -> Figure:
     labels, shared = labels_of(titles if distinct else [solution.source for solution in solutions])
     streams = [traces(solution) for solution in solutions]
     size = np.max([extent(solution, stream) for solution, stream in zip(solutions, streams, strict=True)], axis=0)
-    figure, axes = _layout(1 + -(-len(solutions) // 4), size, units)
-    figure.suptitle(shared or "Comparison", x=0.01, ha="left")
+    names = ["\n".join(textwrap.wrap(", ".join(label), LABEL_LENGTH)) for label in labels]
+    columns = _legend_columns(names)
+    rows = -(-len(names) // columns) * max(name.count("\n") + 1 for name in names)
+    figure, axes = _layout(size, units, legend=rows)
+    figure.suptitle(f"Comparison: {shared}" if shared else "Comparison", x=0.01, ha="left")
     lines = []
-    for stream, label, look in zip(streams, labels, looks(labels), strict=True):
+    for stream, label, look in zip(streams, names, looks(labels), strict=True):
         x, z = (_joined(stream, name, units)[1] for name in ("x_m", "z_m"))
         axes["side"].plot(x, z, **look, markevery=[-1], gid="path")
         for name in PANELS:
             path = _joined(stream, name, units)
-            lines += axes[name].plot(*path, **look, markevery=[-1], gid=name, label=", ".join(label))
+            lines += axes[name].plot(*path, **look, markevery=[-1], gid=name, label=label)
     for name in PANELS:
         _limit(axes[name], np.concatenate([np.asarray(line.get_ydata()) for line in axes[name].get_lines()]))
     axes["side"].set_aspect("equal", adjustable="datalim")
     axes["side"].set_title("paths of the streams, to scale")
-    axes["notes"].legend(
-        handles=lines[:: len(PANELS)], ncols=min(len(solutions), 4), loc="upper left", borderaxespad=0.0
-    )
+    figure.legend(handles=lines[:: len(PANELS)], ncols=columns, loc="outside lower left")
     return figure
 
 
-def _layout(notes: int, size: Array, units: str) -> tuple[Figure, dict[str, Axes]]:
-    """Return the figure and its axes: side view, panels beside it or below a wide chute, and notes.
+def _legend_columns(labels: Sequence[str]) -> int:
+    """Return how many columns of these labels, each with its line beside it, fit on the picture."""
+    widest = max(TextPath((0.0, 0.0), label, size=SMALL).get_extents().width for label in labels)
+    return max(1, int(WIDTH * 72.0 / (widest + LEGEND_LINE * SMALL)))
+
+
+def _layout(size: Array, units: str, notes: int = 0, legend: int = 0) -> tuple[Figure, dict[str, Axes]]:
+    """Return the figure and its axes: side view, panels beside it or below a wide chute, and notes if there are any.
 
     Args:
-        notes: number of lines of notes.
         size: width and height of the chute, m.
         units: ``metric`` or ``us``.
+        notes: number of lines of notes.
+        legend: number of lines of a legend of the figure, which needs room below the axes.
     """
     wide = size[0] > WIDE * size[1]
     rows: list[Any] = [["side"] * 3, list(PANELS)] if wide else [["side", name] for name in PANELS]
-    heights = [*([SIDE_HEIGHT, PANEL_HEIGHT] if wide else [PANEL_HEIGHT] * 3), NOTE_HEIGHT * notes]
+    heights = [SIDE_HEIGHT, PANEL_HEIGHT] if wide else [PANEL_HEIGHT] * 3
     columns = len(rows[0])
-    figure = Figure(figsize=(WIDTH, sum(heights)))
-    axes = figure.subplot_mosaic([*rows, ["notes"] * columns], height_ratios=heights, width_ratios=[1.0] * columns)
-    axes["notes"].set_axis_off()
+    if notes:
+        rows.append(["notes"] * columns)
+        heights.append(NOTE_HEIGHT * notes)
+    figure = Figure(figsize=(WIDTH, sum(heights) + NOTE_HEIGHT * legend))
+    axes = figure.subplot_mosaic(rows, height_ratios=heights, width_ratios=[1.0] * columns)
+    if notes:
+        axes["notes"].set_axis_off()
     label_axes(axes["side"], COLUMNS["x_m"], COLUMNS["z_m"], units)
     for name in PANELS[1:]:
         axes[name].sharex(axes[PANELS[0]])

@@ -16,17 +16,17 @@ STEEPEST_IMPACT = np.radians(20.0)
     Severity.WARNING,
     summary="the stream strikes a surface at a steep angle",
     limit=f"incidence > {np.degrees(STEEPEST_IMPACT):g}°",
-    source="practice",
+    source="rule of thumb",
 )
 def steep_impact(scene: Scene) -> Iterator[Case]:
-    """Find impacts at more than 20° (practice).
+    """Find impacts at more than 20° (rule of thumb).
 
     Args:
         scene: the segment with the stream along it.
     """
     arrival = scene.contact.arrival
     template = (
-        "the stream strikes the surface at {incidence_deg} (limit 20°, practice), which slows it from {velocity_m_s} to"
+        "the stream strikes the surface at {incidence_deg} (rule of thumb: 20°), which slows it from {velocity_m_s} to"
         " {after_m_s} and loads the surface with {pressure_kpa}; align the surface with the stream"
     )
     yield Case(
@@ -42,16 +42,16 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
     )
 
 
-@criterion("flown_past", Severity.WARNING, summary="the stream flies past a segment to one further on")
+@criterion("flown_past", Severity.WARNING, summary="the stream flies over a segment and lands on a later one")
 def flown_past(scene: Scene) -> Iterator[Case]:
-    """Find flights past the segment to one further on.
+    """Find flights over the segment that land on a later one.
 
     Args:
         scene: the segment with the stream along it.
     """
     template = (
-        "the stream flies past the segment, {gap_m} from its end, to one further on; move the segment into the stream"
-        " or leave it out"
+        "the stream flies over the segment, {gap_m} from its end, and lands on a later one; move the segment into the"
+        " stream or leave it out"
     )
     mask, gap = scene.solved.status == Status.PASSED, scene.contact.arrival.gap
     yield Case(mask, scene.solved.start.distance, template, {"gap_m": gap})

@@ -72,10 +72,10 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     Severity.WARNING,
     summary="the last spoon ends too flat to clear itself",
     limit=f"slope < atan(μ_e) + {np.degrees(CUT_OFF):g}°",
-    source="practice",
+    source="rule of thumb",
 )
 def below_cut_off(scene: Scene) -> Iterator[Case]:
-    """Find a last spoon that ends flatter than the equivalent friction angle + 5° (practice).
+    """Find a last spoon that ends flatter than the equivalent friction angle + 5° (rule of thumb).
 
     Args:
         scene: the segment with the stream along it.
@@ -87,7 +87,7 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
     slope = surface.slope + surface.turn
     template = (
         "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
-        " (equivalent friction angle + 5°, practice)"
+        " (rule of thumb: equivalent friction angle + 5°)"
     )
     mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     yield Case(

@@ -96,15 +96,20 @@ def missing_load(scene: Scene) -> Iterator[Case]:
     missing = scene.extreme("missing_load", LARGEST)
     friction, even = scene.at(missing.share, "equivalent_friction", "equilibrium_friction")
     template = (
-        "hydrostatic wall pressures do not carry {missing_load} of the weight (limit 0.1): the paper's law lays it on"
-        " the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it would be"
+        "hydrostatic wall pressures do not carry {missing_percent} % of the weight (limit 10 %): the paper's law lays"
+        " it on the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it would be"
         ' {equilibrium_friction} (friction_law = "equilibrium")'
     )
     yield Case(
         missing.value > MOST_MISSING,
         scene.distance(missing.share),
         template,
-        {"missing_load": missing.value, "equivalent_friction": friction, "equilibrium_friction": even},
+        {
+            "missing_load": missing.value,
+            "missing_percent": 100.0 * missing.value,
+            "equivalent_friction": friction,
+            "equilibrium_friction": even,
+        },
     )
 
 

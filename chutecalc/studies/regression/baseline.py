@@ -27,7 +27,7 @@ RECEIVER = (
 """Columns of the receiver in a baseline. The others follow from these, and lose digits where the stream matches the
 belt's velocity."""
 EXTREME_MARGIN = 1e-6
-"""Share of its value by which an extreme has to exceed all stations to be stored."""
+"""Share of its value by which an extreme must exceed all stations to be stored."""
 LEAST_SCALE = 1e-3
 """Smallest scale of any column: 1e-12 m, kPa or ° is rounding, such as x in a vertical fall."""
 Row = dict[str, FiniteFloat]

@@ -43,7 +43,8 @@ def compare(
     before, after = was.visits(), now.visits()
     changes = []
     if was.spec_sha256 != now.spec_sha256:
-        changes.append(Change("spec", "", "the spec has been edited since its baseline was written"))
+        message = "the spec has been edited since its baseline was written; if that is intended, run check --update"
+        changes.append(Change("spec", "", message))
     if was.status != now.status:
         changes.append(Change("status", "", f"the status is {now.status}; in the baseline it is {was.status}"))
     changes += [

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from chutecalc.api.chute import Chute
-from chutecalc.errors import AllSpecsError, SpecError, UsageError
+from chutecalc.errors import AllSpecsError, Fault, SpecError, UsageError
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 from chutecalc.studies.regression.record import baseline_path, spec_path
 
@@ -86,6 +86,8 @@ def _below(folder: Path) -> Iterator[Path]:
 
 def _read(file: Path, sure: bool) -> Chute | None:
     """Read a design, or None from TOML that need not be a spec and is not."""
+    if not file.exists() and file.suffix != ".toml":
+        raise SpecError([Fault("", "there is no such file or folder", "check the name")], str(file))
     text = read_text(file)
     data = parse_text(text, str(file))
     return Chute(data, str(file), text) if sure or MARKS & data.keys() else None

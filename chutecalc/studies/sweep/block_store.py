@@ -27,7 +27,7 @@ class BlockStore:
             resume: whether to use the blocks of an interrupted sweep.
 
         Raises:
-            UsageError: the folder belongs to another sweep, or was not to be used.
+            UsageError: the folder belongs to another sweep, was not to be used, or is not there to be continued.
             OutputError: it cannot be created.
         """
         self.folder = Path(f"{os.path.realpath(target)}.part")
@@ -36,6 +36,8 @@ class BlockStore:
             if (self.folder / IDENTITY).exists():
                 self._open(json.loads((self.folder / IDENTITY).read_text(encoding="utf-8")), identity, resume)
                 return
+            if resume:
+                raise UsageError(f"there is no {self.name} to continue. To start the sweep anew, leave out --resume.")
             self.folder.mkdir(exist_ok=True)
             if any(self.folder.glob("[!.]*")):
                 raise UsageError(f"{self.name} does not belong to a sweep: move or rename it")

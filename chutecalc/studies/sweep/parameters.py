@@ -1,13 +1,15 @@
 """Reads what a sweep varies: arguments such as ``beta=15:90:5`` as key paths and values."""
 
 from collections.abc import Iterator
+from difflib import get_close_matches
 from typing import Any, NamedTuple
 
 from chutecalc.api.chute import Chute
 from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
-from chutecalc.fields.units import same_quantity
+from chutecalc.fields.units import UNITS, same_quantity, unit_keys
 from chutecalc.physics.arrays import Array
+from chutecalc.spec.paths import item_names
 
 SHORT = {
     "beta": ("sections", "chamfer_deg"),
@@ -94,9 +96,22 @@ def _parameter(argument: str, chute: Chute) -> Parameter:
         if name in spellings:
             return Parameter(spellings[name], tuple(_paths(name, table, spellings[name], chute)), values)
     if "." not in name:
-        known = ", ".join(SHORT)
-        raise UsageError(f"{name} is neither a short name ({known}) nor a path such as segments.1.drop_m")
+        raise UsageError(f"{name}: {_unknown(name, chute)}")
     return Parameter(name, (name,), values)
+
+
+def _unknown(name: str, chute: Chute) -> str:
+    """Return what is wrong with a name that is neither a short name nor a path, and what to do."""
+    if paths := [f"{path}.{name}" for path, entry in _all_tables(chute.data) if {*same_quantity(name)} & {*entry}]:
+        return f"name the whole path, {' or '.join(paths)}."
+    for short, (_, key) in SHORT.items():
+        stem, _, unit = name.partition("_")
+        if stem == short:
+            dimension = next(each for each, units in UNITS.items() if key.endswith(f"_{next(iter(units))}"))
+            return f"_{unit} is not a unit of {dimension}. Use {' or '.join(unit_keys(short + '_', dimension))}."
+    if close := get_close_matches(name, SHORT, n=1):
+        return f"did you mean {close[0]}?"
+    return f"it is neither a short name ({', '.join(SHORT)}) nor a path such as segments.1.drop_m."
 
 
 def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
@@ -124,8 +139,8 @@ def _paths(name: str, table: str, key: str, chute: Chute) -> list[str]:
 def _tables(tables: Any, path: str) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield tables of the spec with their paths: the items of a list, named tables, or one table."""
     if isinstance(tables, list):
-        for number, entry in enumerate(tables, 1):
-            yield f"{path}.{entry.get('name', number)}", entry
+        for name, entry in zip(item_names(tables), tables, strict=True):
+            yield f"{path}.{name}", entry
     elif path in ("sections", "liners"):
         for name, entry in tables.items():
             yield f"{path}.{name}", entry
