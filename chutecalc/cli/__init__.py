@@ -72,6 +72,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status, see :class:`chutecalc.errors.ExitStatus`.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
+    debug, given = "--debug" in given, [each for each in given if each != "--debug"]  # of every command
     _use_unicode()
     try:
         status = _app(given)(args=given, prog_name="chutecalc", standalone_mode=False)
@@ -94,7 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         return _complain(f"chutecalc: output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
     except Exception as error:
-        if "--debug" in given:
+        if debug:
             traceback.print_exc()
         return _complain(
             f"chutecalc {__version__} failed, which is a fault of the program: {error!r}\n"

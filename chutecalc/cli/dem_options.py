@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from chutecalc.dem.request import PourPlan
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TroughOptions(OptionGroup):
     """Troughs, where no spec has them."""
 
@@ -36,7 +36,7 @@ class TroughOptions(OptionGroup):
         return any(value is not None for value in vars(self).values())
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PourOptions(OptionGroup):
     """Particles, and how they are poured."""
 
@@ -67,7 +67,7 @@ class PourOptions(OptionGroup):
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CaseOptions(OptionGroup):
     """Folders of cases."""
 
@@ -97,7 +97,7 @@ class CaseOptions(OptionGroup):
         return self.write or self.read or self.cases
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class EngineOptions(OptionGroup):
     """How LAMMPS runs."""
 

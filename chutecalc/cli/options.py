@@ -42,7 +42,7 @@ class OptionGroup:
         ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class StationOptions(OptionGroup):
     """Stations along the stream that a user asks for."""
 

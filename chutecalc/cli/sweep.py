@@ -37,7 +37,7 @@ class Keep(StrEnum):
     DEPTH = "depth"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class BestOptions(OptionGroup):
     """Which rows are the best."""
 
@@ -60,7 +60,7 @@ class BestOptions(OptionGroup):
         return Top(self.top, name, direction == "max")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class StudyOptions(OptionGroup):
     """Inputs of the friction study beside its angles."""
 

@@ -14,7 +14,7 @@ DOCUMENT_FORMAT = 1
 """Version of the layout of JSON documents."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Dataset:
     """The results of a command.
 

@@ -22,7 +22,7 @@ class Units(StrEnum):
     US = "us"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Column:
     """A quantity, and how people read it."""
 
@@ -110,7 +110,7 @@ class Column:
         return TEXT.get(unit, unit)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class FormulaColumn(Column):
     """A column with the formula of its values."""
 

@@ -80,7 +80,7 @@ def between_facets(part: Any) -> bool:
     return bool(part.between_facets)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class StreamColumn(Column):
     """A column along the stream, with its formula."""
 

@@ -161,3 +161,11 @@ def test_no_command_shows_the_help_and_is_a_wrong_command(capsys):
 def test_as_a_process(arguments):
     run = subprocess.run([sys.executable, *arguments, "--version"], capture_output=True, text=True, check=True)
     assert run.stdout.startswith("chutecalc ")
+
+
+def test_a_traceback_is_shown_of_any_command(capsys, monkeypatch):
+    monkeypatch.setattr("chutecalc.spec.schema.json_schema", lambda: 1 / 0)
+    assert main(["schema", "--debug"]) == 70
+    assert "Traceback (most recent call last)" in capsys.readouterr().err
+    assert main(["schema"]) == 70
+    assert "Traceback" not in capsys.readouterr().err
