@@ -132,7 +132,17 @@ def sweep(
     chute = read_chute(specs[0])
     parameters = read_parameters(given, chute)
     names = [name.strip() for name in columns.split(",")] if columns else []
-    task = Sweep(chute, parameters, parallel, keep, names, best.read(), stations.points, stations.stations, rtol)
+    task = Sweep(
+        chute,
+        parameters,
+        parallel=parallel,
+        keep=keep,
+        columns=names,
+        top=best.read(),
+        points=stations.points,
+        spacing=stations.stations,
+        rtol=rtol,
+    )
     if not (names or task.profiles or outputs.files or outputs.plot or task.count > MOST_SHOWN):
         task.columns.append("findings")  # a hundred times the work of the others: for short tables only
     _check_drawn(task, outputs)

@@ -141,7 +141,15 @@ class Criterion(NamedTuple):
                 )
                 severity, name = case.severity or self.severities[0], scene.part.segment.name
                 numbers = dict(zip(case.numbers, values, strict=True))
-                yield Finding(self.code, severity, name, mask, s, case.template, numbers)
+                yield Finding(
+                    code=self.code,
+                    severity=severity,
+                    segment=name,
+                    mask=mask,
+                    s_m=s,
+                    template=case.template,
+                    numbers=numbers,
+                )
 
 
 CRITERIA: list[Criterion] = []
@@ -175,7 +183,18 @@ def criterion(
     def register(cases: Callable[[Scene], Iterable[Case]]) -> Callable[[Scene], Iterable[Case]]:
         if code in {each.code for each in CRITERIA}:
             raise ValueError(f"the finding {code!r} is registered twice, the second time in {cases.__module__}")
-        CRITERIA.append(Criterion(code, severities, summary, limit, source, tuple(needs), in_falls, cases))
+        CRITERIA.append(
+            Criterion(
+                code=code,
+                severities=severities,
+                summary=summary,
+                limit=limit,
+                source=source,
+                needs=tuple(needs),
+                in_falls=in_falls,
+                cases=cases,
+            )
+        )
         return cases
 
     return register
