@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -167,9 +168,9 @@ def with_chutecalc(rtol: float, grid: np.ndarray, case: Case, checked: chutecalc
     if checked is None:
         solution = chutecalc.solve(chutecalc.parse(spec(case)), rtol)
     else:
-        design = build(checked.spec)
-        segment_solutions, final = run_chain(design, rtol, dense_output=len(grid) > 2)
-        solution = Solution(design, tuple(segment_solutions), final, rtol, 1)
+        chute = SimpleNamespace(**vars(checked) | {"design": build(checked.spec)})
+        segment_solutions, final = run_chain(chute.design, rtol, dense_output=len(grid) > 2)
+        solution = Solution(chute, segment_solutions, final, rtol)
     if len(grid) == 2:
         return np.array([entry(case), solution.exit_velocity[0]])
     return solution.stations(points=len(grid), columns=("velocity_m_s", "depth_m"))["velocity_m_s"][0]
