@@ -214,8 +214,9 @@ def test_the_legend_of_long_titles_stays_on_the_page_and_leaves_the_panels_their
     assert page.y0 <= legend.y0
     assert legend.y1 <= min(axes.get_window_extent().y0 for axes in long.axes)
     for axes, of_short in zip(long.axes, short.axes, strict=True):
-        width, height = axes.get_window_extent().size
-        assert (width, height) == pytest.approx(of_short.get_window_extent().size, rel=0.05)
+        (width, height), (usual_width, usual_height) = (each.get_window_extent().size for each in (axes, of_short))
+        assert width == pytest.approx(usual_width, abs=1.0)  # a pixel
+        assert height >= usual_height - 1.0
 
 
 def test_chutes_without_titles_go_by_their_files():
