@@ -30,6 +30,8 @@ class Status:
     """Names of the statuses in tables, JSON and CSV, by number."""
 
     OK_LABEL = LABELS[OK]
+    IMPOSSIBLE_LABEL = "impossible"
+    """Status in a study of a variant whose section cannot be built, and which is therefore never solved."""
 
 
 class Contact(NamedTuple):

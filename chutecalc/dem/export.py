@@ -9,7 +9,7 @@ from chutecalc.dem.columns import DEM_COLUMNS
 from chutecalc.dem.fit import Fit
 from chutecalc.dem.point import Measured, Point
 from chutecalc.dem.report import failures
-from chutecalc.dem.study import CLAIM, LAWS, Series, Study
+from chutecalc.dem.study import CLAIM, LAWS, Series, Study, series_key
 from chutecalc.output.dataset import Dataset, block_of, column_types, document_head, number
 
 Row = dict[str, Any]
@@ -24,8 +24,7 @@ def rows(study: Study) -> list[Row]:
     found = []
     for series in study.series:
         for point in study.points:
-            case = point.case
-            if (case.pour, case.friction, case.body_force, case.raised_to) == series[:4]:
+            if series_key(point) == series[:4]:
                 found += [_row(study, series, point, bed) for bed in point.all]
     return found
 
@@ -108,7 +107,7 @@ def _point_document(study: Study, series: Series, point: Point) -> Row:
         "depth_m": _pair(point.depth),
         "solid_fraction": _pair(point.solid_fraction),
         "load_ratio": _pair(point.ratio),
-        "equivalent_friction": _pair(Measured(friction * point.ratio.mean, friction * point.ratio.scatter)),
+        "equivalent_friction": _pair(point.ratio.scaled(friction)),
         "walls": {
             name: {"load": _pair(load), "pressure_ratio": _pair(pressure)}
             for name, (load, pressure) in point.walls.items()

@@ -21,6 +21,17 @@ class Measured(NamedTuple):
     scatter: float
     """Standard deviation over the seeds, in the same unit; NaN for one seed."""
 
+    def scaled(self, factor: float) -> "Measured":
+        """Multiply by a constant.
+
+        Args:
+            factor: A number of at least 0, in any unit.
+
+        >>> Measured(mean=2.0, scatter=1.0).scaled(0.5)
+        Measured(mean=1.0, scatter=0.5)
+        """
+        return Measured(factor * self.mean, factor * self.scatter)
+
 
 def measured(values: Sequence[float]) -> Measured:
     """Compute mean and standard deviation.

@@ -72,7 +72,7 @@ def _table(study: Study, series: Series) -> Grid:
                     *_shown(point.ratio, 4),
                     f"{law.ratio:.4f}",
                     f"{equilibrium.ratio:.4f}",
-                    *_shown(Measured(friction * point.ratio.mean, friction * point.ratio.scatter), 4),
+                    *_shown(point.ratio.scaled(friction), 4),
                     f"{len(point.beds)} of {point.group.seeds}",
                 )
             table.row([*bed, name, *_shown(pressure, 3), f"{by_law:.3f}", *loads])

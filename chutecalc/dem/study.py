@@ -33,6 +33,16 @@ class Series(NamedTuple):
     """Fits by law; empty where there is no point."""
 
 
+def series_key(point: Point) -> tuple[str, float, float, float]:
+    """Return what the points of a series have in common, the first four fields of its :class:`Series`.
+
+    Args:
+        point: The beds of a group, also of one without a usable bed.
+    """
+    case = point.case
+    return case.pour, case.friction, case.body_force, case.raised_to
+
+
 class Study:
     """The results of a campaign so far.
 
@@ -63,9 +73,7 @@ class Study:
         """All points as series, with their fits."""
         series: dict[tuple[str, float, float, float], list[Point]] = {}
         for point in self.points:
-            case = point.case
-            key = (case.pour, case.friction, case.body_force, case.raised_to)
-            series.setdefault(key, []).append(point)
+            series.setdefault(series_key(point), []).append(point)
         fitted = []
         for key, points in series.items():
             usable = tuple(point for point in points if point.beds)

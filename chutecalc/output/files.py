@@ -52,9 +52,7 @@ def check_openable(target: str | None) -> None:
     """
     if target in (None, STANDARD_STREAM):
         return
-    path = Path(os.path.realpath(str(target)))
-    if path.is_dir():
-        raise OutputError(f"{target} is a folder: name a file in it")
+    path = _file(str(target))
     if not path.parent.is_dir():
         raise OutputError(f"{target} cannot be written: there is no folder {path.parent}")
     try:
@@ -67,6 +65,14 @@ def check_openable(target: str | None) -> None:
             part.unlink()
     except OSError as error:
         raise OutputError(f"{target} cannot be written: {error.strerror}") from None
+
+
+def _file(target: str) -> Path:
+    """Return the file that a target means: a link's own target, never a folder."""
+    path = Path(os.path.realpath(target))
+    if path.is_dir():
+        raise OutputError(f"{target} is a folder: name a file in it")
+    return path
 
 
 def _part_of(path: Path) -> Path:
@@ -97,9 +103,7 @@ def open_whole(target: str, mode: str = "w") -> Iterator[IO[Any]]:
 
 def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:
     """Open a new file beside the target, and replace the target with it at the end."""
-    path = Path(os.path.realpath(target))
-    if path.is_dir():
-        raise OutputError(f"{target} is a folder: name a file in it")
+    path = _file(target)
     part = _part_of(path)
     try:
         with _opened(str(part), target, mode) as stream:

@@ -216,9 +216,8 @@ class Part(SegmentContext):
     def _profile(self, shares: Array) -> Profile:
         each = shares[:, None] if shares.ndim == 1 else shares
         solved = self.solved
-        if (
-            each.shape[1] > solved.table.shape[1]
-        ):  # designs that differ in what the stream does not feel, as slip at walls
+        # Designs may differ in what the stream does not feel, such as slip at walls: then they are solved as one.
+        if each.shape[1] > solved.table.shape[1]:
             solved = solved.broadcast(each.shape[1])
         begin, end = self.span()
         positions = np.where(each == 1.0, end, begin + (end - begin) * each)  # the ends themselves, to the last digit

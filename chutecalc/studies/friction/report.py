@@ -99,7 +99,7 @@ def _notes(study: FrictionStudy, units: str) -> Iterator[str]:
     for best in study.best():
         yield f"δ {best.internal_friction_deg:g}°: {_best_text(best, units)}"
     count = len(study.chamfer_deg)
-    impossible = study.chamfer_deg[study.columns["status"][:count] == "impossible"]
+    impossible = study.chamfer_deg[study.columns["status"][:count] == Status.IMPOSSIBLE_LABEL]
     if impossible.size:
         angles = f"β = {impossible.min():g}°" + (f" to {impossible.max():g}°" if impossible.size > 1 else "")
         yield f"left out: {angles}, {impossible.size} of {count} angles: the centre section would have a negative width"

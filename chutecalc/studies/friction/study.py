@@ -187,7 +187,7 @@ class FrictionStudy:
             "chamfer_deg": chamfer_deg,
             "internal_friction_deg": internal_friction_deg,
             **{name: np.where(possible, values, np.nan) for name, values in numbers.items()},
-            "status": np.where(possible, Status.OK_LABEL, "impossible"),
+            "status": np.where(possible, Status.OK_LABEL, Status.IMPOSSIBLE_LABEL),
         }
 
     def _best(self, angles: Array, delta: float) -> Best:

@@ -54,7 +54,7 @@ def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Seque
 def _print_failing(printer: Printer, verdict: Verdict) -> None:
     """Print a design that does not pass."""
     heading = f"{verdict.spec}: {_words(verdict.outcome)}"
-    lines = [*(change.message for change in verdict.changes), *verdict.notes]
+    lines = verdict.lines
     if len(lines) == 1 and not verdict.drifts:
         printer.text(heading, f": {lines[0]}", "bold red")
         return
@@ -163,8 +163,7 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
         case = {"classname": "chutecalc.check", "name": verdict.spec, "file": verdict.spec}
         element = ElementTree.SubElement(suite, "testcase", case | {"time": f"{verdict.seconds:.3f}"})
         if verdict.outcome != OK:
-            lines = [*(change.message for change in verdict.changes), *verdict.notes]
-            lines += [_line(*pair) for pair in first_and_largest(verdict.drifts)]
+            lines = [*verdict.lines, *(_line(*pair) for pair in first_and_largest(verdict.drifts))]
             failure = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
             ElementTree.SubElement(element, "failure", failure).text = "\n".join(lines)
     ElementTree.indent(root)

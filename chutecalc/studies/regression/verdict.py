@@ -62,6 +62,11 @@ class Verdict(NamedTuple):
     document: Mapping[str, Any] | None = None
     """The baseline to write, with ``update`` and where the existing one does not agree."""
 
+    @property
+    def lines(self) -> list[str]:
+        """The changes and the notes in words."""
+        return [*(change.message for change in self.changes), *self.notes]
+
 
 def first_and_largest(drifts: Sequence[Drift]) -> list[tuple[Drift, Drift]]:
     """Select the first and the largest drift of each column.

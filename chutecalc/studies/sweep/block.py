@@ -10,8 +10,6 @@ from chutecalc.physics.arrays import Index
 
 TEXT = ("status", "findings", "segment", "kind")
 """Columns of text; all others are numbers."""
-IMPOSSIBLE = "impossible"
-"""Status of a design whose section cannot be built."""
 
 
 class Top(NamedTuple):

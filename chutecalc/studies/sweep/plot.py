@@ -13,7 +13,7 @@ from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.output.dataset import Block
 from chutecalc.output.plots.style import INK, MAP, SMALL, looks, mathematical, styled
 from chutecalc.results.column import Column
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT
+from chutecalc.studies.sweep.block import TEXT
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of, parameter_label
@@ -105,7 +105,7 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
         order = np.argsort(x, kind="stable")
         every = max(1, len(x) // MARKERS)
         axes.plot(x[order], y[order], **look, markevery=every, label=label, gid="line")
-        failed = (block["status"][rows] != Status.OK_LABEL) & (block["status"][rows] != IMPOSSIBLE)
+        failed = (block["status"][rows] != Status.OK_LABEL) & (block["status"][rows] != Status.IMPOSSIBLE_LABEL)
         if failed.any():
             look_of_crosses: dict[str, Any] = {"transform": axes.get_xaxis_transform(), "clip_on": False}
             axes.plot(
@@ -119,8 +119,9 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
             )
             fail += 1
     whole = column.converted(block[column.name], units)
-    if _top(whole, block["status"] == Status.OK_LABEL) < _finite(whole).max():
-        axes.set_ylim(top=_top(whole, block["status"] == Status.OK_LABEL))
+    top = _top(whole, block["status"] == Status.OK_LABEL)
+    if top < _finite(whole).max():
+        axes.set_ylim(top=top)
     axes.set_xlabel(mathematical(parameter_label(column_of(sweep, x_parameter.name))))
     axes.set_ylabel(mathematical(column.label(units)))
 

@@ -13,12 +13,13 @@ import numpy as np
 from chutecalc import __version__
 from chutecalc.api.batch import CHUNK
 from chutecalc.api.chute import Chute, check_tolerance, solve
+from chutecalc.design import Status
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, Top, select_rows
+from chutecalc.studies.sweep.block import TEXT, Top, select_rows
 from chutecalc.studies.sweep.checks import check_values, selected_columns
 from chutecalc.studies.sweep.design_rows import design_rows, station_rows
 from chutecalc.studies.sweep.grid import Grid
@@ -181,7 +182,9 @@ class Sweep:
             parameter.name: np.broadcast_to(values, len(rows))[numbers[order] - first] for parameter, values in given
         }
         for name in ("status", *self.columns):
-            empty = np.full(len(missing), IMPOSSIBLE if name == "status" else "" if name in TEXT else np.nan)
+            empty = np.full(
+                len(missing), Status.IMPOSSIBLE_LABEL if name == "status" else "" if name in TEXT else np.nan
+            )
             block[name] = np.concatenate([*(piece[name] for _, piece in pieces), empty])[order]
         return block if self.top is None else select_rows(block, np.sort(self.top.best(block)))
 

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from chutecalc.design import Status
 from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.fields.units import UNITS
 from chutecalc.output.dataset import Block
@@ -13,7 +14,7 @@ from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
-from chutecalc.studies.sweep.block import IMPOSSIBLE, TEXT, joined, select_rows
+from chutecalc.studies.sweep.block import TEXT, joined, select_rows
 from chutecalc.studies.sweep.columns import row_columns
 from chutecalc.studies.sweep.sweep import Sweep
 
@@ -84,7 +85,7 @@ class FirstRows:
         status = block["status"]
         self.rows += len(status)
         self.ends.update(status.tolist())
-        possible = np.flatnonzero(status != IMPOSSIBLE)[: self.most - self.count]
+        possible = np.flatnonzero(status != Status.IMPOSSIBLE_LABEL)[: self.most - self.count]
         if possible.size:
             self.blocks.append(select_rows(block, possible))
             self.count += len(possible)
@@ -133,7 +134,7 @@ class FirstRows:
 
     def _notes(self, files: list[str]) -> Iterator[str]:
         """Yield lines on how the designs end, and on rows that are not shown."""
-        impossible = self.ends[IMPOSSIBLE]
+        impossible = self.ends[Status.IMPOSSIBLE_LABEL]
         if not (self.sweep.profiles or self.sweep.top):
             ends = ", ".join(f"{number:,} {end}" for end, number in self.ends.most_common())
             yield f"{_counted(self.rows, 'design')}: {ends}"
