@@ -282,7 +282,7 @@ def test_vary_by_name_number_and_twin():
         ({"flow.rate_t_h": [1.0, 2.0], "segments.1.drop_m": [1.0, 2.0, 3.0]}, "differ in length"),
         ({"flow.rate_t_h": [[1.0, 2.0]]}, "is an array of 2 dimensions; it must have one: a value for each design"),
         ({"flow.rate_t_h": []}, "takes numbers"),
-        ({"flow.rate_t_h": "fast"}, "takes numbers"),
+        ({"flow.rate_t_h": "fast"}, 'flow.rate_t_h = "fast" must be a number'),
         ({"segments.spoon.length_m": 1.0}, "is not a key of this table"),
     ],
 )
@@ -326,6 +326,7 @@ def test_faults_of_what_is_varied_are_told_together():
 
 def test_a_curve_tangent_to_a_slanting_stream_keeps_the_base_designs_slope_in_a_sweep():
     base = chute(
+        model={"steel": "follows_stream"},
         inlet={"velocity_m_s": 2.0, "slope_deg": 30.0},
         segments=[
             {"kind": "fall", "drop_m": 1.0},
@@ -489,19 +490,21 @@ def test_a_batch_that_nobody_carries_on():
     assert next(finding.code for finding in solution.findings()) == "stall"
 
 
-def test_a_sweep_keeps_the_slope_of_a_curve_below_a_vertical_fall():
-    base = chutecalc.parse(
-        with_tables(
-            inlet={"velocity_m_s": 2.0, "slope_deg": 90.0},
-            segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
-        )
+def test_a_curve_below_a_vertical_fall_keeps_its_slope_and_place_under_a_slanting_stream():
+    """Steel that stands still is struck further down; steel that follows the stream has its start moved under it."""
+    tables = with_tables(
+        inlet={"velocity_m_s": 2.0, "slope_deg": 90.0},
+        segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
     )
-    entry = (
-        chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]}))
-        .trajectory.segment_solutions[1]
-        .contact.surface.slope
-    )
-    assert np.degrees(np.broadcast_to(entry, 2)).tolist() == [90.0, 90.0]
+    for steel in ("fixed", "follows_stream"):
+        base = chutecalc.parse(tables | {"model": {"steel": steel}})
+        slanting = chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]}))
+        surface = slanting.trajectory.segment_solutions[1].contact.surface
+        assert np.degrees(np.broadcast_to(surface.slope, 2)).tolist() == [90.0, 90.0]
+        assert slanting.status.tolist() == ["ok", "ok"]
+        start, entry = np.broadcast_to(surface.x, 2), slanting.segments[1].entry["x_m"]
+        assert (start[1] == start[0]) == (steel == "fixed")
+        assert (entry[1] > start[1]) == (steel == "fixed")
 
 
 @pytest.mark.parametrize(
