@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from chutecalc.api.batch import exits
     from chutecalc.api.chute import Chute, load, parse, solve
+    from chutecalc.api.freeze import freeze
     from chutecalc.api.function import Function
     from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
@@ -44,6 +45,7 @@ __all__ = [
     "UsageError",
     "__version__",
     "exits",
+    "freeze",
     "load",
     "parse",
     "solve",
@@ -64,6 +66,7 @@ _MODULES = {
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
     "exits": "chutecalc.api.batch",
+    "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.chute",
     "parse": "chutecalc.api.chute",
     "solve": "chutecalc.api.chute",

@@ -34,6 +34,8 @@ class Chute:
     """The spec as written: nested tables as TOML gives them, with arrays of shape (designs,) where it is varied."""
     source: str
     """Name of the spec in messages and tables, usually its file."""
+    text: str
+    """TOML text of the spec, for line numbers in messages; empty if it was given as tables."""
     count: int
     """Number of designs."""
     spec: ChuteSpec
@@ -57,7 +59,7 @@ class Chute:
         Raises:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
-        self.data, self.source, self._text, self.drawing = data, source, text, drawing or self
+        self.data, self.source, self.text, self.drawing = data, source, text, drawing or self
         self.count = _count(data, source)
         try:
             self.spec = ChuteSpec.model_validate(data)
@@ -115,10 +117,10 @@ class Chute:
             and self.spec.model.steel == "fixed"
             and not any(is_operating(path) and is_felt(path) for path in changes)
         ):
-            return Chute(with_values(self.data, changes, self.source), self.source, self._text)
+            return Chute(with_values(self.data, changes, self.source), self.source, self.text)
         if drawn and self.spec.model.steel == "fixed":
-            drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self._text)
-        return Chute(with_values(self.data, changes, self.source), self.source, self._text, drawing)
+            drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)
+        return Chute(with_values(self.data, changes, self.source), self.source, self.text, drawing)
 
     @cached_property
     def cases(self) -> dict[str, "Chute"]:
@@ -136,7 +138,7 @@ class Chute:
                 check_operating(values, self.source)
                 found[name] = self._on_steel(values)
             except SpecError as error:
-                faults += case_faults(error.faults, name, self._text)
+                faults += case_faults(error.faults, name, self.text)
         if faults:
             raise SpecError(faults, self.source)
         return found
@@ -176,7 +178,7 @@ class Chute:
         >>> chutecalc.solve(spoon).exit_velocity.round(3)
         array([3.578])
         """
-        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
+        return Chute(with_values(self.data, dict(changes), self.source), self.source, self.text)
 
     def function(
         self,

@@ -120,10 +120,9 @@ class Trajectory:
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
             if not open_.any():
                 return found
-        inlet = _at_inlet(self.segment_solutions[0].start)  # of a stream that flies past all segments onto its belt
-        return {
-            name: np.where(open_, inlet[name], values) if name in inlet else values for name, values in found.items()
-        }
+        # What is left is the inlet, for a stream that flies past all segments onto its belt.
+        inlet = _at_inlet(self.segment_solutions[0].start)
+        return found | {name: np.where(open_, inlet[name], found[name]) for name in names if name in inlet}
 
     def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """Return least or largest values of columns on all guiding surfaces together.
