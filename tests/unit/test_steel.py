@@ -1,5 +1,7 @@
 """Steel that stands still: drawn at the design point, met by every other stream where it stands."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -47,7 +49,7 @@ def frozen_tables(data):
 
 def test_the_steel_stands_still_while_the_inlet_varies():
     varied = chutecalc.solve(chute().vary({"inlet.velocity_m_s": [2.8, 3.0, 3.2]}))
-    assert len(set(np.broadcast_to(start_of(varied, "spoon"), (3, 3)).T.tobytes()[:8] for _ in range(3))) == 1
+    assert start_of(varied, "spoon").shape == (3, 1)  # one for all
     alone = chutecalc.solve(chute())
     assert varied.status.tolist() == ["missed", "ok", "ok"]
     assert varied.exit_velocity[1] == pytest.approx(alone.exit_velocity[0], rel=1e-12)
@@ -141,8 +143,9 @@ def test_random_chutes_meet_their_steel_as_a_second_solver_has_it(first):
     compared = 0
     for seed in range(first, first + 60):
         data, base = case(seed)
-        if "belt" in data["inlet"]:
-            continue
+        kinds = [table["kind"] for table in data["segments"]]
+        if "belt" in data["inlet"] or ("fall", "fall") in pairwise(kinds):
+            continue  # what a spec cannot say with start_m
         changes = {"inlet.velocity_m_s": data["inlet"]["velocity_m_s"] * 1.07, "flow.rate_t_h": 1234.0}
         ours = chutecalc.solve(base.vary(changes))
         there = frozen_tables(data)
