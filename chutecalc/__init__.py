@@ -20,11 +20,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from chutecalc.api.batch import exits
+    from chutecalc.api.cases import solve_cases
     from chutecalc.api.chute import Chute, load, parse, solve
     from chutecalc.api.freeze import freeze
     from chutecalc.api.function import Function
     from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
+    from chutecalc.results.cases import Cases
     from chutecalc.results.exits import Exits
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "STARTER",
+    "Cases",
     "Chute",
     "ChutecalcError",
     "Exits",
@@ -49,11 +52,13 @@ __all__ = [
     "load",
     "parse",
     "solve",
+    "solve_cases",
 ]
 __version__ = "0.1.0"
 
 _MODULES = {
     "STARTER": "chutecalc.spec.starter",
+    "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
     "Exits": "chutecalc.results.exits",
@@ -70,6 +75,7 @@ _MODULES = {
     "load": "chutecalc.api.chute",
     "parse": "chutecalc.api.chute",
     "solve": "chutecalc.api.chute",
+    "solve_cases": "chutecalc.api.cases",
 }
 """Where each public name is defined."""
 

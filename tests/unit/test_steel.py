@@ -49,7 +49,7 @@ def frozen_tables(data):
 
 def test_the_steel_stands_still_while_the_inlet_varies():
     varied = chutecalc.solve(chute().vary({"inlet.velocity_m_s": [2.8, 3.0, 3.2]}))
-    assert start_of(varied, "spoon").shape == (3, 1)  # one for all
+    assert (np.ptp(start_of(varied, "spoon"), axis=1) == 0.0).all()
     alone = chutecalc.solve(chute())
     assert varied.status.tolist() == ["missed", "ok", "ok"]
     assert varied.exit_velocity[1] == pytest.approx(alone.exit_velocity[0], rel=1e-12)
