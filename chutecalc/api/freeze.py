@@ -6,8 +6,12 @@ import tomli_w
 from chutecalc.api.chute import Chute
 from chutecalc.design import Contact
 from chutecalc.errors import UsageError
+from chutecalc.physics.arrays import Array
 from chutecalc.spec.frozen import Drawn, frozen_text
 from chutecalc.spec.parse import parse_text
+
+DECIMALS = 12
+"""Decimals of written places, m and degrees."""
 
 
 def freeze(chute: Chute) -> str:
@@ -35,15 +39,13 @@ def freeze(chute: Chute) -> str:
         if not isinstance(segment, Contact):
             continue
         place = steel.get(number)
-        start = (
-            None if place is None or place.start is None else (place.start[0].item() + 0.0, place.start[1].item() + 0.0)
-        )
+        fixed = None if place is None else place.start
+        start = None if fixed is None else tuple(_written(number) for number in fixed)
         slope = segment.entry_slope if place is None or place.slope is None else place.slope
         if start is not None and not np.isfinite(start).all():
             unknown.append(segment.name)
-        drawn[number] = Drawn(
-            start, None if segment.radius is None or slope is None else np.degrees(slope).item() + 0.0
-        )
+        arc = segment.radius is not None and slope is not None
+        drawn[number] = Drawn(start, _written(np.degrees(slope)) if arc else None)
     if unknown:
         raise UsageError(
             f"{chute.source}: the stream does not get to {', '.join(unknown)} at the design point, so it is not known"
@@ -51,3 +53,8 @@ def freeze(chute: Chute) -> str:
         )
     own = chute.text and parse_text(chute.text, chute.source) == chute.data
     return frozen_text(chute.text if own else tomli_w.dumps(chute.data), drawn)
+
+
+def _written(number: Array) -> float:
+    """Return a number of a place as the spec has it; its rounding is less than what a stream may be off a start."""
+    return round(number.item(), DECIMALS) + 0.0

@@ -159,7 +159,9 @@ class Baseline(State):
                 for name, value in item.items()
             }
 
-        return dict(rounded(self.model_dump(exclude_defaults=True)))
+        content = self.model_dump(exclude_defaults=True)
+        head = {name: content[name] for name in type(self).__annotations__ if name in content and name != "cases"}
+        return dict(rounded(head | content))
 
 
 class RowKey(NamedTuple):
