@@ -29,6 +29,7 @@ def hydrostatic_loads(facets: "section.Facets", k: int, at: "section.Loads", fir
             _, excess, excess_sensitivity, missing, missing_sensitivity = section.arc(facets, at.area[j])
             at.excess[j], at.excess_sensitivity[j] = excess, 0.5 * excess_sensitivity
             at.missing[j], at.missing_sensitivity[j] = missing, 0.5 * missing_sensitivity
+            at.bend[j] = floats.quotient(1.0, math.fabs(1.0 - at.area[j] / facets.full))
         return
     foot, foot_width, sine = facets.area[k], facets.width[k], facets.sine[k]
     two_over_sine, four_cot, apex_width_squared = (

@@ -193,7 +193,7 @@ def apply_event(stream: "state.Stream", options: "state.SolverOptions", event: i
         stream.status = state.CONTACT_LOST
     elif event == events.CHOKE:
         stream.choke_share, stream.choke_y, stream.choke_error = stream.share, stream.y, stream.error
-        if not options.dense_output:
+        if not options.dense_output or stream.guide.first.closed:  # between open walls it may rise further
             stream.status = state.CHOKED
     elif event == events.SEGMENT_END:
         stream.share = stream.breakpoint

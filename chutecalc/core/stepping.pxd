@@ -3,7 +3,7 @@ from libc cimport math
 from chutecalc.core cimport collocation, events, floats, friction, gauss, guide_surface, panel, section, state, step_control
 
 cdef int MAX_PANELS, CREEP_PANELS
-cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY
+cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY, NEARLY_FULL, STEP_TO_FULL
 
 cdef void solve_segment(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept nogil

@@ -206,7 +206,7 @@ class Ends(NamedTuple):
     z: Array
     slope: Array
     stream_section: Array
-    """Tables of the stream in the last section, shape (5, 1, n), see
+    """Tables of the stream in the last section, shape (7, 1, n), see
     :func:`chutecalc.core.wall_loads.write_stream_section`; empty unless asked for."""
     wall_loads: Array
     """Tables of the loads on the walls there, shape (8, 1, n), see :func:`chutecalc.core.wall_loads.write_wall_loads`;
