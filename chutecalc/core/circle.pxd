@@ -3,7 +3,7 @@ from libc cimport math
 from chutecalc.core cimport floats
 
 cdef int TERMS
-cdef double LARGEST_U
+cdef double LARGEST_U, LEAST_DRY
 
 cdef double area_of_angle(double angle) noexcept nogil
 cdef (double, double, double, double, double) lower_arc(double[::1] series, double deficit, double area) noexcept nogil

@@ -11,6 +11,8 @@ from array import array
 from chutecalc.core import floats
 
 TERMS = 26
+LEAST_DRY = 2e-15
+"""Area below which what is left of a circle of radius 1 is the rounding of the stream's area."""
 LARGEST_U = 7.082731016000907
 """(6 π)^(2/3), u of the half circle; written out, because compilers round such a power differently."""
 
@@ -62,7 +64,8 @@ def upper_arc(series: "array[float]", deficit: float, area: float) -> tuple[floa
     χ A = 2 ∫ K (1 - cos ψ)(cos ψ - cos ψ0) dψ and m A = 2 (1 - K_v) ∫ sin²ψ cos ψ (cos ψ - cos ψ0) dψ, both up to ψ0,
     and dA/dψ0 = 2 sin²ψ0. A full pipe has an infinite dχ/dA; it is taken as 0 there, as beyond.
     """
-    dry = dry_angle(series, max(math.pi - area, 0.0))
+    left = math.pi - area
+    dry = dry_angle(series, left) if left > LEAST_DRY else 0.0
     angle, sine, cosine = math.pi - dry, math.sin(dry), -math.cos(dry)
     cube, product = sine * sine * sine / 3.0, sine * cosine
     square = 0.5 * (angle - product)  # ∫ sin²ψ dψ

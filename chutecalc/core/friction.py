@@ -132,7 +132,9 @@ def set_adhesion(
         depth, width = section.depth_and_width(guide.facets, facet, at.area[j])
         adhesion = floats.quotient(guide.intercepts[piece], guide.density * guide.gravity * depth)
         at.adhesion[j] = adhesion * (1.0 + at.excess[j] - at.missing[j])
-        at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
+        at.adhesion_fall[j] = 0.0
+        if at.area[j] < guide.facets.full:  # beyond, depth is that of a full pipe
+            at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
         at.adhesion_rise[j] = (at.excess_sensitivity[j] - at.missing_sensitivity[j]) * adhesion
 
 

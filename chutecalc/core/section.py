@@ -165,7 +165,8 @@ def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
         if not (angle > -4.0 and angle < 4.0):
             return floats.NAN, floats.NAN
         half = math.sin(0.5 * angle)
-        return 2.0 * facets.radius * half * half, 2.0 * facets.radius * math.sin(angle)
+        sine = math.sin(angle) if angle < math.pi else 0.0  # a full pipe has no free surface
+        return 2.0 * facets.radius * half * half, 2.0 * facets.radius * sine
     width = floats.root(facets.four_cot[k] * area + facets.apex_width_squared[k])
     wetted = floats.quotient(facets.two_over_sine[k], width + facets.width[k]) * (area - facets.area[k])
     return facets.height[k] + wetted * facets.sine[k], width

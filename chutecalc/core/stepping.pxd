@@ -9,6 +9,7 @@ cdef void solve_segment(state.Stream stream, state.SolverOptions options) noexce
 cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef double first_breakpoint(guide_surface.Guide guide, double share) noexcept nogil
 cdef bint detect_stall(state.Stream stream, double change) noexcept nogil
+cdef bint detect_full(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef bint cross_event(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef void next_panel(state.Stream stream, state.SolverOptions options, double change, double jacobian) noexcept nogil
 cdef void step_in_share(state.Stream stream, state.SolverOptions options, double target, double jacobian) noexcept nogil

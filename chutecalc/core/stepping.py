@@ -41,7 +41,11 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
         if stream.status != state.RUNNING:
             return
         change, jacobian = friction.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
-        if not (detect_stall(stream, change) or cross_event(stream, options, change)):
+        if not (
+            detect_full(stream, options, change)
+            or detect_stall(stream, change)
+            or cross_event(stream, options, change)
+        ):
             next_panel(stream, options, change, jacobian)
     stream.status = state.UNSOLVED
 
@@ -110,6 +114,19 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
         stream.status, stream.error = state.STALL, 1.0 - stream.share
         return True
     return False
+
+
+def detect_full(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
+    """Choke the stream where a pipe runs full within the least step; return whether it did.
+
+    No panel can resolve that, nor one that starts in a full pipe. It comes before the rest that may be as near.
+    """
+    full = guide_surface.full_velocity(stream.guide)
+    if full == 0.0 or stream.y - full * full >= 2.0 * state.LEAST_STEP * math.fabs(change):
+        return False
+    stream.error += 2.0 * state.LEAST_STEP
+    step_control.apply_event(stream, options, events.CHOKE)
+    return True
 
 
 def cross_event(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
