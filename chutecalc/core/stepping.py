@@ -42,9 +42,7 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
             return
         change, jacobian = friction.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
         if not (
-            detect_full(stream, options, change)
-            or detect_stall(stream, change)
-            or cross_event(stream, options, change)
+            detect_full(stream, options, change) or detect_stall(stream, change) or cross_event(stream, options, change)
         ):
             next_panel(stream, options, change, jacobian)
     stream.status = state.UNSOLVED
