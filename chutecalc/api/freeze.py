@@ -44,8 +44,8 @@ def freeze(chute: Chute) -> str:
         slope = segment.entry_slope if place is None or place.slope is None else place.slope
         if start is not None and not np.isfinite(start).all():
             unknown.append(segment.name)
-        arc = segment.radius is not None and slope is not None
-        drawn[number] = Drawn(start, _written(np.degrees(slope)) if arc else None)
+        turns = None if segment.radius is None else slope
+        drawn[number] = Drawn(start, None if turns is None else _written(np.degrees(turns)))
     if unknown:
         raise UsageError(
             f"{chute.source}: the stream does not get to {', '.join(unknown)} at the design point, so it is not known"

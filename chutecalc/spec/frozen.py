@@ -16,7 +16,7 @@ FROM_SLOPE = same_quantity("from_slope_deg")
 class Drawn(NamedTuple):
     """Where a segment is drawn, as a spec says it."""
 
-    start_m: tuple[float, float] | None
+    start_m: tuple[float, ...] | None
     """x and z of its start, m; None if that is the drawn end of the segment before it."""
     from_slope_deg: float | None
     """Slope at the start of an arc, below horizontal; None for others."""

@@ -645,3 +645,36 @@ def test_a_stall_is_not_quoted_with_numbers_that_grow_without_bound():
 def test_a_code_is_registered_once():
     with pytest.raises(ValueError, match="the finding 'stall' is registered twice, the second time in tests"):
         criterion("stall", Severity.NOTE, summary="")(lambda scene: [])
+
+
+PIPE = {"body": {"shape": "pipe", "radius_m": 0.3}}
+
+
+@pytest.mark.parametrize("body", [PIPE["body"], {"shape": "box", "width_m": 0.5, "height_m": 0.4}])
+@pytest.mark.parametrize("above", [True, False])
+def test_a_closed_section_chokes_where_it_runs_full(body, above):
+    area = np.pi * 0.3**2 if body["shape"] == "pipe" else 0.2
+    rate = 3.6 * 800.0 * 4.0 * area * (1.000001 if above else 0.999999)  # full at the entry, and faster below
+    steep = {
+        "inlet": {"velocity_m_s": 4.0, "slope_deg": 70.0},
+        "segments": [{"kind": "straight", "slope_deg": 70.0, "length_m": 1.0}],
+    }
+    solution = chutecalc.solve(chute(flow={"rate_t_h": float(rate)}, sections={"body": body}, **steep))
+    assert (solution.status[0] == "choke") == ("choke" in codes(solution)) == above
+    assert "above_chamfer" not in codes(solution)
+    if above:
+        assert "fills the closed section up to its roof" in found(solution, "choke").message()
+
+
+def test_a_pipe_that_chokes_is_not_too_thick_for_its_vanishing_surface():
+    """Depth is held against the greatest width: at most 1 in a pipe, however narrow its free surface is."""
+    solution = chutecalc.solve(
+        chute(
+            sections=PIPE,
+            inlet={"velocity_m_s": 3.0, "slope_deg": 15.0},
+            segments=[{"kind": "straight", "slope_deg": 15.0, "length_m": 9.0}],
+        )
+    )
+    assert solution.status[0] == "choke"
+    assert "thick_stream" not in codes(solution)
+    assert found(solution, "slow_stream").numbers["froude"][0] == 0.0

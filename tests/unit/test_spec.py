@@ -127,6 +127,33 @@ def test_faults_name_their_lines_and_come_in_their_order():
         ({"inlet": {"velocity_m_s": 0.0}}, "inlet.velocity_m_s", "at rest"),
         ({"sections": {"body": {"shape": "vee", "chamfer_deg": 90.0}}}, "sections.body.chamfer_deg", "no width"),
         (
+            {
+                "sections": {"body": {"shape": "pipe", "radius_m": 0.3}},
+                "segments": [{"kind": "curve", "radius_m": 0.6, "to_slope_deg": 10.0}],
+            },
+            "segments.1.radius_m",
+            "inner wall",
+        ),
+        (
+            {
+                "sections": {
+                    name: {"shape": "box", "width_m": 0.5, "height_m": height}
+                    for name, height in (("a", 0.3), ("b", 0.6))
+                },
+                "segments": [
+                    {
+                        "kind": "hood",
+                        "radius_m": 0.5,
+                        "from_slope_deg": 0.0,
+                        "to_slope_deg": 60.0,
+                        "section": ["a", "b"],
+                    }
+                ],
+            },
+            "segments.1.radius_m",
+            "inner wall",
+        ),
+        (
             {"sections": {"body": {"shape": "chamfered", "base_m": 0.0, "chamfer_deg": 90.0}}},
             "sections.body.chamfer_deg",
             "no width",
@@ -518,3 +545,20 @@ def test_texts_that_overwhelm_a_parser_are_faults(text):
 def test_what_is_no_spec_at_all(junk):
     with pytest.raises(chutecalc.SpecError, match="Give TOML text"):
         chutecalc.parse(junk)
+
+
+@pytest.mark.parametrize(
+    "body", [{"shape": "pipe", "radius_m": 0.3}, {"shape": "box", "width_m": 0.5, "height_m": 0.4}]
+)
+def test_a_closed_section_has_no_wall_height(body):
+    (fault,) = faults(spec(sections={"body": body | {"wall_height_mm": 400.0}}))
+    assert fault.path == "sections.body.wall_height_mm"
+    assert "closed" in fault.problem
+    assert "remove" in fault.remedy
+
+
+def test_a_bend_of_a_pipe_may_be_as_tight_as_its_height_on_the_outside():
+    """On a crest the roof is the longer wall; in a spoon it is the shorter one, and has to have a length."""
+    pipe = {"body": {"shape": "pipe", "radius_m": 0.3}}
+    chutecalc.parse(spec(sections=pipe, segments=[{"kind": "curve", "radius_m": 0.5, "to_slope_deg": 60.0}]))
+    chutecalc.parse(spec(sections=pipe, segments=[{"kind": "curve", "radius_m": 0.601, "to_slope_deg": 10.0}]))

@@ -49,9 +49,14 @@ def stall(scene: Scene) -> Iterator[Case]:
     )
 
 
-@criterion("choke", Severity.FAILURE, summary="the depth passes the height of the walls", limit="H > wall_height")
+@criterion(
+    "choke",
+    Severity.FAILURE,
+    summary="the depth passes the height of the walls, or a pipe or box runs full",
+    limit="H > wall_height, fill > 1",
+)
 def choke(scene: Scene) -> Iterator[Case]:
-    """Find depths above the height of the walls.
+    """Find depths above the height of the walls, and closed sections that run full.
 
     Args:
         scene: the segment with the stream along it.
@@ -61,8 +66,15 @@ def choke(scene: Scene) -> Iterator[Case]:
     beyond, share, end = stretch.beyond_share, stretch.share, stretch.beyond_status
     wall_height = scene.segment.wall_height(share)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": solved.exit.velocity}
-    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     s = solved.exit.distance
+    if scene.segment.section.closed:
+        template = (
+            "the chute chokes: at {velocity_m_s} the stream fills the closed section up to its roof, {wall_height_m:in}"
+            " above the floor; use a larger section, a steeper slope or a smaller rate"
+        )
+        yield Case(choked, s, template, numbers)
+        return
+    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     further = (beyond - share) * scene.contact.surface.length
     for status, fate in (
         (Status.STALL, "higher walls alone do not help, as the stream would stop {further_m} further on"),
