@@ -1,8 +1,8 @@
 """The load on a belt with up to three rolls across: its area, and how much of the belt's width it covers.
 
-ISO 5048 (1989) describes it as a part below the level of the belt's edges of load, a trapezium in the trough, and a part
-above, on which the material stands at the surcharge angle. That upper part is a parabola: one of chord W that meets
-its chord at the angle θ has the area W² tan θ / 6. A flat belt is a trough of 0.
+ISO 5048 (1989) adds two areas: a trapezium in the trough, up to the level at which the load ends at both sides, and a
+segment of a parabola above it that meets that level at the surcharge angle. Of chord W and angle θ it has the area
+W² tan θ / 6. A flat belt is a trough of 0.
 """
 
 from typing import NamedTuple
@@ -67,15 +67,16 @@ def load_area(covered: Array, roll: Array, trough: Array, surcharge: Array) -> A
     flat = np.minimum(roll, covered)
     side = 0.5 * (covered - flat)
     reach, rise = side * np.cos(trough), side * np.sin(trough)
-    return (flat + 2.0 * reach) ** 2 * np.tan(surcharge) / 6.0 + (flat + reach) * rise
+    area: Array = (flat + 2.0 * reach) ** 2 * np.tan(surcharge) / 6.0 + (flat + reach) * rise
+    return area
 
 
 def loaded_width(area: Array, roll: Array, trough: Array, surcharge: Array) -> Array:
     """Compute the width of belt that a load covers: the inverse of :func:`load_area`.
 
     With u = (b - l)/2 the area is k (l u + u² cos λ) + l² tan θ / 6, k = sin λ + (2/3) tan θ cos λ: a quadratic in u,
-    solved in the form that does not cancel. A load too small to cover the middle roll is that on a flat belt, for which
-    the same form gives b = √(6 A/tan θ).
+    solved in the form that does not cancel. A load too small to cover the middle roll lies on a flat belt, λ = 0, where
+    with l = 0 the same form gives b = √(6 A/tan θ).
 
     Args:
         area: Cross-section A of the load, m², shape (1,) or (designs,), as for all arguments.
@@ -89,14 +90,18 @@ def loaded_width(area: Array, roll: Array, trough: Array, surcharge: Array) -> A
     >>> loaded_width(load_area(0.85 * one, **trough), **trough).round(12)
     array([0.85])
     """
-    level = roll**2 * np.tan(surcharge) / 6.0
-    on_roll = area < level
+    steepness = np.tan(surcharge)
+    on_roll = area < roll**2 * steepness / 6.0
+    flat = np.where(on_roll, 0.0, roll)
     cosine, sine = np.where(on_roll, 1.0, np.cos(trough)), np.where(on_roll, 0.0, np.sin(trough))
-    rest = (area - level) / (sine + 2.0 / 3.0 * np.tan(surcharge) * cosine)
-    return roll + 4.0 * rest / (roll + np.sqrt(roll**2 + 4.0 * cosine * rest))
+    rest = (area - flat**2 * steepness / 6.0) / (sine + 2.0 / 3.0 * steepness * cosine)
+    covered: Array = flat + 4.0 * rest / (flat + np.sqrt(flat**2 + 4.0 * cosine * rest))
+    return covered
 
 
-def belt_load(volume_rate: Array, velocity: Array, width: Array, roll: Array, trough: Array, surcharge: Array) -> BeltLoad:
+def belt_load(
+    volume_rate: Array, velocity: Array, width: Array, roll: Array, trough: Array, surcharge: Array
+) -> BeltLoad:
     """Compute the load that a stream is on the belt that brings it.
 
     A_b = Q/V. Over the head pulley the belt is flat: the load stays as wide as the belt that it covers, and its area
