@@ -106,10 +106,10 @@ def slide(froude: Array, incline: Array, friction: Array) -> Array:
     method comes down from the held stream's angle, where cos α = Fr, without overshooting.
 
     Args:
-        froude: As for :func:`slide_start`.
-        incline: As there.
-        friction: As there; 0 gives the stream that slides without friction, cos α = (Fr + 2 cos α_0)/3 from the angle
-            α_0 at which it starts: 0 on a belt that comes uphill, else -ε.
+        froude: As for :func:`slide_start`, dimensionless, shape (1,) or (designs,), as for all arguments.
+        incline: As there, rad.
+        friction: As there, rad; 0 gives the stream that slides without friction, cos α = (Fr + 2 cos α_0)/3 from the
+            angle α_0 at which it starts: 0 on a belt that comes uphill, else -ε.
 
     Returns:
         The discharge angle from the vertical, rad, of shape (1,) or (designs,); the velocity there is √(g r cos α).

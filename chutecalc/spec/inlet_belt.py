@@ -46,7 +46,9 @@ class Belt(Table):
     incline_deg: BeltSlope = Field(0.0, description="incline of the belt, positive uphill")
     pulley_radius_m: Length = Field(description="radius of the head pulley")
     belt_thickness_m: Depth = Field(0.0, description="thickness of the belt")
-    material_depth_m: Depth = Field(0.0, description="depth of the stream on the belt; the path is that of its middle")
+    material_depth_m: Depth = Field(
+        None, description="depth of the stream on the belt, 0 if not given; the path is that of its middle"
+    )
     width_m: Annotated[Number, Quantity("length", ge=0.1, le=1e5)] = Field(
         None, description="width of the belt; the depth of the stream then follows from the rate"
     )
@@ -69,8 +71,9 @@ class Belt(Table):
             faults: collects faults of its geometry.
         """
         load = self._load(volume_rate, faults)
+        given = in_si(0.0 if self.material_depth_m is None else self.material_depth_m, "length")
+        depth = given if load is None else load.depth
         lower = in_si(self.pulley_radius_m, "length") + in_si(self.belt_thickness_m, "length")
-        depth = in_si(self.material_depth_m, "length") if load is None else load.depth
         return design.Belt(
             centre=centre,
             velocity=in_si(self.velocity_m_s, "velocity"),

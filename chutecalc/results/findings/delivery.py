@@ -10,6 +10,11 @@ from chutecalc.results.finding import Severity
 FULLEST_BELT = 1.0
 """Area of the load over that which the belt can carry by ISO 5048."""
 
+_ON_PULLEY = (
+    *("discharge_froude", "slope_deg", "velocity_m_s", "slide_start_deg", "held_slope_deg", "held_velocity_m_s"),
+    *("frictionless_slope_deg", "frictionless_velocity_m_s"),
+)
+
 
 @criterion(
     "slides_on_pulley",
@@ -29,7 +34,7 @@ def slides_on_pulley(scene: Scene) -> Iterator[Case]:
     if "held_slope_deg" not in inlet:
         return
     carried = np.isfinite(inlet["held_slope_deg"])
-    numbers = {name: values for name, values in inlet.items() if not name.startswith(("lower", "load"))}
+    numbers = {name: inlet[name] for name in _ON_PULLEY if name in inlet}
     begin = "the belt is too slow to throw the stream (V²/(g r) is {discharge_froude}): "
     held = "at {held_slope_deg} and {held_velocity_m_s}"
     if "slide_start_deg" in inlet:
@@ -85,9 +90,10 @@ def edge_misses(scene: Scene) -> Iterator[Case]:
         begin = f"the {edge.name} edge of the stream misses the segment on which its middle lands: it "
         gap = edge.numbers["gap_m"]
         elsewhere = edge.segment != ""
-        wide = "make the segment longer or move it"
-        yield Case(misses & (gap > 0.0), s, f"{begin}passes {{gap_m}} beyond its end; {wide}", {"gap_m": gap})
-        low = f"{begin}falls short and passes its end {{gap_m}} behind the surface; move it towards the stream"
-        yield Case(misses & (gap <= 0.0), s, low, {"gap_m": -gap})
-        yield Case(misses & elsewhere, s, f"{begin}lands on another; move that out of its way", {})
-        yield Case(misses & ~elsewhere & np.isnan(gap), s, f"{begin}never reaches it; move it towards the stream")
+        for mask, fate, numbers in (
+            (gap > 0.0, "passes {gap_m} beyond its end; make the segment longer or move it", {"gap_m": gap}),
+            (gap <= 0.0, "passes {gap_m} behind its end; begin the segment earlier or move it", {"gap_m": -gap}),
+            (elsewhere, "lands on another one; move that out of its way", {}),
+            (~elsewhere & np.isnan(gap), "never reaches it; move it towards the stream", {}),
+        ):
+            yield Case(misses & mask, s, begin + fate, numbers)
