@@ -47,4 +47,11 @@ def _edge_line(edge: Edge, units: str) -> str:
 
 def _texts(numbers: Mapping[str, Any], units: str) -> dict[str, str]:
     """Return numbers of one design with their units."""
-    return {name: quantity_text(name, float(values[0]), units) for name, values in numbers.items()}
+    return {
+        name: quantity_text(name, float(values[0]), units, "in" if name in _INCHES else "")
+        for name, values in numbers.items()
+    }
+
+
+_INCHES = ("material_depth_m", "load_width_m", "roll_m")
+"""Lengths that are in inches in US units."""

@@ -692,6 +692,10 @@ def test_belt_overfull(factor):
     solution = chutecalc.solve(base.put({"flow.rate_t_h": factor * full}))
     assert solution.inlet["belt_fill"][0] == pytest.approx(factor, rel=1e-13)
     assert ("belt_overfull" in codes(solution)) == (factor > 1)
+    if factor > 1:
+        message = found(solution, "belt_overfull").message(units="us")
+        assert f"the load of {solution.inlet['load_area_m2'][0] / 0.3048**2:.4g} ft² fills" in message
+        assert f"would cover {solution.inlet['load_width_m'][0] / 0.0254:.4g} in of belt" in message
 
 
 @pytest.mark.parametrize("off", [-1e-6, 1e-6])

@@ -70,7 +70,7 @@ def belt_overfull(scene: Scene) -> Iterator[Case]:
     numbers = {name: scene.inlet[name] for name in ("belt_fill", "load_width_m", "load_area_m2")}
     template = (
         "the load of {load_area_m2} fills the belt that brings it to {belt_fill} (limit 1) and spills; it would cover"
-        " {load_width_m} of belt: use a wider or faster belt"
+        " {load_width_m:in} of belt: use a wider or faster belt"
     )
     yield Case(numbers["belt_fill"] > FULLEST_BELT, np.zeros(1), template, numbers)
 
