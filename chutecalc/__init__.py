@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from chutecalc.api.function import Function
     from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
+    from chutecalc.results.edges import Edge
     from chutecalc.results.exits import Exits
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
@@ -33,6 +34,7 @@ __all__ = [
     "STARTER",
     "Chute",
     "ChutecalcError",
+    "Edge",
     "Exits",
     "ExtraMissingError",
     "Fault",
@@ -54,6 +56,7 @@ _MODULES = {
     "STARTER": "chutecalc.spec.starter",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
+    "Edge": "chutecalc.results.edges",
     "Exits": "chutecalc.results.exits",
     "ExtraMissingError": "chutecalc.errors",
     "Fault": "chutecalc.errors",

@@ -62,7 +62,7 @@ def load_area(covered: Array, roll: Array, trough: Array, surcharge: Array) -> A
 
     >>> one = np.ones(1)
     >>> load_area(0.85 * one, 0.38 * one, np.radians(35) * one, np.radians(15) * one).round(4)
-    array([0.1031])
+    array([0.1033])
     """
     flat = np.minimum(roll, covered)
     side = 0.5 * (covered - flat)
@@ -122,7 +122,7 @@ def belt_load(
     ...     roll=0.38 * one, trough=np.radians(35) * one, surcharge=np.radians(15) * one,
     ... )
     >>> load.fill.round(3), load.width.round(3), load.depth.round(3)
-    (array([0.97]), array([0.838]), array([0.119]))
+    (array([0.968]), array([0.838]), array([0.119]))
     """
     area = volume_rate / velocity
     covered = loaded_width(area, roll, trough, surcharge)

@@ -123,7 +123,7 @@ def _surfaces(placed: Sequence[SegmentSolution], last: int) -> tuple[Any, ...]:
     for solved in _visited(placed, last):
         at = solved.contact.surface
         surfaces.append(solved.contact.segment._replace(start=(at.x, at.z), entry_slope=at.slope))
-    return (Fall(name="edge", kind="fall", drop=None, run=None), *surfaces)
+    return (Fall(name="", kind="", drop=None, run=None), *surfaces)
 
 
 def _visited(placed: Sequence[SegmentSolution], last: int) -> list[Any]:
