@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
+from chutecalc.output.inlet import inlet_lines
 from chutecalc.results.column import Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
@@ -205,14 +206,7 @@ class Printer:
         def text(numbers: Mapping[str, Any], name: str) -> str:
             return quantity_text(name, float(numbers[name][0]), self.units)
 
-        inlet = solution.inlet
-        if "discharge_froude" in inlet:
-            x, z, low_x, low_z = (text(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
-            yield (
-                f"inlet  the stream leaves the belt at {text(inlet, 'slope_deg')} (V²/(g r)"
-                f" {text(inlet, 'discharge_froude')}); centre line from x {x}, z {z}, lower edge from x {low_x},"
-                f" z {low_z}"
-            )
+        yield from inlet_lines(solution, self.units)
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return

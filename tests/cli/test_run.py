@@ -317,3 +317,36 @@ def test_help_loads_no_numpy():
     code = "import sys\nfrom chutecalc.cli import main\nmain(['--help'])\nprint('numpy' in sys.modules)\n"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.splitlines()[-1] == "False"
+
+
+def test_the_belt_and_the_edges_of_its_stream_are_told(capsys):
+    assert main(["run", str(ROOT / "specs/troughed_belt_hood.toml")]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (load,) = [line for line in lines if line.startswith("belt  ")]
+    assert load.startswith(
+        "belt  a load of 0.1471 m² covers 1.004 m of the belt and is 0.1465 m deep on the pulley; fill"
+    )
+    assert load.endswith("middle roll taken as 0.41 m, a third of the width and 10 mm")
+    edges = [line for line in lines if line.startswith("edge  ")]
+    assert [line.split(":")[0] for line in edges] == ["edge  lower", "edge  middle", "edge  upper"]
+    assert all("leaves at -8° and 4 m/s, lands on hood " in line for line in edges)
+    assert main(["run", str(ROOT / "specs/surge_on_belt.toml"), "--set", "inlet.belt.roll_m=0.5"]) == 0
+    surge = capsys.readouterr().out
+    assert "edge  upper: leaves at -8° and 4 m/s and lands nowhere\n" in surge
+    assert "middle roll taken as" not in surge
+
+
+def test_edges_in_json(capsys):
+    assert main(["run", str(ROOT / "specs/surge_on_belt.toml"), "--json", "-"]) == 0
+    inlet = json.loads(capsys.readouterr().out)["inlet"]
+    assert inlet["belt_fill"] > 1.0
+    assert [(edge["name"], edge["segment"]) for edge in inlet["edges"]] == [
+        ("lower", "hood"),
+        ("middle", "hood"),
+        ("upper", None),
+    ]
+    assert inlet["edges"][2]["landing_x_m"] is None
+    assert inlet["edges"][2]["gap_m"] < 0.0
+    assert inlet["edges"][0]["gap_m"] is None
+    assert main(["run", str(ROOT / "specs/vee.toml"), "--json", "-"]) == 0
+    assert "edges" not in json.loads(capsys.readouterr().out)["inlet"]
