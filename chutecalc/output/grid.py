@@ -5,7 +5,7 @@ Loading rich takes a tenth of the time of a whole run, and a pipe shows none of 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from textwrap import wrap
 from typing import TYPE_CHECKING, NamedTuple
 from unicodedata import category, east_asian_width
@@ -72,8 +72,7 @@ class Grid:
     def fitted(self, most: int) -> list[Grid]:
         """Return the table as one that fits, or as several of the same rows: the labels, and some of the columns each.
 
-        No number is cut or left out. Words are broken where they are not all that is left. A row of which the first
-        table says all is not in the others.
+        No number is cut or left out. A row that has nothing beside its labels is in the first table only.
 
         Args:
             most: largest width, characters.
@@ -83,23 +82,22 @@ class Grid:
         ...     grid.column(heading, left=k == 0, label=k == 0)
         >>> grid.row(["spoon", "3.878", "0.1399"])
         >>> for part in grid.fitted(20):
-        ...     print(*part.lines(), sep="\\n")
-        segment  velocity
-        spoon       3.878
-        segment   depth
-        spoon    0.1399
+        ...     list(part.lines())
+        ['segment  velocity', 'spoon       3.878']
+        ['segment   depth', 'spoon    0.1399']
         """
-        widths = self._widths()
-        wanted = [min(width, LEAST_WORDS) if own.words else width for own, width in zip(self.columns, widths, strict=True)]
+        sizes = [
+            len(GAP) + (min(size, LEAST_WORDS) if own.words else size)
+            for own, size in zip(self.columns, self._widths(), strict=True)
+        ]
         labels = [k for k, own in enumerate(self.columns) if own.label]
-        room = most - len(self.indent) + len(GAP) - sum(widths[k] + len(GAP) for k in labels)
+        others = {k: size for k, size in enumerate(sizes) if not self.columns[k].label}
+        room = most - len(self.indent) + len(GAP) - sum(sizes[k] for k in labels)
         room = max(room, int(LEAST_SHARE * most))
-        chosen: list[list[int]] = [[]]
-        for k, own in enumerate(self.columns):
-            if not own.label:
-                if chosen[-1] and sum(wanted[j] + len(GAP) for j in (*chosen[-1], k)) > room:
-                    chosen.append([])
-                chosen[-1].append(k)
+        chosen = _shared(others, room)
+        while room > max(others.values(), default=0) and len(_shared(others, room - 1)) == len(chosen):
+            room -= 1  # several tables of about the same width
+            chosen = _shared(others, room)
         return [self._part(sorted([*labels, *some]), most, first=k == 0) for k, some in enumerate(chosen)]
 
     def _part(self, chosen: Sequence[int], most: int, first: bool) -> Grid:
@@ -151,6 +149,16 @@ class Grid:
         for row in self.rows:
             table.add_row(*row)
         return table
+
+
+def _shared(sizes: Mapping[int, int], room: int) -> list[list[int]]:
+    """Return columns in turn in as many groups as they need to fit, each of at least one column."""
+    groups: list[list[int]] = [[]]
+    for column, size in sizes.items():
+        if groups[-1] and sum(sizes[each] for each in groups[-1]) + size > room:
+            groups.append([])
+        groups[-1].append(column)
+    return groups
 
 
 def width(text: str) -> int:

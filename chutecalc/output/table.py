@@ -181,7 +181,9 @@ class Printer:
             rows = [("in", result.entry), ("out", result.exit)]
             for label, sign, extremes in (("min", -1.0, result.minimum), ("max", 1.0, result.maximum)):
                 shown = [name for name in extremes if name in self.columns]
-                if any(_exceeds(*(sign * of[name][0] for of in (extremes, result.entry, result.exit))) for name in shown):
+                if any(
+                    _exceeds(*(sign * of[name][0] for of in (extremes, result.entry, result.exit))) for name in shown
+                ):
                     rows.append((label, extremes))
             for row, (label, numbers) in enumerate(rows):
                 names = (result.name, result.kind) if row == 0 else ("", "")
@@ -259,7 +261,7 @@ def heading(column: Column, units: str) -> str:
         column: of the catalogue.
         units: ``metric`` or ``us``.
 
-    >>> heading(COLUMNS["chamfer_wear_w_m2"], "metric").split("\\n")
+    >>> heading(COLUMNS["chamfer_wear_w_m2"], "metric").splitlines()
     ['wear', 'chamfer', 'W/m²']
     """
     return "\n".join([*column.heading.split(" "), column.unit_text(units)])

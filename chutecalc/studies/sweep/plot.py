@@ -95,7 +95,7 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
     second = None if sweep.parallel else next((each for each in varied if each is not x_parameter), None)
     chosen = [None] if second is None else np.unique(second.values).tolist()
     labels = [
-        "" if second is None else f"{column_of(sweep, second.name).heading} = {value:g}{_unit(sweep, second)}"
+        "" if second is None else f"{column_of(sweep, second.name).heading} = {value:zg}{_unit(sweep, second)}"
         for value in chosen
     ]
     fail = 0
@@ -168,7 +168,7 @@ def _note(sweep: Sweep, block: Block, lines: bool) -> str:
     """Return how the designs end, and what the marks mean, as text."""
     words, counts = np.unique(block["status"], return_counts=True)
     ends = ", ".join(f"{count:,} {word.replace('_', ' ')}" for word, count in zip(words, counts, strict=True))
-    single = [f"{each.name} = {each.values[0]:g}" for each in sweep.parameters if len(each.values) == 1]
+    single = [f"{each.name} = {each.values[0]:zg}" for each in sweep.parameters if len(each.values) == 1]
     constant = [f"constant {sweep.keep}"] if sweep.adjustment.names else []
     marks = f" ({'crosses' if lines else 'hatched'}: no stream leaves)" if (words != Status.OK_LABEL).any() else ""
     return "; ".join([f"{sweep.count:,} designs: {ends}{marks}", *constant, *single])

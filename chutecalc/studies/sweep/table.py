@@ -155,7 +155,7 @@ def _texts(column: Column, values: Any, units: str) -> list[str]:
     if values.dtype.kind != "f":
         return [str(value).replace("_", " ") if column.name == "status" else str(value) for value in values.tolist()]
     if column.meaning == VARIED:
-        return [f"{value:.6g}" for value in values.tolist()]
+        return [f"{value:z.6g}" for value in values.tolist()]
     if column.name == "error_estimate":
         return ["" if value != value else f"{value:.0e}" for value in values.tolist()]
     return [column.shown(value, units) for value in values.tolist()]
