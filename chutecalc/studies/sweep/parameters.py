@@ -93,10 +93,13 @@ def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]
 
 def _parameter(argument: str, chute: Chute) -> AnyParameter:
     """Return the parameter that an argument stands for."""
-    path, equals, text = (part.strip() for part in argument.partition("="))
-    if equals and "." in path and takes_names(path, chute.data):
-        return text_parameter(path, text)
-    name, values = split_argument(argument, DEFAULT_VALUES)
+    try:
+        name, values = split_argument(argument, DEFAULT_VALUES)
+    except UsageError:
+        path, _, text = (part.strip() for part in argument.partition("="))
+        if text and "." in path and takes_names(path, chute.data):
+            return text_parameter(path, text)
+        raise
     for short, (table, key) in SHORT.items():
         keys = same_quantity(key)
         stem = min(keys, key=len).rpartition("_")[0]

@@ -103,6 +103,9 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[AnyParameter], block: Bloc
         x, y = places(x_parameter, block[x_parameter.name][rows]), column.converted(block[column.name][rows], units)
         order = np.argsort(x, kind="stable")
         every = max(1, len(x) // MARKERS)
+        if isinstance(x_parameter, TextParameter):
+            look |= {"linestyle": ""}  # between names there is nothing
+            every = 1
         axes.plot(x[order], y[order], **look, markevery=every, label=label, gid="line")
         failed = (block["status"][rows] != Status.OK_LABEL) & (block["status"][rows] != Status.IMPOSSIBLE_LABEL)
         if failed.any():
