@@ -72,10 +72,8 @@ def chart_lines(x: Array, values: Array, column: Column, width: int, units: str,
     known = np.isfinite(values)
     figure = plotille.Figure()
     figure.width, figure.height, figure.with_colors = width - MARGIN, HEIGHT, False
-    figure.x_label, figure.y_label = (
-        ", ".join(filter(None, (x_column.symbol or x_column.heading, x_column.unit_text(units)))),
-        "",
-    )
+    x_words = (x_column.symbol or x_column.heading, x_column.unit_text(units))
+    figure.x_label, figure.y_label = ", ".join(filter(None, x_words)), ""
     digits = column.us_digits if units == Units.US and column.us_unit else column.digits
     figure.x_ticks_fkt = lambda low, _: f"{low:z.1f}"
     figure.y_ticks_fkt = lambda low, _: f"{low:z{TICK_WIDTH}.{digits}f}"
