@@ -627,7 +627,7 @@ def test_columns_of_a_segment_are_its_results(capsys):
         found = {"status": spoon["status"], "duration_s": spoon["duration_s"]}
         for prefix, part in (("entry", "entry"), ("exit", "exit"), ("min", "minimum"), ("max", "maximum")):
             found |= {f"{prefix}_{name}": value for name, value in spoon[part].items()}
-        found |= {f"impact_{name}": value for name, value in spoon["impact"].items()}
+        found |= {f"impact_{name}": value for name, value in spoon["impact"].items()} | spoon.get("loads", {})
         shown = {name: "" if value is None else str(value) for name, value in found.items()}
         assert {name.removeprefix("segments.spoon."): value for name, value in row.items() if "spoon" in name} == shown
 
