@@ -78,8 +78,10 @@ class Printer:
 
             line = Text(text, style=style).append(plain, style="none")
             if line.cell_len > self.width:
-                begin, *rest = line.wrap(self.console, self.width - len(HANGING))
-                line = Text("\n").join([begin, *(Text(HANGING).append_text(each) for each in rest)])
+                lines = line.wrap(self.console, self.width - len(HANGING))
+                for each in lines:
+                    each.rstrip()
+                line = Text(f"\n{HANGING}").join(lines)
             self.console.print(line, no_wrap=True, overflow="ignore", crop=False)
         else:
             self.stream.write(f"{text}{plain}\n")

@@ -23,6 +23,8 @@ from chutecalc.studies.sweep.checks import DEFAULT, DEFAULT_ON_BELT
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter, read_parameters
 from chutecalc.studies.sweep.plot import draw_sweep
+from chutecalc.studies.sweep.table import column_of
+from chutecalc.studies.sweep.text_parameter import TextParameter
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
@@ -734,6 +736,8 @@ def test_wrong_names_stop_a_sweep_before_it_starts(capsys, monkeypatch):
     assert "is not a number" in refused(capsys, "segments.spoon.radius_m=two", HOOD)
     assert "is not a number" in refused(capsys, "segments.spoon.radius_m=1,steel", HOOD)
     assert "has no item" in refused(capsys, "segments.spon.liner=steel", HOOD)
+    twice = refused(capsys, "segments.spoon.liner=steel,ceramic", "segments.3.liner=steel", HOOD)
+    assert "is given twice, also as segments.spoon.liner" in twice
     assert "width_m = 1.0 is not a key of this table" in refused(capsys, "sections.hood.shape=rectangular,vee", HOOD)
 
 
@@ -788,3 +792,16 @@ def test_names_in_pictures_and_charts(capsys):
         assert line.get_ydata().tolist() == block["exit_velocity_m_s"][own].tolist()
     assert main(["sweep", LINERS[0], HOOD, "--chart"]) == 0
     assert "(spoon liner: 0 steel, 1 ceramic)" in capsys.readouterr().out
+
+
+def test_names_may_stand_for_several_keys_at_once():
+    states = {"dry": {"flow.rate_t_h": 1000.0}, "wet": {"flow.rate_t_h": 1200.0, "liners.steel.friction_deg": 30.0}}
+    case = TextParameter("case", np.array(list(states)), lambda chute, name: chute.put(states[name]))
+    (radius,) = read_parameters(["segments.spoon.radius_m=2,3"], chute := chutecalc.load(HOOD))
+    sweep = rows_of.Sweep(chute, [radius, case])
+    block = sweep.block(0)
+    assert block["case"].tolist() == ["dry", "wet", "dry", "wet"]
+    for k, name in enumerate(block["case"].tolist()):
+        alone = chutecalc.solve(chute.put(states[name] | {"segments.spoon.radius_m": [2.0, 3.0][k // 2]}))
+        assert block["exit_velocity_m_s"][k] == alone.exit_velocity[0]
+    assert column_of(sweep, "case").heading == "case"

@@ -9,6 +9,7 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.results.columns import AT_STATION, closest
+from chutecalc.spec.paths import with_values
 from chutecalc.studies.sweep.columns import own_columns, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
@@ -76,6 +77,8 @@ def chutes_by_names(chute: Chute, grid: Grid) -> dict[tuple[str, ...], Chute]:
             faults += error.faults if error.designs is None else ()
     if faults:
         raise SpecError(list(dict.fromkeys(faults)), chute.source)
+    whole = {path: each.values[0] for each in grid.parameters for path in each.paths}
+    with_values(chute.data, whole, chute.source)  # where names and numbers meet at a key, it is given twice
     return found
 
 
