@@ -350,3 +350,55 @@ def test_edges_in_json(capsys):
     assert inlet["edges"][0]["gap_m"] is None
     assert main(["run", str(ROOT / "specs/vee.toml"), "--json", "-"]) == 0
     assert "edges" not in json.loads(capsys.readouterr().out)["inlet"]
+
+
+def test_columns_of_tables_and_files(capsys, tmp_path, starter):
+    chosen = ["--columns", "wear_number,velocity_m_s,chamfer_wetted_m"]
+    assert main(["run", str(starter), str(starter), "--points", "3", *chosen]) == 0
+    out = capsys.readouterr().out
+    headings = [line.split() for line in out.splitlines() if line.lstrip().startswith(("N_WR", "segment ", "spec "))]
+    for line in out.splitlines():
+        assert "pressure" not in line or line.startswith(("warning", "note"))
+    assert headings.count(["N_WR", "velocity", "chamfer"]) >= 4  # segments and stations of both
+    solution = chutecalc.solve(chutecalc.load(starter))
+    assert f"{solution.segments['spoon'].maximum['velocity_m_s'][0]:.3f}" in out
+    assert f"{solution.exit['wear_number'][0]:.3f}" in out
+
+    file = tmp_path / "rows.csv"
+    assert main(["run", str(starter), "--csv", str(file), *chosen]) == 0
+    rows = list(csv.DictReader(io.StringIO(file.read_text())))
+    stations = solution.stations()
+    assert list(rows[0]) == ["wear_number", "velocity_m_s", "chamfer_wetted_m"]
+    assert [float(row["velocity_m_s"]) for row in rows] == stations["velocity_m_s"][0].tolist()
+
+    capsys.readouterr()
+    assert main(["run", str(starter), "--json", "-", "--points", "2", "--columns", "segment, s_m ,depth_m"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert [list(row) for row in document["segments"][1]["stations"]] == [["s_m", "depth_m"]] * 2
+    assert set(document["segments"][1]["exit"]) == set(solution.exit)
+
+
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [
+        ("depth", "there is no column depth. Did you mean depth_m?"),
+        ("thickness", "there is no column thickness."),  # findings alone ask for it
+        ("depth_m,,s_m", "there is no column"),
+    ],
+)
+def test_unknown_columns_are_refused(names, words, capsys, starter, monkeypatch):
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    assert main(["run", str(starter), "--columns", names]) == 2
+    shown = capsys.readouterr()
+    assert words in shown.err
+    assert shown.out == ""
+
+
+def test_tables_show_the_place(capsys):
+    path = ROOT / "specs/belt_hood_spoon.toml"
+    assert main(["run", str(path), "--points", "2", "--columns", "x_m,z_m"]) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    for result in chutecalc.solve(chutecalc.load(path)).segments:
+        for end in (result.entry, result.exit):
+            place = [f"{end[name][0]:z.3f}" for name in ("x_m", "z_m")]
+            assert sum(line[-2:] == place for line in lines) >= 2  # of segments, and of stations
