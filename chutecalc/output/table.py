@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
+    from chutecalc.results.cases import Cases
+
 COLOURS: dict[str, str] = {Severity.FAILURE: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
 """Styles of rich by the severity of a finding."""
 PIPE_WIDTH = 80
@@ -140,6 +142,30 @@ class Printer:
                 f"  {finding.segment}, s = {distance} {unit}: {finding.message(0, self.units)}",
                 COLOURS[finding.severity],
             )
+
+    def cases(self, cases: Cases) -> None:
+        """Print the operating states of a chute, and what goes wrong in them beside the findings of the design point.
+
+        Args:
+            cases: the states of one design.
+        """
+        from chutecalc.output.cases import cases_table
+
+        self.text()
+        self.table(cases_table(cases, self.units))
+        self.text()
+        self.case_findings(cases)
+
+    def case_findings(self, cases: Cases) -> None:
+        """Print what goes wrong in cases beside the findings of the design point, a line each.
+
+        Args:
+            cases: the states of one design.
+        """
+        from chutecalc.output.cases import case_findings
+
+        for severity, begin, rest in case_findings(cases, self.units):
+            self.text(begin, rest, COLOURS[severity])
 
     def stations(self, stations: dict[str, Any]) -> None:
         """Print stations along the stream.
