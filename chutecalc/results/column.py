@@ -117,7 +117,13 @@ class FormulaColumn(Column):
     formula: Callable[..., Array]
 
 
-_US_UNITS = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
+_US_UNITS = {
+    "m": ("length", "ft"),
+    "m_s": ("velocity", "fpm"),
+    "kpa": ("pressure", "psf"),
+    "n": ("force", "lbf"),
+    "m3": ("volume", "ft3"),
+}
 """Units that messages convert to US units, by their dimension."""
 
 

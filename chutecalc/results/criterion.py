@@ -5,13 +5,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design
+from chutecalc.design import Contact, Design, Status
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.extremes import Extreme, ExtremeOf
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part
 from chutecalc.results.sampled import SampledPart
 from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
+from chutecalc.spec.limits import LIMITS
 
 
 class Scene(NamedTuple):
@@ -57,6 +58,21 @@ class Scene(NamedTuple):
         segment = self.sampled.part.segment
         assert isinstance(segment, Contact)
         return segment
+
+    @property
+    def overwhelmed(self) -> Mask:
+        """Designs whose stream stalls or chokes here: it grows thick and slow on the way to that."""
+        status = self.solved.status
+        overwhelmed: Mask = (status == Status.STALL) | (status == Status.CHOKE)
+        return overwhelmed
+
+    def limit(self, key: str) -> Array:
+        """Return a limit in force, in the unit of its key, shape (1,) or (designs,).
+
+        Args:
+            key: of the table ``[limits]``.
+        """
+        return LIMITS[key].of(self.design.limits)
 
     def extreme(self, name: str, sign: float) -> Extreme:
         """Return the least or largest value of a column that the criterion needs.
@@ -124,6 +140,8 @@ class Criterion(NamedTuple):
     """Extremes along a part that it reads."""
     in_falls: bool
     """Whether falls are judged too."""
+    foretells_failure: bool
+    """Whether a stream that stalls or chokes shows it on the way, so that it is no news beside the failure."""
     cases: Callable[[Scene], Iterable[Case]]
 
     def findings(self, scene: Scene) -> Iterator[Finding]:
@@ -135,9 +153,10 @@ class Criterion(NamedTuple):
         if not (scene.part.guided or self.in_falls):
             return
         for case in self.cases(scene):
-            if case.mask.any():
+            concerned = case.mask & ~scene.overwhelmed if self.foretells_failure else case.mask
+            if concerned.any():
                 mask, s, *values = (
-                    np.broadcast_to(item, scene.designs) for item in (case.mask, case.s, *case.numbers.values())
+                    np.broadcast_to(item, scene.designs) for item in (concerned, case.s, *case.numbers.values())
                 )
                 severity, name = case.severity or self.severities[0], scene.part.segment.name
                 numbers = dict(zip(case.numbers, values, strict=True))
@@ -164,6 +183,7 @@ def criterion(
     source: str = "",
     needs: Sequence[ExtremeOf] = (),
     in_falls: bool = False,
+    foretells_failure: bool = False,
 ) -> Callable[[Callable[[Scene], Iterable[Case]]], Any]:
     """Register the decorated function as a design criterion.
 
@@ -175,6 +195,7 @@ def criterion(
         source: where the limit comes from.
         needs: extremes that it reads, pairs of a column's name and ``LEAST`` or ``LARGEST``.
         in_falls: whether it judges falls beside guiding surfaces.
+        foretells_failure: whether it keeps silent where the stream stalls or chokes on the segment.
 
     Returns:
         The decorator; the function takes a scene and yields cases.
@@ -192,6 +213,7 @@ def criterion(
                 source=source,
                 needs=tuple(needs),
                 in_falls=in_falls,
+                foretells_failure=foretells_failure,
                 cases=cases,
             )
         )
