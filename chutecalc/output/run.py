@@ -53,6 +53,8 @@ def run_document(solution: SolvedChute, stations: Mapping[str, Any] | None) -> d
         entry = _segment(segment, stations)
         if segment.impact:
             entry["impact"] = first(segment.impact)
+        if segment.loads:
+            entry["loads"] = first(segment.loads)
         if flights:
             entry["flight"], *again = (_segment(flight, stations) for flight in flights)
             entry |= {"flights_again": again} if again else {}

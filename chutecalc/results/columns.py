@@ -15,11 +15,16 @@ import numpy as np
 
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.loads import liner_life
 from chutecalc.results.column import Column
 
 LEAST_NORMAL = 1e-9
 """Ratio to gravity: with less normal acceleration the stream is about to leave its surface, and dividing by it gives
 noise."""
+
+
+HOUR = 3600.0
+"""Seconds of an hour."""
 
 
 class Extremes(Enum):
@@ -71,6 +76,15 @@ def on_arc(part: Any) -> bool:
     return bool(part.on_arc)
 
 
+def on_wearing_liner(part: Any) -> bool:
+    """Return whether the part follows a liner whose life can be told: its thickness and wear rate are known.
+
+    Args:
+        part: the part of the trajectory.
+    """
+    return bool(part.guided) and part.segment.thickness is not None and part.segment.wear_rate is not None
+
+
 def between_facets(part: Any) -> bool:
     """Return whether the part has a section with drawn facets beside its centre.
 
@@ -116,6 +130,12 @@ def _froude(part: Any, at: Any) -> Array:
     pressed = at.normal_acceleration > LEAST_NORMAL * part.design.gravity
     froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal_acceleration * at.area / at.width), np.nan)
     return froude
+
+
+def _liner_life(part: Any, at: Any) -> Array:
+    """Return the time to wear through the liner where it wears most across the section, h."""
+    wear = np.fmax.reduce([at.wear(wall) for wall in range(3)]) * part.slip_ratio
+    return liner_life(part.segment.thickness, part.segment.wear_rate, wear) / HOUR
 
 
 # fmt: off
@@ -181,6 +201,8 @@ _CATALOGUE = (
     StreamColumn("wear_number", "N_WR", "N_WR", "Roberts' wear number, n/g on an arc", "number", "", 3,
                  formula=lambda part, at: at.normal_acceleration / part.design.gravity, exists=on_arc,
                  needs=Needs.WALLS, source="Roberts (2003)"),
+    StreamColumn("liner_life_h", "liner life", "", "time until the liner is worn through where it wears most",
+                 "time", "h", 0, formula=_liner_life, exists=on_wearing_liner, needs=Needs.WALLS),
 
     StreamColumn("thickness", "H/b_s", "H/b_s", "depth over the free surface's width", "number", internal=True,
                  formula=lambda part, at: at.depth / at.width, exists=on_surface),

@@ -9,6 +9,7 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.described import html_table, number, outcomes
+from chutecalc.results.loads import joined_loads
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -36,6 +37,8 @@ class SegmentResult:
     """Time from its start to its end, s, shape (designs,)."""
     impact: Numbers
     """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
+    loads: Numbers
+    """Forces and wear of the segment, see :data:`chutecalc.results.loads.LOAD_COLUMNS`; empty in flight."""
 
     def __repr__(self) -> str:
         """Return name and outcome, and velocity and depth at both ends: of several designs the ranges.
@@ -156,4 +159,5 @@ def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
         duration=first.duration + np.where(there, again.duration, 0.0),
         impact=first.impact or again.impact,
+        loads=joined_loads(first.loads, again.loads),
     )

@@ -94,6 +94,7 @@ def baseline_of(
                 kind=result.kind,
                 status=str(result.status[0]),
                 impact=_finite(result.impact),
+                loads=_finite(result.loads),
                 stations=[station for station in stations if station],
                 minimum=_beyond(result.minimum, stations, -1.0),
                 maximum=_beyond(result.maximum, stations, 1.0),
