@@ -55,6 +55,8 @@ def interpolate_sections(first: Drawn, last: Drawn, share: float) -> Drawn:
     def between(one: Any, other: Any) -> Any:
         if isinstance(one, tuple):
             return tuple(map(between, one, other))
+        if not isinstance(one, np.ndarray):
+            return one
         with np.errstate(invalid="ignore"):
             return np.where(np.isinf(one), one, one + share * (other - one))
 

@@ -16,6 +16,7 @@ import numpy as np
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.loads import liner_life
+from chutecalc.physics.wall import wall_friction
 from chutecalc.results.column import Column
 
 LEAST_NORMAL = 1e-9
@@ -138,6 +139,17 @@ def _liner_life(part: Any, at: Any) -> Array:
     return liner_life(part.segment.thickness, part.segment.wear_rate, wear) / HOUR
 
 
+def _clearing_margin(part: Any, at: Any) -> Array:
+    """Return a - atan(μ_e) of a bed at rest as deep as the stream, deg: of a locus at the pressure of its weight."""
+    friction, wall = at.friction, part.segment.wall
+    if wall.changes:
+        weight = at.stress * part.design.gravity * np.cos(at.slope) / at.normal_acceleration
+        one_and_excess = np.where(at.wall_friction > 0.0, friction / at.wall_friction, 1.0)
+        friction = wall_friction(wall, weight) * one_and_excess
+    margin: Array = np.degrees(at.slope - np.arctan(friction))
+    return margin
+
+
 # fmt: off
 _CATALOGUE = (
     StreamColumn("spec", "spec", "", "the spec's file"),
@@ -214,6 +226,10 @@ _CATALOGUE = (
     StreamColumn("wall_stress_kpa", "σ", "σ", "normal stress at which the wall's friction is read",
                  "pressure", "kpa", internal=True,
                  formula=lambda part, at: at.stress / 1000.0, exists=on_surface),
+    StreamColumn("fill", "fill", "", "depth over the height of the walls", "number", "", internal=True,
+                 formula=lambda part, at: at.depth / part.segment.wall_height(at.share), exists=on_surface),
+    StreamColumn("clearing_margin_deg", "margin", "", "slope above the equivalent friction angle of what stands there",
+                 "angle", "deg", internal=True, formula=_clearing_margin, exists=on_surface),
     StreamColumn("top_m", "top", "", "height of the section's drawn top above its floor", "length", "m", internal=True,
                  formula=lambda part, at: at.top, exists=on_surface),
     StreamColumn("above_top_m", "above top", "", "depth above the section's drawn top", "length", "m", internal=True,
