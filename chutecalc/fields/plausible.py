@@ -25,6 +25,11 @@ class Plausible(NamedTuple):
     coefficient: bool = False
     """Whether the number may be meant as the tangent of the angle that the key takes."""
 
+    @property
+    def middle(self) -> float:
+        """Middle of the range on a logarithmic scale, in the first unit of the dimension."""
+        return math.sqrt(self.low * self.high)
+
     def mistaken(self, values: Array) -> Mask:
         """Return which values lie outside the range.
 
@@ -50,7 +55,6 @@ class Plausible(NamedTuple):
         >>> Plausible(0.1, 10.0, "short", "long").distance(np.array([1.0, 20.0])).tolist()
         [0.0, inf]
         """
-        middle = math.sqrt(self.low * self.high)
         with np.errstate(divide="ignore"):
-            away = np.abs(np.log(np.abs(values) / middle))
+            away = np.abs(np.log(np.abs(values) / self.middle))
         return np.where(self.mistaken(values), np.inf, away)

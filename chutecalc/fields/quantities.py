@@ -8,7 +8,7 @@ from chutecalc.fields.plausible import Plausible
 from chutecalc.fields.quantity import Number, Quantity
 
 LONG = Plausible(0.01, 300.0, "shorter than a finger is wide", "longer than any chute")
-WIDE = Plausible(0.02, 10.0, "narrower than a hand", "wider than any chute")
+WIDE = Plausible(0.02, 10.0, "narrower than a finger", "wider than any chute")
 THICK = Plausible(0.001, 2.0, "thinner than a coin", "thicker than any belt or load on it")
 FAR = Plausible(1e-6, 1000.0, "too little to measure", "further than any chute reaches")
 STEEP = Plausible(1.0, 90.0, "level to the eye", "steeper than vertical")

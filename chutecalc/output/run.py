@@ -74,7 +74,8 @@ def run_document(solution: SolvedChute, stations: Mapping[str, Any] | None) -> d
             {
                 "code": finding.code,
                 "severity": finding.severity,
-                "segment": finding.segment,
+                "segment": finding.segment or None,
+                "key": finding.key or None,
                 "s_m": number(finding.s_m[0]),
                 "message": finding.message(),
                 "numbers": first(finding.numbers),

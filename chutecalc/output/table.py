@@ -122,11 +122,9 @@ class Printer:
             findings: findings of one design.
         """
         for finding in findings:
-            distance = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
-            unit = COLUMNS["s_m"].unit_text(self.units)
             self.text(
                 f"{finding.severity} {finding.code}",
-                f"  {finding.segment}, s = {distance} {unit}: {finding.message(0, self.units)}",
+                f"  {finding.where(0, self.units)}: {finding.message(0, self.units)}",
                 COLOURS[finding.severity],
             )
 

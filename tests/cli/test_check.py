@@ -254,9 +254,10 @@ def test_new_and_gone_findings(folder, capsys):
     document = baseline()
     document["findings"] = [{"severity": "warning", "code": "thick_stream", "segment": "spoon"}]
     rewrite(document)
-    status, word, (new, gone) = outcome(capsys)
+    status, word, (new, note, gone) = outcome(capsys)
     assert (status, word) == (1, "changed")
     assert new.startswith("new finding: warning below_cut_off in spoon: the spoon ends at 0°, flatter than")
+    assert note.startswith("new finding: note will_not_clear in spoon: after a stop, ")
     assert gone == "finding in the baseline only: warning thick_stream in spoon"
 
 

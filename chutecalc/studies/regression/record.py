@@ -107,7 +107,7 @@ def baseline_of(
         rtol=solution.rtol,
         tolerance=tolerance,
         status=str(solution.status[0]),
-        findings=[BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
+        findings=[BaselineFinding(severity=item.severity, code=item.code, segment=item.subject) for item in findings],
         inlet=_finite(solution.inlet),
         segments=segments,
         receiver=_finite({name: values for name, values in solution.receiver.items() if name in RECEIVER}),
