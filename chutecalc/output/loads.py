@@ -18,10 +18,11 @@ def loads_table(results: Iterable[SegmentResult], units: str) -> Grid:
     """
     loaded = [result for result in results if any(np.isfinite(values[0]) for values in result.loads.values())]
     names = [name for name in LOAD_COLUMNS if any(result.loads[name][0] == result.loads[name][0] for result in loaded)]
+    names = [name for name in names if name != "relative_wear" or len(loaded) > 1]  # of one segment it says nothing
     table = Grid()
     table.column("loads", left=True)
     for column in (LOAD_COLUMNS[name] for name in names):
         table.column(f"{column.heading}\n{column.unit_text(units)}")
-    for result in loaded:
+    for result in loaded if names else ():
         table.row([result.name, *(LOAD_COLUMNS[name].shown(float(result.loads[name][0]), units) for name in names)])
     return table

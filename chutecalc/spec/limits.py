@@ -71,14 +71,14 @@ class Limits(Table):
     min_width_over_lump: Share = _limit(3.0, "width of the section over the largest lump", PRACTICE, "narrow_for_lumps")
     min_depth_over_lump: Share = _limit(1.0, "depth over the largest lump", MODEL, "fine_stream")
     max_standing_share: Share = _limit(
-        0.5, "share of a segment on which material stays after a stop; a note below it", MODEL, "will_not_clear"
+        0.5, "share of a segment that does not clear after a stop; below it a note", MODEL, "will_not_clear"
     )
     max_belt_fill: Share = _limit(1.0, "load of the feeding belt over its full load", "ISO 5048", "belt_overfull")
     min_velocity_ratio: Share = _limit(0.9, "velocity along the receiving belt over the belt's", PRACTICE, "off_speed")
     max_velocity_ratio: Share = _limit(1.1, "velocity along the receiving belt over the belt's", PRACTICE, "off_speed")
     max_velocity_into_m_s: Speed = _limit(2.5, "velocity into the receiving belt", PRACTICE, "hard_landing")
     max_belt_impact_kpa: Pressure = _limit(
-        None, "impact pressure on the receiving belt; none by default", PRACTICE, "hard_landing"
+        None, "impact pressure on the receiving belt; none by default", "the belt's rating", "hard_landing"
     )
 
     rules: ClassVar = (ratio_range,)
