@@ -22,6 +22,15 @@ class Stretches(NamedTuple):
     begin: Array
     end: Array
 
+    def total(self, begins: Array, ends: Array) -> Array:
+        """Return how much lies on all stretches together, shape (designs,), row by row whatever the batch.
+
+        Args:
+            begins, ends: a quantity that grows along the part, at both ends of each stretch, in any unit.
+        """
+        each = np.where(self.end > self.begin, ends - begins, 0.0)
+        return np.asarray(sum(each))
+
 
 def negative_stretches(part: Part, column: str) -> Stretches:
     """Find where a column is negative along a part.
@@ -50,7 +59,7 @@ def _root(part: Part, column: str, shares: tuple[Array, Array], values: tuple[Ar
     """Return where a column is 0 between shares at which it has different signs, by the Illinois method."""
     low, high = shares
     at_low, at_high = values
-    root = high
+    root, found = high, np.zeros(high.shape, dtype=bool)
     for _ in range(MOST_ROUNDS):
         with np.errstate(all="ignore"):
             secant = high - at_high * (high - low) / (at_high - at_low)
@@ -60,7 +69,8 @@ def _root(part: Part, column: str, shares: tuple[Array, Array], values: tuple[Ar
         turned = value * at_high < 0.0
         low, at_low = np.where(turned, high, low), np.where(turned, at_high, 0.5 * at_low)
         high, at_high = new, value
-        moved, root = np.abs(new - root), new
-        if (moved <= ROUNDING).all():
+        moved, root = np.abs(new - root), np.where(found, root, new)  # a design's digits do not depend on the others
+        found = found | (moved <= ROUNDING)
+        if found.all():
             break
     return root

@@ -42,9 +42,8 @@ def _too_flat(scene: Scene) -> Iterator[Case]:
     if not (runs & (worst.value < 0.0)).any():
         return
     stretches = negative_stretches(part, "clearing_margin_deg")
-    share = (stretches.end - stretches.begin).sum(axis=0)
-    begins, ends = (part.at(shares, ["time_s"])["time_s"] for shares in stretches)
-    volume = part.design.volume_rate * np.where(stretches.end > stretches.begin, ends - begins, 0.0).sum(axis=0)
+    share = stretches.total(*stretches)
+    volume = part.design.volume_rate * stretches.total(*(part.at(shares, ["time_s"])["time_s"] for shares in stretches))
     first = np.where(stretches.end > stretches.begin, stretches.begin, 1.0).min(axis=0)
     (slope,) = scene.at(worst.share, "slope_deg")
     numbers = {
