@@ -8,9 +8,8 @@ from chutecalc.physics.arrays import Array
 from chutecalc.physics.section import Section, interpolate_sections
 from chutecalc.physics.wetting import area_at_depth
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
-SHARES, SHARE_WEIGHTS = 0.5 * (1.0 + _NODES), 0.5 * _WEIGHTS
-"""Gauss nodes and weights on the length of a segment; exact for a taper whose angles do not change."""
+NODES = 12
+"""Gauss nodes on a taper; two are exact if its angles do not change."""
 
 
 class Force(NamedTuple):
@@ -77,11 +76,12 @@ def filled_volume(first: Section, last: Section | None, length: Array) -> Array:
     if last is None:
         area = area_at_depth(first, first.wall_height)
     else:
-        sections = (interpolate_sections(first, last, share) for share in SHARES)
-        areas = (
-            weight * area_at_depth(one, one.wall_height) for weight, one in zip(SHARE_WEIGHTS, sections, strict=True)
-        )
-        area = np.asarray(sum(areas))
+        from numpy.polynomial.legendre import leggauss  # which a run without tapers does not need
+
+        nodes, weights = leggauss(NODES)
+        sections = (interpolate_sections(first, last, 0.5 * (1.0 + node)) for node in nodes)
+        areas = (area_at_depth(one, one.wall_height) for one in sections)
+        area = np.asarray(sum(0.5 * weight * one for weight, one in zip(weights, areas, strict=True)))
     return np.where(np.isfinite(area), area, np.nan) * length
 
 

@@ -58,7 +58,7 @@ def fine_stream(scene: Scene) -> Iterator[Case]:
     least = scene.extreme("depth_m", LEAST)
     template = (
         "the stream is only {depth_m:in} deep, with lumps of {lump_m:in} (limit {limit} times a lump): they roll"
-        " one by one rather than flow; expect other velocities, and use a narrower section"
+        " one by one rather than flow, so velocities are rough; check them with a discrete-element simulation"
     )
     numbers = {"depth_m": least.value, "lump_m": lump, "limit": limit}
     yield Case(least.value < limit * lump, scene.distance(least.share), template, numbers)
