@@ -227,3 +227,24 @@ def test_a_bed_that_adhesion_holds_is_told_with_its_depth():
     depth = adhesion * 1e3 / (800.0 * G * (np.sin(slope) - coefficient * np.cos(slope)))
     assert held.numbers["depth_m"][0] == pytest.approx(depth, rel=1e-12)
     assert held.severity == "note"
+
+
+def test_what_stands_and_what_bears_does_not_depend_on_the_batch():
+    base = chute(
+        material={"lump_mm": 100.0},
+        liners={"wall": {"yield_locus_kpa": [[0.2, 0.16], [0.6, 0.34], [4.0, 1.6]], "thickness_mm": 20.0}},
+        inlet={"velocity_m_s": 6.0, "slope_deg": 80.0},
+        segments=[{"kind": "curve", "radius_m": 2.0, "to_slope_deg": 10.0}],
+    )
+    rates = [1000.0, 1007.0, 1013.0, 500.0, 1500.0]
+    together = chutecalc.solve(base.vary({"flow.rate_t_h": rates}))
+    (many,) = [finding for finding in of(together, "will_not_clear") if "standing_m" in finding.numbers]
+    for number, rate in enumerate(rates):
+        alone = chutecalc.solve(base.vary({"flow.rate_t_h": rate}))
+        (one,) = [finding for finding in of(alone, "will_not_clear") if "standing_m" in finding.numbers]
+        assert {name: values[0] for name, values in one.numbers.items()} == {
+            name: values[number] for name, values in many.numbers.items()
+        }
+        loads, own = together.segments[0].loads, alone.segments[0].loads
+        for name, values in own.items():
+            assert np.array_equal(values, loads[name][number : number + 1], equal_nan=True), name
