@@ -16,11 +16,11 @@ from chutecalc.results.part import Part
 LOAD_COLUMNS = {
     column.name: column
     for column in (
-        Column("force_x_n", "force x", "F_x", "force of the stream on the segment along the chute, impact included",
+        Column("force_x_n", "force x", "", "force of the stream on the segment along the chute, impact included",
                "force", "n", 0, "lbf", 0),
-        Column("force_z_n", "force z", "F_z", "vertical force of the stream on the segment, upwards",
+        Column("force_z_n", "force z", "", "vertical force of the stream on the segment, upwards",
                "force", "n", 0, "lbf", 0),
-        Column("force_n", "force", "F", "resultant of both", "force", "n", 0, "lbf", 0),
+        Column("force_n", "force", "", "resultant of both", "force", "n", 0, "lbf", 0),
         Column("static_weight_n", "full weight", "", "weight of the segment full to its wall height, as when it chokes",
                "force", "n", 0, "lbf", 0),
         Column("sliding_life_h", "sliding life", "", "time until sliding wears through the liner at its worst station",
