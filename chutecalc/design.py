@@ -10,6 +10,7 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Section
+from chutecalc.physics.troughed_belt import BeltLoad
 from chutecalc.physics.wall import Wall
 
 VERTICAL = np.array([np.pi / 2])
@@ -52,7 +53,9 @@ class Contact(NamedTuple):
     length: Array | None
     """Length of a straight, m; None for an arc, whose length follows from its slopes."""
     start: tuple[Array, Array] | None
-    """x and z of its drawn start, m; None if that is the end of the segment before it."""
+    """x and z of its drawn start, m; None if that is the end of the segment before it. NaN stands for None."""
+    may_be_passed: bool
+    """Whether a stream may pass it without touching it; otherwise the chute fails there."""
     section: Section
     """Section at its start, and at its end if it does not taper."""
     end_section: Section | None
@@ -66,6 +69,11 @@ class Contact(NamedTuple):
     """Thickness of the liner, m, or None."""
     wear_rate: Array | None
     """Volume that the liner loses per frictional work, m³/J, or None."""
+
+    @property
+    def may_end_elsewhere(self) -> bool:
+        """Whether a stream that gets through may leave the chute otherwise than from the drawn end of this segment."""
+        return self.deflects or self.may_be_passed
 
     def wall_height(self, share: Array) -> Array:
         """Return the wall height above which the segment chokes, m; infinite where none is given.
@@ -88,7 +96,7 @@ class Contact(NamedTuple):
 
 
 class Fall(NamedTuple):
-    """Free flight, down to a level or to a distance from its drawn start, or onto the segment after it."""
+    """Free flight: onto the segment after it if that has its own start, else to a level or a distance."""
 
     name: str
     kind: str
@@ -96,15 +104,17 @@ class Fall(NamedTuple):
     """Height of its drawn start above its end, m, or None."""
     run: Array | None
     """Horizontal distance from its drawn start to its end, m, or None."""
-
-    @property
-    def onto_next(self) -> bool:
-        """Whether the fall ends where the stream lands on the next segment."""
-        return self.drop is None and self.run is None
+    start: tuple[Array, Array] | None = None
+    """x and z of its drawn start, m; None if that is the end of the segment before it, or the inlet."""
 
     @property
     def deflects(self) -> bool:
         """Whether the stream only strikes it: never, as it has no surface."""
+        return False
+
+    @property
+    def may_end_elsewhere(self) -> bool:
+        """Whether a stream that gets through may leave the chute elsewhere: never, as it has no surface."""
         return False
 
     def drawn_end(self, before: Array | None) -> Array | None:
@@ -117,7 +127,7 @@ class Fall(NamedTuple):
 
 
 class Belt(NamedTuple):
-    """The belt that the stream comes from; see :func:`chutecalc.physics.belt.discharge`."""
+    """The belt that the stream comes from; see :func:`chutecalc.physics.head_pulley.discharge`."""
 
     centre: tuple[Array, Array]
     """x and z of the centre of its head pulley, m."""
@@ -129,6 +139,16 @@ class Belt(NamedTuple):
     """Radius of the stream's lower edge on the pulley, m."""
     middle_radius: Array
     """Radius of the stream's centre line on the pulley, m."""
+    friction: Array | None
+    """Friction angle of the material on the belt, rad; None where none is given, and the belt holds the stream."""
+    load: BeltLoad | None
+    """The load on a belt whose width is given; else None."""
+
+    @property
+    def edge_radii(self) -> dict[str, Array]:
+        """Radius on the pulley of the stream's lower edge, centre line and upper edge, m, by their names."""
+        upper = 2.0 * self.middle_radius - self.lower_radius
+        return {"lower": self.lower_radius, "middle": self.middle_radius, "upper": upper}
 
 
 class Receiver(NamedTuple):
@@ -140,6 +160,16 @@ class Receiver(NamedTuple):
     """Slope of the belt, rad below horizontal."""
     friction: Array
     """Friction coefficient of the material on the belt."""
+    plan_angle: Array
+    """Plan angle ψ between the headings of stream and belt, rad, seen from above."""
+    at: tuple[Array, Array] | None
+    """x and z of a point of its surface, m; None if that is where the last segment ends."""
+
+    @property
+    def slope_of_trace(self) -> Array:
+        """Slope of the line in which its surface cuts the plane of the chute, rad: tan b = tan a_b cos ψ."""
+        trace: Array = np.arctan2(np.sin(self.slope) * np.cos(self.plan_angle), np.cos(self.slope))
+        return trace
 
 
 Segment = Contact | Fall

@@ -12,7 +12,7 @@ def limits_table() -> Grid:
     """
     table = Grid()
     for heading in ("key", "default", "finding", "source", "meaning"):
-        table.column(heading, left=True)
+        table.column(heading, left=True, label=heading == "key", words=heading == "meaning")
     for limit in LIMITS.values():
         table.row([limit.key, limit.text, limit.finding, limit.source, limit.meaning])
     return table

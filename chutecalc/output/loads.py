@@ -20,7 +20,7 @@ def loads_table(results: Iterable[SegmentResult], units: str) -> Grid:
     names = [name for name in LOAD_COLUMNS if any(result.loads[name][0] == result.loads[name][0] for result in loaded)]
     names = [name for name in names if name != "relative_wear" or len(loaded) > 1]  # of one segment it says nothing
     table = Grid()
-    table.column("loads", left=True)
+    table.column("loads", left=True, label=True)
     for column in (LOAD_COLUMNS[name] for name in names):
         table.column(f"{column.heading}\n{column.unit_text(units)}")
     for result in loaded if names else ():

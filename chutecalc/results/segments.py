@@ -1,7 +1,7 @@
 """Results of each segment: ends, extremes and impacts, by column name, for all designs."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, overload
 
 import numpy as np
@@ -37,7 +37,7 @@ class SegmentResult:
     """Time from its start to its end, s, shape (designs,)."""
     impact: Numbers
     """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
-    loads: Numbers
+    loads: Numbers = field(default_factory=dict)
     """Forces and wear of the segment, see :data:`chutecalc.results.loads.LOAD_COLUMNS`; empty in flight."""
 
     def __repr__(self) -> str:
@@ -158,6 +158,13 @@ def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         minimum={name: np.fmin(again.minimum[name], values) for name, values in first.minimum.items()},
         maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
         duration=first.duration + np.where(there, again.duration, 0.0),
-        impact=first.impact or again.impact,
+        impact=_either(first.impact, again.impact),
         loads=joined_loads(first.loads, again.loads),
     )
+
+
+def _either(first: Numbers, again: Numbers) -> Numbers:
+    """Return the numbers of the first impact; of designs that it lacks those of the next one."""
+    if not (first and again):
+        return first or again
+    return {name: np.where(np.isnan(values), again[name], values) for name, values in first.items()}

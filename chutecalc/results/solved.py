@@ -8,12 +8,14 @@ import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
-from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
+from chutecalc.results.belts import receiver_numbers
 from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
 from chutecalc.results.criterion import Written
 from chutecalc.results.described import status_text
+from chutecalc.results.edges import Edge, stream_edges
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import find_in_spec, in_order
+from chutecalc.results.inlet import inlet_numbers
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
 from chutecalc.results.trajectory import Trajectory
@@ -60,6 +62,7 @@ class SolvedChute:
         """Number of designs."""
         self.rtol: float = rtol
         """Relative error allowed to the velocity."""
+        self._ends = ends
         self.error_estimate: Array = stretched(ends.error, (chute.count,))
         """Estimated relative error of the last velocity, shape (designs,); after a stall that of its position, as a
         share of the segment's length."""
@@ -114,18 +117,26 @@ class SolvedChute:
     def receiver(self) -> Numbers:
         """What the stream does to the receiving belt: arrays of shape (designs,) by name; empty without a receiver.
 
-        NaN for designs that fail. ``matching_slope_deg`` is the exit slope, next to the present one, at which the
-        stream would have the belt's velocity along it, and ``matching_velocity_m_s`` the exit velocity that would
+        NaN for designs that fail. ``matching_slope_deg`` is the slope, next to the present one, at which the stream
+        would have the belt's velocity along it where it lands, and ``matching_velocity_m_s`` the velocity that would
         match at the present slope; infinite or NaN where there is none.
         """
-        if self.design.receiver is None:
-            return {}
-        return receiver_numbers(self.design, self.exit_columns(RECEIVER_NEEDS))
+        numbers = receiver_numbers(self.design, self._ends)
+        return {name: stretched(values, (self.count,)) for name, values in numbers.items()}
 
     @cached_property
     def inlet(self) -> Numbers:
-        """The stream at the inlet: arrays of shape (designs,) by name; from a belt also v²/(g r) and its lower edge."""
+        """The stream at the inlet: arrays of shape (designs,) by name.
+
+        From a belt also v²/(g r), its lower edge, the load on a belt whose width is given, and the bounds of a stream
+        that goes round the pulley.
+        """
         return {name: np.broadcast_to(values, self.count) for name, values in inlet_numbers(self.design).items()}
+
+    @cached_property
+    def edges(self) -> list[Edge]:
+        """Lower edge, middle and upper edge of a stream from a belt, and where they land; empty without a depth."""
+        return stream_edges(self.design, self.trajectory.segment_solutions, self.rtol, self.count)
 
     @property
     def segments(self) -> Segments:
@@ -140,7 +151,7 @@ class SolvedChute:
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
         found = find_in_spec(Written(self.spec, self.data, self.count))
-        return in_order([*found, *self.trajectory.findings(self.receiver)])
+        return in_order([*found, *self.trajectory.findings(self.receiver, self.inlet, self.edges)])
 
     def stations(
         self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()

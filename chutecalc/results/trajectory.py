@@ -11,6 +11,7 @@ from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
 from chutecalc.results.described import status_text
+from chutecalc.results.edges import Edge
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
@@ -18,7 +19,7 @@ from chutecalc.results.loads import loads_of, relative_to_first
 from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
-from chutecalc.solver.segment_solution import SegmentSolution
+from chutecalc.solver.segment_solution import Point, SegmentSolution
 
 EXTREMES = [*dict.fromkeys([*((name, sign) for name in REPORTED for sign in (LEAST, LARGEST)), *NEEDED])]
 """The extremes of each part that are reported or that criteria need."""
@@ -95,13 +96,23 @@ class Trajectory:
             for number in range(len(self.design.segments))
         ]
 
-    def findings(self, received: Numbers) -> list[Finding]:
+    def findings(self, received: Numbers, inlet: Numbers, edges: Sequence[Edge]) -> list[Finding]:
         """Return all findings.
 
         Args:
             received: receiver columns at the exit; empty where the chute loads no belt.
+            inlet: numbers of the inlet, see :func:`chutecalc.results.inlet.inlet_numbers`.
+            edges: of a stream that comes from a belt.
         """
-        return find(self.sampled, received, self.exit_columns(("s_m",))["s_m"], self.count)
+        exit_distance = self.exit_columns(("s_m",))["s_m"]
+        return find(
+            self.sampled,
+            received=received,
+            exit_distance=exit_distance,
+            inlet=inlet,
+            edges=edges,
+            designs=self.count,
+        )
 
     def exit_columns(self, names: Iterable[str]) -> Numbers:
         """Return columns at the end of the chute.
@@ -113,14 +124,20 @@ class Trajectory:
             Arrays of shape (designs,), NaN for designs that fail.
         """
         names = list(names)
-        last = len(self.design.segments) - 1
         found = {name: np.full(self.count, np.nan) for name in names}
-        for part in self.parts:  # of a hood that is left and struck again there are several
-            if part.solved.number == last and not part.is_flight:
-                ends = part.at(np.ones(1), names)
-                here = (part.solved.status == Status.OK) & (self.status_numbers == Status.OK)
+        open_ = self.status_numbers == Status.OK  # designs whose end is not found yet
+        for part in reversed(self.parts):  # one that was left and struck again, or may be passed, is not the only last
+            if part.is_flight:
+                continue
+            here = open_ & np.isin(part.solved.status, (Status.OK, Status.CONTACT_LOST))
+            if here.any():
+                ends, open_ = part.at(np.ones(1), names), open_ & ~here
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
-        return found
+            if not open_.any():
+                return found
+        # What is left is the inlet, for a stream that flies past all segments onto its belt.
+        inlet = _at_inlet(self.segment_solutions[0].start)
+        return found | {name: np.where(open_, inlet[name], found[name]) for name in names if name in inlet}
 
     def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """Return least or largest values of columns on all guiding surfaces together.
@@ -165,3 +182,14 @@ class Trajectory:
             impact={name: whole(values) for name, values in impact.items()},
             loads={name: whole(values) for name, values in loads_of(part, duration, maximum, impact).items()},
         )
+
+
+def _at_inlet(start: Point) -> Numbers:
+    """Return the columns of a stream that has touched nothing yet."""
+    return {
+        "s_m": start.distance,
+        "x_m": start.x,
+        "z_m": start.z,
+        "slope_deg": np.degrees(start.slope),
+        "velocity_m_s": start.velocity,
+    }

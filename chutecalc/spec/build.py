@@ -1,14 +1,12 @@
 """Turns a checked spec into numbers: SI units, names resolved, drawn slopes from segment to segment."""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from chutecalc.design import VERTICAL, Belt, Design, Receiver, Segment
 from chutecalc.fields.faults import GeometryFaults
 from chutecalc.fields.quantity import in_si, optional
 from chutecalc.physics.arrays import Array, shared
-from chutecalc.physics.belt import discharge
+from chutecalc.physics.head_pulley import discharge
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.segments.base import Context, Lining
@@ -16,18 +14,16 @@ from chutecalc.spec import chute_spec as model
 from chutecalc.spec.segment_names import segment_names
 
 
-def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None) -> Design:
+def build(spec: model.ChuteSpec) -> Design:
     """Return the numeric description of a chute.
 
     Args:
         spec: the checked spec; its numbers may be arrays of length 1 or n.
-        drawn_slopes: entry slopes, rad, by index of the segment, of arcs that begin tangent to a falling stream, where
-            another design has fixed them. Without one, such an arc follows the stream.
 
     Raises:
         GeometryError: All faults of geometry.
     """
-    geometry = _Geometry(spec, drawn_slopes or {})
+    geometry = _Geometry(spec)
     design = geometry.design()
     geometry.faults.raise_any()
     return design
@@ -36,9 +32,8 @@ def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None
 class _Geometry:
     """One pass through the spec, which collects faults of geometry."""
 
-    def __init__(self, spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
-        self.spec, self.drawn_slopes = spec, drawn_slopes
-        self.faults = GeometryFaults()
+    def __init__(self, spec: model.ChuteSpec) -> None:
+        self.spec, self.faults = spec, GeometryFaults()
 
     def design(self) -> Design:
         """Return the design; it is of no use if there are faults."""
@@ -73,11 +68,17 @@ class _Geometry:
         x, z = (in_si(item, "length") for item in inlet.at_m)
         if inlet.belt is None:
             return in_si(inlet.velocity_m_s, "velocity"), in_si(inlet.slope_deg, "angle"), (x, z), None
-        velocity, incline = in_si(inlet.belt.velocity_m_s, "velocity"), in_si(inlet.belt.incline_deg, "angle")
-        lower = in_si(inlet.belt.pulley_radius_m, "length") + in_si(inlet.belt.belt_thickness_m, "length")
-        middle = lower + 0.5 * in_si(inlet.belt.material_depth_m, "length")
-        leaves = discharge(velocity, incline, lower, middle, in_si(self.spec.flow.gravity_m_s2, "acceleration"))
-        belt = Belt((x, z), velocity, incline, lower, middle)
+        flow = self.spec.flow
+        volume_rate = in_si(flow.rate_t_h, "mass rate") / in_si(self.spec.material.density_kg_m3, "density")
+        belt = inlet.belt.build((x, z), volume_rate, self.faults)
+        leaves = discharge(
+            velocity=belt.velocity,
+            incline=belt.incline,
+            belt_radius=belt.lower_radius,
+            radius=belt.middle_radius,
+            gravity=in_si(flow.gravity_m_s2, "acceleration"),
+            friction=belt.friction,
+        )
         return leaves.velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
 
     def receiver(self) -> Receiver | None:
@@ -85,8 +86,13 @@ class _Geometry:
         belt = self.spec.receiver
         if belt is None:
             return None
-        friction = np.tan(in_si(belt.friction_deg, "angle"))
-        return Receiver(in_si(belt.velocity_m_s, "velocity"), in_si(belt.slope_deg, "angle"), friction)
+        return Receiver(
+            velocity=in_si(belt.velocity_m_s, "velocity"),
+            slope=in_si(belt.slope_deg, "angle"),
+            friction=np.tan(in_si(belt.friction_deg, "angle")),
+            plan_angle=in_si(belt.plan_angle_deg, "angle"),
+            at=None if belt.at_m is None else (in_si(belt.at_m[0], "length"), in_si(belt.at_m[1], "length")),
+        )
 
     def segments(self, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
         """Return the segments, each with the slopes at which it is drawn.
@@ -107,12 +113,11 @@ class _Geometry:
         built: list[Segment] = []
         for number, (name, table) in enumerate(zip(names, tables, strict=True)):
             flies = number > 0 and not tables[number - 1].guides and not falling
-            tangent = self.drawn_slopes.get(number, None if flies else slope)
             context = Context(
                 location=("segments", number),
                 name=name,
                 slope=slope,
-                tangent=tangent,
+                tangent=None if flies else slope,
                 sections=self.spec.sections,
                 drawn_sections=sections,
                 linings=linings,

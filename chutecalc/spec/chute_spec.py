@@ -6,19 +6,20 @@ from pydantic import Field
 
 from chutecalc.fields.plausible import Plausible
 from chutecalc.fields.quantities import (
-    Depth,
+    BeltSlope,
+    BeltVelocity,
     FrictionAngle,
     InternalFrictionAngle,
     Name,
     Position,
     Slope,
-    Width,
 )
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.rules import one_of
 from chutecalc.fields.table import Table
 from chutecalc.sections.registry import SHAPES, AnySection
 from chutecalc.segments.registry import KINDS, AnySegment
+from chutecalc.spec.inlet_belt import Belt
 from chutecalc.spec.limits import Limits
 from chutecalc.spec.rules import known_format, known_strength, locus_rows, names, one_inlet, placement, some_friction
 
@@ -30,12 +31,8 @@ _RATIO = Plausible(0.05, 1.0, "next to nothing", "more than all of it")
 _PRESSES = Plausible(0.005, 200.0, "less than a millimetre of material weighs", "more than any chute bears")
 _LINES = Plausible(0.0005, 0.5, "as thin as paint", "thicker than any liner")
 _WEARS = Plausible(1e-9, 1.0, "less than any liner loses", "softer than any liner")
-_CONVEYS = Plausible(0.01, 15.0, "slower than any belt", "faster than any belt")
+_TURNS = Plausible(1.0, 180.0, "no angle to speak of", "more than half a turn")
 _RUNS = Plausible(0.01, 40.0, "hardly a motion", "faster than a stream in any chute")
-_INCLINES = Plausible(0.1, 60.0, "level to the eye", "steeper than any belt")
-
-BeltVelocity = Annotated[Number, Quantity("velocity", gt=0, le=1e4, plausible=_CONVEYS)]
-BeltSlope = Annotated[Number, Quantity("angle", gt=-90, lt=90, plausible=_INCLINES)]
 
 
 class Flow(Table):
@@ -89,16 +86,6 @@ class Liner(Table):
     rules: ClassVar = (one_of("friction_deg", "yield_locus_kpa", "own_material"), locus_rows)
 
 
-class Belt(Table):
-    """The belt that the stream comes from."""
-
-    velocity_m_s: BeltVelocity = Field(description="velocity of the belt")
-    incline_deg: BeltSlope = Field(0.0, description="incline of the belt, positive uphill")
-    pulley_radius_m: Width = Field(description="radius of the head pulley")
-    belt_thickness_m: Depth = Field(0.0, description="thickness of the belt")
-    material_depth_m: Depth = Field(0.0, description="depth of the stream on the belt; the path is that of its middle")
-
-
 class Inlet(Table):
     """How the stream enters: with a velocity and a slope, or from a belt."""
 
@@ -119,6 +106,12 @@ class Receiver(Table):
     velocity_m_s: BeltVelocity = Field(description="velocity of the belt")
     slope_deg: BeltSlope = Field(0.0, description="slope of the belt, positive downhill")
     friction_deg: FrictionAngle = Field(description="friction angle of the material on the belt")
+    at_m: Position = Field(
+        None, description="x and z of a point of its surface; where the last segment ends if not given"
+    )
+    plan_angle_deg: Annotated[Number, Quantity("angle", ge=-180, le=180, plausible=_TURNS)] = Field(
+        0.0, description="angle between the headings of stream and belt, seen from above"
+    )
 
 
 class Model(Table):
@@ -128,6 +121,11 @@ class Model(Table):
         "paper",
         description="paper: the centre section bears the load that hydrostatic wall pressures do not; equilibrium: all"
         " wall pressures are scaled until they bear it",
+    )
+    steel: Literal["fixed", "follows_stream"] = Field(
+        "fixed",
+        description="fixed: the chute is drawn at the spec as written and stands still while operating keys vary;"
+        " follows_stream: what is placed by the stream moves with it",
     )
 
 
@@ -145,6 +143,9 @@ class ChuteSpec(Table):
     receiver: Receiver | None = Field(None, description="belt that the stream goes to, optional")
     limits: Limits = Field(Limits(), description="limits of findings, optional")
     segments: list[AnySegment] = Field(min_length=1, description="segments in the order in which the stream meets them")
+    cases: dict[Name, dict[str, Any]] = Field(
+        {}, description="operating states that the same steel has to serve, by name: key paths with their values"
+    )
     rules: ClassVar = (known_format, names, placement, known_strength)
     hints: ClassVar = dict.fromkeys(("spoon", "crest"), "use curve: a spoon or crest is a curve")
     choices: ClassVar = {"kind": tuple(KINDS), "shape": tuple(SHAPES)}

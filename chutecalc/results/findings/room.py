@@ -28,7 +28,7 @@ def overfull(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    fullest, closed = scene.extreme("fill", LARGEST), getattr(scene.segment.section, "closed", False)
+    fullest, closed = scene.extreme("fill", LARGEST), scene.segment.section.closed
     limit = scene.limit("max_closed_fill" if closed else "max_fill")
     what = "of the closed section" if closed else "of the height of the walls"
     template = (

@@ -15,12 +15,12 @@ from chutecalc.spec.limits import LIMITS
     "thick_stream",
     Severity.WARNING,
     summary="the stream is too deep for its width or for the radius of its surface",
-    limit=f"H > {LIMITS['max_depth_over_width'].text} b_s, H > {LIMITS['max_depth_over_radius'].text} R",
+    limit=f"H > {LIMITS['max_depth_over_width'].text} b, H > {LIMITS['max_depth_over_radius'].text} R",
     needs=[("thickness", LARGEST), ("depth_m", LARGEST)],
     foretells_failure=True,
 )
 def thick_stream(scene: Scene) -> Iterator[Case]:
-    """Find depths above the free surface's width, or above a tenth of the radius, unless other limits are given.
+    """Find depths above the stream's greatest width b, or above a tenth of the radius, unless other limits are given.
 
     Args:
         scene: the segment with the stream along it.

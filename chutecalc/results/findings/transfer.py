@@ -57,8 +57,7 @@ def hard_landing(scene: Scene) -> Iterator[Case]:
     received = scene.received
     if not received:
         return
-    name = "velocity_into_m_s" if "velocity_into_m_s" in received else "velocity_across_m_s"
-    into, pressure = received[name], received["impact_pressure_kpa"]
+    into, pressure = received["velocity_into_m_s"], received["impact_pressure_kpa"]
     fastest, greatest = scene.limit("max_velocity_into_m_s"), scene.limit("max_belt_impact_kpa")
     advice = "expect wear and damage of the belt; end the chute closer to the slope of the belt"
     template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, rule of thumb): {advice}"
