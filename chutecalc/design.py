@@ -71,6 +71,11 @@ class Contact(NamedTuple):
     """Volume that the liner loses per frictional work, m³/J, or None."""
 
     @property
+    def closed(self) -> bool:
+        """Whether it has a roof opposite to its surface, along which a stream may run too."""
+        return self.section.closed and not self.deflects
+
+    @property
     def may_end_elsewhere(self) -> bool:
         """Whether a stream that gets through may leave the chute otherwise than from the drawn end of this segment."""
         return self.deflects or self.may_be_passed
@@ -110,6 +115,11 @@ class Fall(NamedTuple):
     @property
     def deflects(self) -> bool:
         """Whether the stream only strikes it: never, as it has no surface."""
+        return False
+
+    @property
+    def closed(self) -> bool:
+        """Whether it has a roof: never."""
         return False
 
     @property

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.core import chain, floats, guide_surface, receiver, records, section, state, wall_loads
+from chutecalc.core import chain, closed, floats, guide_surface, receiver, records, section, state, wall_loads
 
 HEADER = 8
 """Number of entries of a row before those of the segments."""
@@ -37,8 +37,13 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
         if chute.full or chute.first.stream.store.full:
             chute.count, chute.first.stream.store.count = solution_count, panel_count
             return row
+        if chute.last.closed and chute.airborne and chute.status == state.OK:
+            closed.fly_to_mouth(chute, chute.last.stream.guide)
         receiver.land_on_belt(chute)
-        write_ends(chute, chute.last, chute.last.stream)
+        if chute.last.on_roof:
+            write_ends(chute, chute.last, chute.last.roof)
+        else:
+            write_ends(chute, chute.last, chute.last.stream)
         if chute.status == state.UNSOLVED:
             return row
         row += 1
@@ -56,7 +61,8 @@ def write_ends(chute: "records.ChuteState", last: "records.Segment", stream: "st
     if chute.status == state.FAULT:
         chute.faults += 1
         chute.ends[4, row], chute.ends[6, row] = chute.fault_number, chute.fault_slope
-    y = floats.NAN if chute.status != state.OK or last.fall else stream.y
+    in_air = last.fall or (last.closed and chute.airborne)
+    y = floats.NAN if chute.status != state.OK or in_air else stream.y
     if chute.with_stream_section:
         wall_loads.write_stream_section(stream.guide, stream.share, y, 0, row, chute.stream_section)
     if chute.with_wall_loads:
@@ -75,6 +81,8 @@ def read_segments(chute: "records.ChuteState", segment: "records.Segment", numbe
         segment.entry_slope, segment.exit_slope = float(numbers[row, at + 2]), float(numbers[row, at + 3])
         segment.radius, segment.length = float(numbers[row, at + 4]), float(numbers[row, at + 5])
     segment.start_x, segment.start_z = float(numbers[row, at]), float(numbers[row, at + 1])
+    if segment.closed:
+        read_guide(segment.roof.guide, numbers, row, at + 6)
     at = at + 4 if segment.fall else read_guide(segment.stream.guide, numbers, row, at + 6)
     if segment.final:
         chute.belt_x, chute.belt_z = float(numbers[row, at]), float(numbers[row, at + 1])
@@ -95,12 +103,11 @@ def read_guide(guide: "guide_surface.Guide", numbers: Any, row: int, at: int) ->
     return read_section(guide.last, numbers, row, at) if guide.taper else at
 
 
-def restore_guide(
-    guide: "guide_surface.Guide", numbers: Any, row: int, at: int, slope: float, turn: float, length: float
-) -> None:
-    """Set a segment to what it was when it was solved."""
+def restore_guide(guide: "guide_surface.Guide", numbers: Any, row: int, at: int, surface: Any) -> None:
+    """Set a surface to what it was when the stream on it was solved: its entry slope, turn, length and side."""
     read_guide(guide, numbers, row, at)
-    guide.entry_slope, guide.turn, guide.length = slope, turn, length
+    guide.entry_slope, guide.turn = float(surface[0]), float(surface[1])
+    guide.length, guide.side = float(surface[2]), float(surface[3])
     guide_surface.set_constants(guide)
 
 

@@ -7,13 +7,14 @@ are placed but not solved.
 
 import math
 
-from chutecalc.core import contact, fall, placement, records, state, surface
+from chutecalc.core import closed, contact, fall, placement, records, state, surface
 
 
 def start_at_inlet(chute: "records.ChuteState") -> None:
     """Put the stream at the inlet; a stream at rest points straight down."""
     records.copy_point(chute.current, chute.inlet)
     chute.status, chute.airborne, chute.already_landed, chute.strikes = state.OK, False, False, 0
+    chute.on_roof = False
     if not chute.inlet.velocity > 0.0:
         chute.current.slope = 0.5 * math.pi
     chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
@@ -32,9 +33,11 @@ def solve_from(chute: "records.ChuteState", options: "state.SolverOptions", segm
     else:
         if not chute.already_landed:
             placement.place_segment(chute, segment, segment.stream.guide)
-        contact.solve_contact(chute, options, segment, segment.stream, 0)
+            closed.choose_surface(chute, segment, 0, 0)
+        contact.solve_contact(chute, options, segment, segment.roots)
         contact.solve_restrikes(chute, options, segment)
         chute.strikes = 0
+        chute.on_roof = segment.on_roof and not chute.airborne
         if not segment.final:
             chute.drawn_x, chute.drawn_z = surface.point(segment.stream.guide, 1.0)
             chute.drawn_x_error, chute.drawn_z_error = (
@@ -48,7 +51,7 @@ def solve_from(chute: "records.ChuteState", options: "state.SolverOptions", segm
 def save_start(chute: "records.ChuteState") -> None:
     """Save the state of the stream where the designs of a batch begin to differ."""
     records.copy_point(chute.saved, chute.current)
-    chute.saved_status, chute.saved_airborne = chute.status, chute.airborne
+    chute.saved_status, chute.saved_airborne, chute.saved_on_roof = chute.status, chute.airborne, chute.on_roof
     chute.saved_x, chute.saved_z = chute.drawn_x, chute.drawn_z
     chute.saved_x_error, chute.saved_z_error = chute.drawn_x_error, chute.drawn_z_error
     chute.saved_error = chute.error
@@ -63,6 +66,7 @@ def restore_start(chute: "records.ChuteState") -> None:
         False,
         0,
     )
+    chute.on_roof = chute.saved_on_roof
     chute.drawn_x, chute.drawn_z = chute.saved_x, chute.saved_z
     chute.drawn_x_error, chute.drawn_z_error = chute.saved_x_error, chute.saved_z_error
     chute.error = chute.saved_error

@@ -3,6 +3,7 @@
 import math
 
 from chutecalc.core import (
+    closed,
     flight,
     floats,
     friction,
@@ -19,13 +20,23 @@ MAX_STRIKES = 50  # on one segment; a bound, so that no input can hang
 
 
 def solve_contact(
+    chute: "records.ChuteState", options: "state.SolverOptions", segment: "records.Segment", known_roots: int
+) -> None:
+    """Solve a contact segment on the surface that is met: arrival, motion along it, and departure."""
+    if segment.on_roof:
+        solve_surface(chute, options, segment, segment.roof, known_roots)
+    else:
+        solve_surface(chute, options, segment, segment.stream, known_roots)
+
+
+def solve_surface(
     chute: "records.ChuteState",
     options: "state.SolverOptions",
     segment: "records.Segment",
     stream: "state.Stream",
     known_roots: int,
 ) -> None:
-    """Solve a contact segment: arrival, motion along it, and departure."""
+    """Solve the stream on one surface of a segment."""
     records.copy_point(chute.start, chute.current)
     chute.segment_status, chute.flight_time = state.NOT_REACHED, floats.NAN
     stream.attempts, stream.choke_share, segment.error_sign = 0, floats.NAN, 1.0
@@ -42,8 +53,9 @@ def solve_contact(
         joint.meet_segment(chute, segment, stream.guide, known_roots)
     chute.flight_time = chute.arrival.time
     if chute.arrival.status > state.STALL:
+        passes = chute.arrival.status == state.PASSED  # inside a pipe
         chute.arrival.status = state.MISSED
-        if segment.may_be_passed and (not segment.final or chute.belt_x == chute.belt_x):  # caught later
+        if passes or (segment.may_be_passed and (not segment.final or chute.belt_x == chute.belt_x)):  # caught later
             chute.arrival.status = state.PASSED
     chute.segment_status = chute.arrival.status
     if chute.arrival.status > state.STALL:
@@ -72,7 +84,8 @@ def solve_contact(
     records.copy_point(chute.current, chute.end)
     chute.status, chute.airborne = chute.segment_status, False
     solution_rows.write_solution(chute, segment, stream, stream.store.count - before)
-    if chute.segment_status == state.CONTACT_LOST and (not segment.final or chute.belt_x == chute.belt_x):
+    goes_on = segment.closed or not segment.final or chute.belt_x == chute.belt_x
+    if chute.segment_status == state.CONTACT_LOST and goes_on:
         chute.status = state.OK
         chute.airborne = True
     elif segment.plate and chute.segment_status == state.OK:
@@ -142,11 +155,17 @@ def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions",
         if segment.plate or chute.segment_status != state.CONTACT_LOST:
             return
         status, airborne, before, sign = chute.status, chute.airborne, chute.count, segment.error_sign
+        on_roof = segment.on_roof
         chute.status, chute.airborne = state.OK, True
         chute.strikes += 1
-        solve_contact(chute, options, segment, segment.stream, 2)
+        if segment.on_roof:
+            closed.choose_surface(chute, segment, 0, 2)
+        else:
+            closed.choose_surface(chute, segment, 2, 0)
+        solve_contact(chute, options, segment, segment.roots)
         if chute.segment_status >= state.MISSED:  # not caught: undo the attempt
             chute.count = before
             chute.status, chute.airborne = status, airborne
             records.copy_point(chute.current, chute.start)
             chute.segment_status, segment.error_sign = state.NOT_REACHED, sign
+            segment.on_roof = on_roof

@@ -25,9 +25,7 @@ def critical_velocities(
         out: v_c, m/s.
     """
     for design in range(shares.shape[1]):
-        batch.restore_guide(
-            guide, numbers, design, start, surfaces[design, 0], surfaces[design, 1], surfaces[design, 2]
-        )
+        batch.restore_guide(guide, numbers, design, start, surfaces[design])
         for row in range(shares.shape[0]):
             out[row, design] = critical_velocity(guide, shares[row, design], velocities[row, design])
 

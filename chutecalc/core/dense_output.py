@@ -85,13 +85,11 @@ def times(
     Args:
         stream, numbers: as the panels were solved with, see :func:`chutecalc.core.batch.solve_rows`.
         start: offset of the segment's wall in a row.
-        surfaces: entry slope, turn and length of the segment, a row for each design.
+        surfaces: entry slope, turn, length and side of the surface, a row for each design.
         panels, first, count, rules, shares, out: as in :func:`velocities_squared`.
     """
     for design in range(len(first)):
-        batch.restore_guide(
-            stream.guide, numbers, design, start, surfaces[design, 0], surfaces[design, 1], surfaces[design, 2]
-        )
+        batch.restore_guide(stream.guide, numbers, design, start, surfaces[design])
         elapsed = 0.0
         for number in range(first[design], first[design] + count[design]):
             at = state.PANEL_SIZE * number

@@ -1,4 +1,4 @@
-from chutecalc.core cimport flight, floats, guide_surface, joint, placement, records, solution_rows, state
+from chutecalc.core cimport closed, flight, floats, guide_surface, joint, placement, records, solution_rows, state
 
 cdef double MAX_FALL
 

@@ -1,6 +1,6 @@
 """Solve a free fall: to a level, to a distance, or onto the next segment."""
 
-from chutecalc.core import flight, floats, guide_surface, joint, placement, records, solution_rows, state
+from chutecalc.core import closed, flight, floats, guide_surface, joint, placement, records, solution_rows, state
 
 MAX_FALL = 1e5  # m, as for every length: a longer fall has missed its target
 
@@ -51,7 +51,7 @@ def fall_to_level(chute: "records.ChuteState", segment: "records.Segment") -> No
         flight.shift_error(chute.flight, later, chute.end)
     records.copy_point(chute.entry, chute.end)
     records.copy_point(chute.current, chute.end)
-    chute.airborne = False
+    chute.airborne = chute.on_roof = False
     solution_rows.write_solution(chute, segment, segment.stream, 0)
 
 
@@ -77,7 +77,12 @@ def fall_onto_next(
     placement.place_segment(chute, next_segment, guide)
     if chute.status != state.OK:
         return
-    joint.meet_segment(chute, next_segment, guide, 0)
+    closed.choose_surface(chute, next_segment, 0, 0)
+    if not chute.already_landed:
+        if next_segment.on_roof:
+            joint.meet_segment(chute, next_segment, next_segment.roof.guide, next_segment.roots)
+        else:
+            joint.meet_segment(chute, next_segment, guide, next_segment.roots)
     chute.already_landed = True
     records.clear_point(chute.end)
     if chute.arrival.status <= state.STALL:

@@ -76,7 +76,7 @@ def through_start(chute: "records.ChuteState", guide: "guide_surface.Guide") -> 
 
 def miss_segment(chute: "records.ChuteState", guide: "guide_surface.Guide") -> None:
     """Write the arrival of a flight that does not meet the segment."""
-    chute.arrival.gap = surface.gap_at_end(guide, chute.flight)
+    chute.arrival.gap = surface.gap_at(guide, chute.flight, 1.0)
     chute.arrival.status = state.MISSED
     chute.arrival.distance = chute.arrival.velocity = chute.arrival.incidence = floats.NAN
     chute.arrival.error = chute.arrival.share_error = floats.NAN

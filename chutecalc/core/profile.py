@@ -28,15 +28,13 @@ def tabulate_stream_section(
         guide: a record of the segment's layout.
         numbers: rows of all designs, as they were solved with.
         start: offset of the segment's wall in a row.
-        surfaces: entry slope, turn and length of the segment, a row each.
+        surfaces: entry slope, turn, length and side of the surface, a row each.
         shares: shares of the segment's length.
         velocities_squared: v² there, m²/s².
         out: seven tables.
     """
     for design in range(shares.shape[1]):
-        batch.restore_guide(
-            guide, numbers, design, start, surfaces[design, 0], surfaces[design, 1], surfaces[design, 2]
-        )
+        batch.restore_guide(guide, numbers, design, start, surfaces[design])
         for row in range(shares.shape[0]):
             wall_loads.write_stream_section(
                 guide, shares[row, design], velocities_squared[row, design], row, design, out
@@ -59,9 +57,7 @@ def tabulate_wall_loads(
         out: eight tables.
     """
     for design in range(shares.shape[1]):
-        batch.restore_guide(
-            guide, numbers, design, start, surfaces[design, 0], surfaces[design, 1], surfaces[design, 2]
-        )
+        batch.restore_guide(guide, numbers, design, start, surfaces[design])
         for row in range(shares.shape[0]):
             wall_loads.write_wall_loads(guide, shares[row, design], velocities_squared[row, design], row, design, out)
 

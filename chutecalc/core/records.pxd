@@ -23,8 +23,9 @@ cdef class Arrival:
 @cython.final
 cdef class Segment:
     cdef public int number
-    cdef public bint final, fall, plate, may_be_passed
-    cdef public state.Stream stream
+    cdef public bint final, fall, plate, closed, on_roof, may_be_passed
+    cdef public int roots
+    cdef public state.Stream stream, roof
     cdef public Segment next
     cdef public double drop, run, start_x, start_z, entry_slope, exit_slope, radius, length
     cdef public double start_x_error, start_z_error, slope_error, arc_x_error, arc_z_error, error_sign
@@ -38,7 +39,7 @@ cdef class ChuteState:
     cdef public Impact impact, perturbed
     cdef public quartic.Quartic clearance
     cdef public int saved_status, status, segment_status, strikes, fault_number, faults, row, capacity, count
-    cdef public bint saved_airborne, airborne, already_landed, full
+    cdef public bint saved_airborne, saved_on_roof, airborne, on_roof, already_landed, full
     cdef public double error, saved_error, saved_x, saved_z, saved_x_error, saved_z_error, gravity, drawn_x, drawn_z, drawn_x_error, drawn_z_error, fault_slope, flight_time, belt_x, belt_z, belt_slope
     cdef public double[::1] solutions
     cdef public double[:, ::1] ends

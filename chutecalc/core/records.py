@@ -63,6 +63,14 @@ class Segment:
         """State of the stream on it, with its numbers; a fall has another segment's and does not use it."""
         self.next = self if next_segment is None else next_segment
         self.fall = self.plate = False
+        self.closed = False
+        """Whether its section is closed: opposite to the surface that is drawn lies another one, its roof."""
+        self.roof = stream
+        """State of the stream on that surface; ``stream`` itself where there is none."""
+        self.on_roof = False
+        """Whether the stream is met there, or was last."""
+        self.roots = 0
+        """Known roots at time 0 of the flight to the surface that is met next."""
         self.may_be_passed = False
         """Whether a stream that passes it without touching it flies on; otherwise the chute fails there."""
         self.drop = self.run = floats.NAN
@@ -98,6 +106,8 @@ class ChuteState:
         self.clearance = quartic.Quartic()
         self.gravity = 0.0
         self.status = 0
+        self.on_roof = False
+        """Whether the stream is at the end of the roof of the segment before it."""
         self.airborne = False
         """Whether the stream flies, and is not at the drawn end of the segment that it came from."""
         self.already_landed = False
@@ -108,7 +118,7 @@ class ChuteState:
         """Slope of a stream that a curve cannot be tangent to, rad; number of that curve; and how many designs have
         one."""
         self.saved = Point()
-        self.saved_status, self.saved_airborne = 0, False
+        self.saved_status, self.saved_airborne, self.saved_on_roof = 0, False, False
         self.error = self.saved_error = 0.0
         """Error on the last segment that the stream touched: of the velocity, relative, or after a stall of the
         share."""
@@ -142,13 +152,13 @@ FIELDS = (
     *(f"{at}_{name}" for at in ("start", "entry", "exit") for name in (
         "distance", "x", "z", "slope", "velocity", "error", "x_error", "z_error", "slope_error")),
     *("path_x", "path_z", "path_forward", "path_downward", "path_gravity", "flight_time"),
-    *("surface_x", "surface_z", "surface_slope", "surface_turn", "surface_length"),
+    *("surface_x", "surface_z", "surface_slope", "surface_turn", "surface_length", "surface_side"),
     *("distance", "share", "velocity", "incidence", "gap", "arrival_status"),
     *("footprint", "pressure", "stress", "wall_friction", "friction", "velocity_after", "wear"),
     *("end_share", "end_velocity_squared", "beyond_share", "beyond_status", "attempts", "panels"),
 )  # fmt: skip
 """Numbers of a segment's solution, in order. ``end_velocity_squared`` is v² where the segment's solution ends."""
-SOLUTION_SIZE = 61
+SOLUTION_SIZE = 62
 SOLUTION_NUMBERS = SOLUTION_SIZE  # for Python; the other is a C constant if compiled
 
 

@@ -28,19 +28,19 @@ def write_solution(
     chute.solutions[at + 36] = chute.flight_time
     chute.solutions[at + 37], chute.solutions[at + 38] = stream.guide.x, stream.guide.z
     chute.solutions[at + 39], chute.solutions[at + 40] = stream.guide.entry_slope, stream.guide.turn
-    chute.solutions[at + 41] = stream.guide.length
-    chute.solutions[at + 42], chute.solutions[at + 43] = chute.arrival.distance, chute.arrival.share
-    chute.solutions[at + 44], chute.solutions[at + 45] = chute.arrival.velocity, chute.arrival.incidence
-    chute.solutions[at + 46], chute.solutions[at + 47] = chute.arrival.gap, chute.arrival.status
-    chute.solutions[at + 48], chute.solutions[at + 49] = chute.impact.footprint, chute.impact.pressure
-    chute.solutions[at + 50], chute.solutions[at + 51] = chute.impact.stress, chute.impact.wall_friction
-    chute.solutions[at + 52], chute.solutions[at + 53] = chute.impact.friction, chute.impact.velocity_after
-    chute.solutions[at + 54] = chute.impact.wear
+    chute.solutions[at + 41], chute.solutions[at + 42] = stream.guide.length, stream.guide.side
+    chute.solutions[at + 43], chute.solutions[at + 44] = chute.arrival.distance, chute.arrival.share
+    chute.solutions[at + 45], chute.solutions[at + 46] = chute.arrival.velocity, chute.arrival.incidence
+    chute.solutions[at + 47], chute.solutions[at + 48] = chute.arrival.gap, chute.arrival.status
+    chute.solutions[at + 49], chute.solutions[at + 50] = chute.impact.footprint, chute.impact.pressure
+    chute.solutions[at + 51], chute.solutions[at + 52] = chute.impact.stress, chute.impact.wall_friction
+    chute.solutions[at + 53], chute.solutions[at + 54] = chute.impact.friction, chute.impact.velocity_after
+    chute.solutions[at + 55] = chute.impact.wear
     choked = stream.choke_share == stream.choke_share
-    chute.solutions[at + 55] = stream.choke_share if choked else stream.share
-    chute.solutions[at + 56] = stream.choke_y if choked else stream.y
-    chute.solutions[at + 57] = stream.share if choked else floats.NAN
-    chute.solutions[at + 58], chute.solutions[at + 59], chute.solutions[at + 60] = (
+    chute.solutions[at + 56] = stream.choke_share if choked else stream.share
+    chute.solutions[at + 57] = stream.choke_y if choked else stream.y
+    chute.solutions[at + 58] = stream.share if choked else floats.NAN
+    chute.solutions[at + 59], chute.solutions[at + 60], chute.solutions[at + 61] = (
         stream.status,
         stream.attempts,
         panel_count,

@@ -7,4 +7,5 @@ cdef (double, double) point(guide_surface.Guide guide, double share) noexcept no
 cdef (double, double, double) land(guide_surface.Guide guide, records.Flight path, quartic.Quartic curve, int known_roots) noexcept nogil
 cdef void clearance(guide_surface.Guide guide, records.Flight path, quartic.Quartic curve) noexcept nogil
 cdef (double, double) foot(guide_surface.Guide guide, records.Flight path, double time) noexcept nogil
-cdef double gap_at_end(guide_surface.Guide guide, records.Flight path) noexcept nogil
+cdef double crossing_time(guide_surface.Guide guide, records.Flight path, double share) noexcept nogil
+cdef double gap_at(guide_surface.Guide guide, records.Flight path, double share) noexcept nogil

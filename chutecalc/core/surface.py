@@ -72,19 +72,31 @@ def foot(guide: "guide_surface.Guide", path: "records.Flight", time: float) -> t
     return (slope - guide.entry_slope) / guide.turn, slope
 
 
-def gap_at_end(guide: "guide_surface.Guide", path: "records.Flight") -> float:
-    """Return how far from the surface's end the flight crosses the normal there, m.
+def crossing_time(guide: "guide_surface.Guide", path: "records.Flight", share: float) -> float:
+    """Return when a flight crosses the normal of a surface at a share of its length, s; NaN if it does not.
 
-    It is positive on the stream's side.
+    A flight that begins on the normal, but for rounding, crosses it there.
     """
-    slope = guide.entry_slope + guide.turn
-    x_end, z_end = point(guide, 1.0)
+    slope = guide.entry_slope + guide.turn * share
+    x, z = point(guide, share)
     sine, cosine = math.sin(slope), math.cos(slope)
-    start = (path.x - x_end) * cosine - (path.z - z_end) * sine  # along the surface, from its end
+    start = (path.x - x) * cosine - (path.z - z) * sine  # along the surface
+    if math.fabs(start) <= END_TOLERANCE * guide.length:
+        start = 0.0
     speed = path.forward * cosine + path.downward * sine
     pull = 0.5 * path.gravity * sine
     root = floats.root(speed * speed - 4.0 * pull * start)
     time = floats.quotient(-2.0 * start, speed + root)
-    if not time >= 0.0:
-        return floats.NAN
-    return guide.side * ((flight.x_at(path, time) - x_end) * sine + (flight.z_at(path, time) - z_end) * cosine)
+    return time if time >= 0.0 else floats.NAN
+
+
+def gap_at(guide: "guide_surface.Guide", path: "records.Flight", share: float) -> float:
+    """Return how far from the surface a flight crosses the normal at a share of its length, m; NaN if it does not.
+
+    It is positive on the stream's side.
+    """
+    time = crossing_time(guide, path, share)
+    slope = guide.entry_slope + guide.turn * share
+    x, z = point(guide, share)
+    sine, cosine = math.sin(slope), math.cos(slope)
+    return guide.side * ((flight.x_at(path, time) - x) * sine + (flight.z_at(path, time) - z) * cosine)

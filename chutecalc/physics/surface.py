@@ -10,7 +10,7 @@ from chutecalc.physics.arrays import Array
 class Surface(NamedTuple):
     """A straight or an arc that starts at (x, z), arrays of shape (1,) or (designs,)."""
 
-    side: float
+    side: Array | float
     """σ: 1 for a floor, which the stream meets from above, -1 for a roof, which it meets from below."""
     x: Array
     """Horizontal position of the start, m."""

@@ -62,8 +62,7 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
     """
     if design.segments[-1].may_end_elsewhere:
         segment_solutions, ends = run_chain(design, rtol, dense_output=False)
-        status_numbers = stretched(ends.status, (count,))
-        found = Trajectory(design, segment_solutions, status_numbers, count).exit_columns(names)
+        found = Trajectory(design, segment_solutions, ends, count).exit_columns(names)
     else:
         ends = run_ends(layout_of(design), design_rows(design), rtol, *exit_needs(names))
         found = at_exit(design, ends, names)

@@ -66,9 +66,7 @@ class SolvedChute:
         self.error_estimate: Array = stretched(ends.error, (chute.count,))
         """Estimated relative error of the last velocity, shape (designs,); after a stall that of its position, as a
         share of the segment's length."""
-        self.trajectory = Trajectory(
-            chute.design, segment_solutions, stretched(ends.status, (chute.count,)), chute.count
-        )
+        self.trajectory = Trajectory(chute.design, segment_solutions, ends, chute.count)
         """The solved trajectory, part by part, for programs that extend chutecalc."""
 
     @cached_property

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Design, Status, stretched
-from chutecalc.physics.arrays import Array, Index, Numbers
+from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
 from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge
@@ -19,7 +19,7 @@ from chutecalc.results.loads import loads_of, relative_to_first
 from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
-from chutecalc.solver.segment_solution import Point, SegmentSolution
+from chutecalc.solver.segment_solution import Ends, SegmentSolution
 
 EXTREMES = [*dict.fromkeys([*((name, sign) for name in REPORTED for sign in (LEAST, LARGEST)), *NEEDED])]
 """The extremes of each part that are reported or that criteria need."""
@@ -30,19 +30,18 @@ SAMPLED = [*dict.fromkeys([*NUMERIC, *(name for name, _ in NEEDED)])]
 class Trajectory:
     """The trajectories of n designs, in parts: the spec's segments, each behind the flight that leads to it."""
 
-    def __init__(
-        self, design: Design, segment_solutions: Sequence[SegmentSolution], status_numbers: Index, count: int
-    ) -> None:
+    def __init__(self, design: Design, segment_solutions: Sequence[SegmentSolution], ends: Ends, count: int) -> None:
         """Take the solved segments of the designs.
 
         Args:
             design: the numeric description of the chutes.
             segment_solutions: the solved segments in the order in which the stream meets them.
-            status_numbers: number of how each design ends, see :class:`~chutecalc.design.Status`, shape (designs,).
+            ends: how the designs end.
             count: number of designs.
         """
         self.design, self.segment_solutions = design, tuple(segment_solutions)
-        self.status_numbers, self.count = status_numbers, count
+        self.ends, self.count = ends, count
+        self.status_numbers: Index = stretched(ends.status, (count,))
 
     def __repr__(self) -> str:
         """Return the parts.
@@ -129,6 +128,9 @@ class Trajectory:
         for part in reversed(self.parts):  # one that was left and struck again, or may be passed, is not the only last
             if part.is_flight:
                 continue
+            if part.segment.closed:  # out of its mouth, without touching it again
+                through = open_ & np.isin(part.solved.status, (Status.PASSED, Status.CONTACT_LOST))
+                found, open_ = self._from_air(found, through), open_ & ~through
             here = open_ & np.isin(part.solved.status, (Status.OK, Status.CONTACT_LOST))
             if here.any():
                 ends, open_ = part.at(np.ones(1), names), open_ & ~here
@@ -136,8 +138,19 @@ class Trajectory:
             if not open_.any():
                 return found
         # What is left is the inlet, for a stream that flies past all segments onto its belt.
-        inlet = _at_inlet(self.segment_solutions[0].start)
-        return found | {name: np.where(open_, inlet[name], found[name]) for name in names if name in inlet}
+        return self._from_air(found, open_)
+
+    def _from_air(self, found: Numbers, chosen: Mask) -> Numbers:
+        """Return columns at the end of the chute with those of designs that leave it in the air: what exists there."""
+        ends = self.ends
+        known = {
+            "s_m": ends.distance,
+            "x_m": ends.x,
+            "z_m": ends.z,
+            "slope_deg": np.degrees(ends.slope),
+            "velocity_m_s": ends.velocity,
+        }
+        return found | {name: np.where(chosen, known[name], values) for name, values in found.items() if name in known}
 
     def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """Return least or largest values of columns on all guiding surfaces together.
@@ -182,14 +195,3 @@ class Trajectory:
             impact={name: whole(values) for name, values in impact.items()},
             loads={name: whole(values) for name, values in loads_of(part, duration, maximum, impact).items()},
         )
-
-
-def _at_inlet(start: Point) -> Numbers:
-    """Return the columns of a stream that has touched nothing yet."""
-    return {
-        "s_m": start.distance,
-        "x_m": start.x,
-        "z_m": start.z,
-        "slope_deg": np.degrees(start.slope),
-        "velocity_m_s": start.velocity,
-    }

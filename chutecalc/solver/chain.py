@@ -239,7 +239,7 @@ class Chain:
 
     def _contact(self, number: int, contact: Contact, table: Array, first: Index) -> ContactSolution:
         """Return what the segment's solution has along a guiding surface."""
-        surfaces = np.ascontiguousarray(field_rows(table, "surface_slope", 3).T)
+        surfaces = np.ascontiguousarray(field_rows(table, "surface_slope", 4).T)
         guide_rows = GuideRows(
             layout=self.layout[number],
             rows=self.numbers[: len(surfaces)],

@@ -21,6 +21,7 @@ class SegmentLayout(NamedTuple):
     fall: bool
     plate: bool = False
     may_be_passed: bool = False
+    closed: bool = False
     side: float = 1.0
     equilibrium: bool = False
     pieces: int = 1
@@ -52,6 +53,7 @@ def _segment_layout(contact: Contact, design: Design) -> SegmentLayout:
         fall=False,
         plate=contact.deflects,
         may_be_passed=contact.may_be_passed,
+        closed=contact.closed,
         side=contact.side,
         equilibrium=design.equilibrium,
         pieces=len(contact.wall.starts),
@@ -104,7 +106,10 @@ def _make_chute_state(layout: ChuteLayout) -> records.ChuteState:
         stream = stream if segment_layout.fall else state.Stream(_make_guide(segment_layout), store)
         segment = records.Segment(number, last=next_segment is None, stream=stream, next_segment=next_segment)
         segment.fall, segment.plate = segment_layout.fall, segment_layout.plate
-        segment.may_be_passed = segment_layout.may_be_passed
+        segment.may_be_passed, segment.closed = segment_layout.may_be_passed, segment_layout.closed
+        if segment.closed:
+            segment.roof = state.Stream(_make_guide(segment_layout), store)
+            segment.roof.guide.side = -segment_layout.side
         next_segment, last = segment, last or segment
     assert next_segment is not None
     assert last is not None

@@ -21,7 +21,7 @@ class GuideRows(NamedTuple):
     offset: int
     """Offset of the segment's own numbers in a row, its wall first."""
     surfaces: Array
-    """Entry slope, rad, turn, rad, and length, m, of the segment, shape (designs, 3)."""
+    """Entry slope, rad, turn, rad, length, m, and side of the surface, shape (designs, 4)."""
 
     def broadcast(self, count: int) -> "GuideRows":
         """Return the rows of ``count`` designs, where one stands for all of them.

@@ -100,7 +100,7 @@ class ContactSolution:
     @cached_property
     def surface(self) -> Surface:
         """The guiding surface as placed."""
-        return Surface(self.segment.side, *field_rows(self.table, "surface_x", 5))
+        return Surface(self.table[FIELD["surface_side"]], *field_rows(self.table, "surface_x", 5))
 
     @cached_property
     def arrival(self) -> Arrival:

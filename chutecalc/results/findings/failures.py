@@ -99,7 +99,8 @@ def choke(scene: Scene) -> Iterator[Case]:
     "contact_lost",
     Severity.FAILURE,
     Severity.WARNING,
-    summary="the stream leaves its surface; a warning where a later segment may catch it",
+    Severity.NOTE,
+    summary="the stream leaves its surface; a warning where a later segment may catch it, a note inside a pipe",
     limit="n = 0",
 )
 def contact_lost(scene: Scene) -> Iterator[Case]:
@@ -112,6 +113,14 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
         return
     solved, surface = scene.solved, scene.contact.surface
     lost = solved.status == Status.CONTACT_LOST
+    if scene.segment.closed:
+        template = (
+            "the stream leaves the wall at {velocity_m_s}, at a slope of {slope_deg}, and crosses the closed section to"
+            " the other side"
+        )
+        crossing = {"velocity_m_s": solved.exit.velocity, "slope_deg": np.degrees(solved.exit.slope)}
+        yield Case(lost, solved.exit.distance, template, crossing, Severity.NOTE)
+        return
     weight = scene.design.gravity * np.cos(solved.exit.slope)
     numbers = {
         "velocity_m_s": solved.exit.velocity,
@@ -123,7 +132,7 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
         "the stream leaves the surface at {velocity_m_s}, at a slope of {slope_deg}: there it would keep contact at "
         + (
             "{balance_m_s} or more, or under a hood with a radius of {radius_m} or less"
-            if surface.side == ROOF
+            if scene.segment.side == ROOF
             else "{balance_m_s} or less, or on a radius of {radius_m} or more"
         )
     )

@@ -35,6 +35,8 @@ def passed_by(scene: Scene) -> Iterator[Case]:
     )
     yield Case((solved.status == Status.MISSED) & (gap > 0.0), s, template, numbers)
     template = "the stream comes at {velocity_m_s} and a slope of {slope_deg} and flies past the segment, as it may"
+    if scene.segment.closed:
+        template = "the stream comes at {velocity_m_s} and a slope of {slope_deg} and flies through without touching it"
     yield Case(solved.status == Status.PASSED, s, template, numbers, Severity.NOTE)
 
 

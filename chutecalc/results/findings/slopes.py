@@ -79,7 +79,7 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
         scene: the segment with the stream along it.
     """
     surface = scene.contact.surface
-    if not (scene.last_surface and surface.side == FLOOR):
+    if not (scene.last_surface and scene.segment.side == FLOOR):
         return
     margin = scene.limit("min_cut_off_margin_deg")
     needed = np.degrees(np.arctan(scene.sampled.columns["equivalent_friction"][-1])) + margin

@@ -1,0 +1,104 @@
+"""Closed sections: a segment with a roof opposite to the surface that is drawn, and which of both a stream meets.
+
+The roof is parallel to the drawn surface at the height of the section. The stream on it is that on a hood, with the
+section turned over.
+"""
+
+import math
+
+from chutecalc.core import flight, floats, guide_surface, joint, records, state, surface
+
+
+def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_roots: int, roof_roots: int) -> None:
+    """Choose the surface of a segment that the stream meets first, and set ``on_roof`` and ``roots``.
+
+    A stream that does not come in through the mouth has missed the segment; one that touches neither surface flies
+    through it.
+
+    Args:
+        chute: a stream in motion.
+        segment: as placed.
+        own_roots, roof_roots: how many roots at time 0 of the flight lie on the drawn surface, and on the roof.
+    """
+    inside = own_roots > 0 or roof_roots > 0
+    segment.on_roof, segment.roots = False, own_roots
+    if not segment.closed or chute.status != state.OK:
+        chute.airborne = chute.airborne or chute.on_roof  # what ran on a roof falls onto an open chute
+        return
+    if not inside:
+        place_roof(segment, segment.stream.guide, segment.roof.guide)
+    if not chute.airborne and chute.on_roof:
+        chute.airborne = not meets_roof(chute, segment.roof.guide)
+        segment.on_roof = not chute.airborne
+        if segment.on_roof and runs_on(chute, segment.roof.guide):
+            return
+        roof_roots = 1 if segment.on_roof else 0
+    elif not chute.airborne:
+        if runs_on(chute, segment.stream.guide):
+            return
+        own_roots = 1
+    flight.launch(chute.flight, chute.current, chute.gravity)
+    if chute.airborne and not inside and joint.through_start(chute, segment.stream.guide) >= 0.0:
+        return
+    chute.airborne, segment.on_roof = True, False
+    if not inside and not enters(chute, segment.stream.guide):
+        leave_out(chute, segment, state.MISSED)
+        return
+    own, _, _ = surface.land(segment.stream.guide, chute.flight, chute.clearance, own_roots)
+    roof, _, _ = surface.land(segment.roof.guide, chute.flight, chute.clearance, roof_roots)
+    segment.on_roof = roof < own or own != own
+    segment.roots = roof_roots if segment.on_roof else own_roots
+    if own != own and roof != roof:
+        leave_out(chute, segment, state.PASSED)
+
+
+def place_roof(segment: "records.Segment", own: "guide_surface.Guide", roof: "guide_surface.Guide") -> None:
+    """Place the roof opposite to the drawn surface: an arc about the same centre, or a line between its two ends."""
+    height, last = own.side * own.first.wall_height, own.side * own.last.wall_height
+    sine, cosine = math.sin(own.entry_slope), math.cos(own.entry_slope)
+    roof.x, roof.z = own.x + height * sine, own.z + height * cosine
+    roof.entry_slope, roof.turn = own.entry_slope, own.turn
+    roof.length = own.length + own.turn * height
+    if last != height:  # a straight that tapers
+        roof.entry_slope = own.entry_slope - math.atan2(last - height, own.length)
+        roof.length = math.hypot(last - height, own.length)
+    guide_surface.set_constants(roof)
+
+
+def runs_on(chute: "records.ChuteState", guide: "guide_surface.Guide") -> bool:
+    """Return whether a stream at the start of a surface goes along it or into it."""
+    return guide.side * (chute.current.slope - guide.entry_slope) >= -joint.TANGENT
+
+
+def meets_roof(chute: "records.ChuteState", roof: "guide_surface.Guide") -> bool:
+    """Return whether a stream that ends on a roof is where this one begins."""
+    return math.hypot(chute.current.x - roof.x, chute.current.z - roof.z) <= MOUTH_TOLERANCE
+
+
+def enters(chute: "records.ChuteState", own: "guide_surface.Guide") -> bool:
+    """Return whether a flight comes in through the mouth, between the drawn surface and the roof."""
+    gap = surface.gap_at(own, chute.flight, 0.0)
+    return gap >= -MOUTH_TOLERANCE and gap <= own.first.wall_height + MOUTH_TOLERANCE
+
+
+def leave_out(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:
+    """Write the arrival of a flight that touches neither surface."""
+    joint.miss_segment(chute, segment.stream.guide)
+    chute.arrival.status = status
+    chute.arrival.time = floats.NAN
+    chute.already_landed = True
+
+
+def fly_to_mouth(chute: "records.ChuteState", own: "guide_surface.Guide") -> None:
+    """Carry a stream that flies inside the last segment on to the mouth at its end."""
+    flight.launch(chute.flight, chute.current, chute.gravity)
+    time = surface.crossing_time(own, chute.flight, 1.0)
+    if time > 0.0:
+        chute.current.distance += flight.path_length(chute.flight, time)
+        chute.current.x, chute.current.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
+        chute.current.velocity = flight.velocity_at(chute.flight, time)
+        chute.current.slope = flight.slope_at(chute.flight, time)
+
+
+MOUTH_TOLERANCE = 1e-9
+"""Distance by which a stream may be off the edge of a mouth, m: that of joints which have been rounded."""
