@@ -65,6 +65,10 @@ class Contact(NamedTuple):
     """Least and greatest normal stress of the yield locus, Pa; None for a constant friction angle."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
+    thickness: Array | None
+    """Thickness of the liner, m, or None."""
+    wear_rate: Array | None
+    """Volume that the liner loses per frictional work, m³/J, or None."""
 
     @property
     def closed(self) -> bool:
@@ -186,6 +190,8 @@ class Design(NamedTuple):
 
     mass_rate: Array
     density: Array
+    lump: Array | None
+    """Size of the largest lump, m, or None."""
     gravity: Array
     internal_friction: Array | None
     """δ, rad; None where the spec gives a pressure ratio alone."""
@@ -198,6 +204,8 @@ class Design(NamedTuple):
     inlet_slope: Array
     belt: Belt | None
     receiver: Receiver | None
+    limits: tuple[Array, ...]
+    """Limits of findings, in the order of :data:`chutecalc.spec.limits.LIMITS`; infinite where there is none."""
     segments: tuple[Segment, ...]
 
     @property

@@ -16,7 +16,9 @@ from chutecalc.results.columns import ALL_COLUMNS, COLUMNS
 from chutecalc.results.finding import Severity
 from chutecalc.results.findings import CRITERIA
 from chutecalc.results.impacts import IMPACT_COLUMNS
+from chutecalc.results.loads import LOAD_COLUMNS
 from chutecalc.spec.chute_spec import ChuteSpec
+from chutecalc.spec.limits import LIMITS
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.sweep.columns import row_columns
 
@@ -29,6 +31,7 @@ CATALOGUES: dict[str, Mapping[str, Column]] = {
     "columns that only findings read": {name: one for name, one in ALL_COLUMNS.items() if one.internal},
     "columns of the receiving belt": RECEIVER_COLUMNS,
     "numbers of an impact": IMPACT_COLUMNS,
+    "loads of a segment": LOAD_COLUMNS,
     "columns of a sweep": {name: one for name, one in row_columns().items() if not name.startswith(ROW_PREFIXES)},
     "columns of the friction study": FRICTION_COLUMNS,
     "columns of the discrete-element check": DEM_COLUMNS,
@@ -61,6 +64,12 @@ def findings() -> str:
         if one.severities[0] is severity
     ]
     return table(("code", "severity", "meaning", "limit", "source"), rows)
+
+
+def limits() -> str:
+    """List limits: key, default, finding, meaning and source."""
+    rows = [(f"`{one.key}`", one.text, f"`{one.finding}`", one.meaning, one.source) for one in LIMITS.values()]
+    return table(("key", "default", "finding", "meaning", "source"), rows)
 
 
 def keys() -> str:
@@ -124,6 +133,7 @@ SYMBOLS = {
 TABLES = {
     **{name: partial(columns, catalogue) for name, catalogue in CATALOGUES.items()},
     "findings": findings,
+    "limits": limits,
     "keys of a spec": keys,
 }
 

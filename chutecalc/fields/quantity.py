@@ -7,6 +7,7 @@ import numpy as np
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
+from chutecalc.fields.plausible import Plausible
 from chutecalc.fields.units import TEXT, convert, first_unit, to_si
 from chutecalc.physics.arrays import Array
 
@@ -21,6 +22,7 @@ class Quantity:
         dimension: one of :data:`chutecalc.fields.units.UNITS`.
         gt, ge, lt, le: limits, named as in pydantic, in the first unit of the dimension.
         shape: empty for one number, ``(2,)`` for a list of two, ``(None, 2)`` for any count of rows of two.
+        plausible: range beyond which a unit is probably mistaken; every key of a spec has one.
 
     Attributes:
         bounds: the limits given, by their names.
@@ -35,8 +37,9 @@ class Quantity:
         lt: float | None = None,
         le: float | None = None,
         shape: tuple[int | None, ...] = (),
+        plausible: Plausible | None = None,
     ) -> None:
-        self.dimension, self.shape = dimension, shape
+        self.dimension, self.shape, self.plausible = dimension, shape, plausible
         self.bounds = {
             name: limit for name, limit in (("gt", gt), ("ge", ge), ("lt", lt), ("le", le)) if limit is not None
         }
@@ -172,3 +175,16 @@ def in_si(value: Any, dimension: str) -> Array:
         np.multiply(to_si(value, dimension), 1.0)
     )  # an array, also of what only acts like one
     return values
+
+
+def optional(value: Any, dimension: str) -> Array | None:
+    """Return a number of a spec as :func:`in_si` does, or None where the spec has none.
+
+    Args:
+        value: in the dimension's first unit, or None.
+        dimension: one of :data:`chutecalc.fields.units.UNITS`.
+
+    >>> optional(None, "length") is None
+    True
+    """
+    return None if value is None else in_si(value, dimension)

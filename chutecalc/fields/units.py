@@ -16,6 +16,9 @@ UNITS: dict[str, dict[str, tuple[float, float]]] = {
     "acceleration": {"m_s2": (1, 1), "ft_s2": (381, 1250)},
     "pressure": {"kpa": (1, 1), "pa": (1, 1000), "psf": (0.45359237 * 9.80665, 0.09290304 * 1000)},
     "area": {"m2": (1, 1), "ft2": (0.09290304, 1)},
+    "force": {"n": (1, 1), "lbf": (0.45359237 * 9.80665, 1)},
+    "volume": {"m3": (1, 1), "ft3": (0.028316846592, 1)},
+    "wear rate": {"mm3_per_j": (1, 1), "m3_per_j": (1000000000, 1)},
     "number": {"": (1, 1)},
 }
 """Dimension to unit suffix to (numerator, denominator) of one such unit in the first unit."""
@@ -33,16 +36,22 @@ TEXT = {
     "ft_s2": "ft/s²",
     "kpa": "kPa",
     "pa": "Pa",
+    "mm3_per_j": "mm³/J",
+    "m3_per_j": "m³/J",
     "m2": "m²",
     "ft2": "ft²",
     "w_m2": "W/m²",
     "kw": "kW",
+    "n": "N",
+    "h": "h",
+    "m3": "m³",
+    "ft3": "ft³",
 }
 """Unit suffix as people write it; suffixes that are not listed are written as they stand."""
 
 LARGEST_INTEGER = 10**300  # Python's integers know no bounds, floats do
 
-_SI = {"mass rate": (5, 18), "pressure": (1000, 1), "angle": (math.pi, 180)}
+_SI = {"mass rate": (5, 18), "pressure": (1000, 1), "angle": (math.pi, 180), "wear rate": (1, 1000000000)}
 """One of a dimension's first unit in SI, where that is another."""
 
 
@@ -80,6 +89,20 @@ def to_si(value: Any, dimension: str) -> Any:
     """
     up, down = _SI.get(dimension, (1, 1))
     return value * up / down
+
+
+def from_si(value: Any, dimension: str) -> Any:
+    """Convert a number or array from SI (angles in rad) to a dimension's first unit.
+
+    Args:
+        value: in SI units.
+        dimension: one of :data:`UNITS`.
+
+    >>> from_si(1.0, "mass rate"), from_si(math.pi, "angle") == 180.0
+    (3.6, True)
+    """
+    up, down = _SI.get(dimension, (1, 1))
+    return value * down / up
 
 
 def first_unit(dimension: str) -> str:

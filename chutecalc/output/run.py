@@ -78,6 +78,8 @@ def run_document(
         entry = _segment(segment, stations, columns)
         if segment.impact:
             entry["impact"] = first(segment.impact)
+        if segment.loads:
+            entry["loads"] = first(segment.loads)
         if flights:
             entry["flight"], *again = (_segment(flight, stations, columns) for flight in flights)
             entry |= {"flights_again": again} if again else {}
@@ -97,7 +99,8 @@ def run_document(
             {
                 "code": finding.code,
                 "severity": finding.severity,
-                "segment": finding.segment,
+                "segment": finding.segment or None,
+                "key": finding.key or None,
                 "s_m": number(finding.s_m[0]),
                 "message": finding.message(),
                 "numbers": first(finding.numbers),

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
 from chutecalc.output.inlet import inlet_lines
+from chutecalc.output.loads import loads_table
 from chutecalc.results.column import Column, Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
@@ -126,7 +127,20 @@ class Printer:
         self.text(outcome(solution, self.units), style="" if solution.ok[0] else COLOURS[Severity.FAILURE])
         for line in (*self._impacts(solution), *self._belts(solution)):
             self.text(line)
+        self.loads(solution)
         self.findings(solution.findings())
+
+    def loads(self, solution: SolvedChute) -> None:
+        """Print the forces on the segments and the wear of their liners, where a segment has any.
+
+        Args:
+            solution: solution of one design.
+        """
+        table = loads_table(solution.segments, self.units)
+        if table.rows:
+            self.text()
+            self.table(table)
+            self.text()
 
     def findings(self, findings: Sequence[Finding]) -> None:
         """Print findings, a line each.
@@ -135,11 +149,9 @@ class Printer:
             findings: findings of one design.
         """
         for finding in findings:
-            distance = COLUMNS["s_m"].shown(float(finding.s_m[0]), self.units)
-            unit = COLUMNS["s_m"].unit_text(self.units)
             self.text(
                 f"{finding.severity} {finding.code}",
-                f"  {finding.segment}, s = {distance} {unit}: {finding.message(0, self.units)}",
+                f"  {finding.where(0, self.units)}: {finding.message(0, self.units)}",
                 COLOURS[finding.severity],
             )
 

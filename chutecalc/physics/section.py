@@ -5,7 +5,9 @@ with vertical walls above the drawn top. A rectangle has no drawn facet, a chamf
 A closed section ends in a roof: a box at the height of its walls, a pipe where its arc closes.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
 
 from chutecalc.physics.arrays import Array
 
@@ -38,3 +40,29 @@ class Circle(NamedTuple):
 
 Section = Polygon | Circle
 """Any cross-section."""
+Drawn = TypeVar("Drawn", bound=tuple[Any, ...])
+"""A cross-section of one shape."""
+
+
+def interpolate_sections(first: Drawn, last: Drawn, share: float) -> Drawn:
+    """Return the section at a share of a taper: each of its numbers varies linearly from first to last.
+
+    Args:
+        first: Section at the start, of the same shape as the last.
+        last: Section at the end.
+        share: Share of the drawn length, 0 to 1.
+
+    >>> narrow, wide = (Circle(np.array([radius]), np.array([np.inf])) for radius in (0.2, 0.4))
+    >>> interpolate_sections(narrow, wide, 0.5)
+    Circle(radius=array([0.3]), wall_height=array([inf]))
+    """
+
+    def between(one: Any, other: Any) -> Any:
+        if isinstance(one, tuple):
+            return tuple(map(between, one, other))
+        if not isinstance(one, np.ndarray):
+            return one
+        with np.errstate(invalid="ignore"):
+            return np.where(np.isinf(one), one, one + share * (other - one))
+
+    return type(first)(*map(between, first, last))

@@ -115,6 +115,32 @@ def wall_friction(wall: Wall, stress: Array) -> Array:
     return slope + intercept / np.where(stress > 0.0, stress, np.inf)
 
 
+def holding_depth(wall: Wall, slope: Array, specific_weight: Array) -> Array:
+    """Compute the depth of a bed at rest that adhesion holds on a wall steeper than its friction, h.
+
+    The bed presses with σ = ρ g h cos a and pulls with σ tan a. On a piece τ = c + σ tan φ of the locus it is held up
+    to σ = c/(tan a - tan φ), which is h = c/[ρ g (sin a - tan φ cos a)]; below the end of that piece.
+
+    Args:
+        wall: The wall.
+        slope: Slope a of the wall, rad below horizontal, above 0, shape (1,) or (designs,).
+        specific_weight: ρ g, N/m³, likewise.
+
+    Returns:
+        h, m, shape (designs,): 0 where nothing is held, infinite where a bed of any depth is.
+
+    >>> adhesive = Wall(starts=np.zeros((1, 1)), intercepts=np.array([[200.0]]), slopes=np.array([[0.5]]))
+    >>> holding_depth(adhesive, np.radians([45.0]), np.array([1e4])).round(6).tolist()
+    [0.056569]
+    """
+    tangent = np.tan(slope)
+    ends = np.concatenate([wall.starts[1:], np.full_like(wall.starts[:1], np.inf)])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        stress = np.where(wall.slopes < tangent, wall.intercepts / (tangent - wall.slopes), np.inf)
+        held = np.where(stress > wall.starts, np.minimum(stress, ends), 0.0)
+        return np.asarray(held.max(axis=0) / (specific_weight * np.cos(slope)))
+
+
 def _holding(stress: Array, normal: Array, slopes: Array, intercepts: Array, bound: Array) -> Index:
     """Return the number of the piece, of the locus or the bound, that holds at stresses of shape (pieces, designs)."""
     row = interval_of(np.concatenate([np.zeros_like(normal[:1]), normal[:-1]]), stress)

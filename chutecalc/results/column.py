@@ -120,8 +120,10 @@ class FormulaColumn(Column):
 _US_UNITS = {
     "m": ("length", "ft"),
     "m2": ("area", "ft2"),
+    "m3": ("volume", "ft3"),
     "m_s": ("velocity", "fpm"),
     "kpa": ("pressure", "psf"),
+    "n": ("force", "lbf"),
 }
 """Units that messages convert to US units, by their dimension."""
 

@@ -15,11 +15,17 @@ import numpy as np
 
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.loads import liner_life
+from chutecalc.physics.wall import wall_friction
 from chutecalc.results.column import Column
 
 LEAST_NORMAL = 1e-9
 """Ratio to gravity: with less normal acceleration the stream is about to leave its surface, and dividing by it gives
 noise."""
+
+
+HOUR = 3600.0
+"""Seconds of an hour."""
 
 
 class Extremes(Enum):
@@ -71,6 +77,15 @@ def on_arc(part: Any) -> bool:
     return bool(part.on_arc)
 
 
+def on_wearing_liner(part: Any) -> bool:
+    """Return whether the part follows a liner whose life can be told: its thickness and wear rate are known.
+
+    Args:
+        part: the part of the trajectory.
+    """
+    return bool(part.guided) and part.segment.thickness is not None and part.segment.wear_rate is not None
+
+
 def between_facets(part: Any) -> bool:
     """Return whether the part has a section with drawn facets beside its centre.
 
@@ -116,6 +131,23 @@ def _froude(part: Any, at: Any) -> Array:
     pressed = at.normal_acceleration > LEAST_NORMAL * part.design.gravity
     froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal_acceleration * at.area / at.width), np.nan)
     return froude
+
+
+def _liner_life(part: Any, at: Any) -> Array:
+    """Return the time to wear through the liner where it wears most across the section, h."""
+    wear = np.fmax.reduce([at.wear(wall) for wall in range(3)]) * part.slip_ratio
+    return liner_life(part.segment.thickness, part.segment.wear_rate, wear) / HOUR
+
+
+def _clearing_margin(part: Any, at: Any) -> Array:
+    """Return a - atan(μ_e) of a bed at rest as deep as the stream, deg: of a locus at the pressure of its weight."""
+    friction, wall = at.friction, part.segment.wall
+    if wall.changes:
+        weight = at.stress * part.design.gravity * np.cos(at.slope) / at.normal_acceleration
+        one_and_excess = np.where(at.wall_friction > 0.0, friction / at.wall_friction, 1.0)
+        friction = wall_friction(wall, weight) * one_and_excess
+    margin: Array = np.degrees(at.slope - np.arctan(friction))
+    return margin
 
 
 # fmt: off
@@ -185,6 +217,8 @@ _CATALOGUE = (
     StreamColumn("wear_number", "N_WR", "N_WR", "Roberts' wear number, n/g on an arc", "number", "", 3,
                  formula=lambda part, at: at.normal_acceleration / part.design.gravity, exists=on_arc,
                  needs=Needs.WALLS, source="Roberts (2003)"),
+    StreamColumn("liner_life_h", "liner life", "", "time until the liner is worn through where it wears most",
+                 "time", "h", 0, formula=_liner_life, exists=on_wearing_liner, needs=Needs.WALLS),
 
     StreamColumn("thickness", "H/b", "H/b", "depth over the stream's greatest width", "number", internal=True,
                  formula=lambda part, at: at.depth / at.greatest_width, exists=on_surface),
@@ -196,6 +230,8 @@ _CATALOGUE = (
     StreamColumn("wall_stress_kpa", "σ", "σ", "normal stress at which the wall's friction is read",
                  "pressure", "kpa", internal=True,
                  formula=lambda part, at: at.stress / 1000.0, exists=on_surface),
+    StreamColumn("clearing_margin_deg", "margin", "", "slope above the equivalent friction angle of what stands there",
+                 "angle", "deg", internal=True, formula=_clearing_margin, exists=on_surface),
     StreamColumn("top_m", "top", "", "height of the section's drawn top above its floor", "length", "m", internal=True,
                  formula=lambda part, at: at.top, exists=on_surface),
     StreamColumn("above_top_m", "above top", "", "depth above the section's drawn top", "length", "m", internal=True,

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Design
+from chutecalc.design import Contact, Design, Status
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.edges import Edge
 from chutecalc.results.extremes import Extreme, ExtremeOf
@@ -13,6 +13,8 @@ from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part
 from chutecalc.results.sampled import SampledPart
 from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
+from chutecalc.spec.chute_spec import ChuteSpec
+from chutecalc.spec.limits import LIMITS
 
 
 class Scene(NamedTuple):
@@ -63,6 +65,21 @@ class Scene(NamedTuple):
         assert isinstance(segment, Contact)
         return segment
 
+    @property
+    def overwhelmed(self) -> Mask:
+        """Designs whose stream stalls or chokes here: it grows thick and slow on the way to that."""
+        status = self.solved.status
+        overwhelmed: Mask = (status == Status.STALL) | (status == Status.CHOKE)
+        return overwhelmed
+
+    def limit(self, key: str) -> Array:
+        """Return a limit in force, in the unit of its key, shape (1,) or (designs,).
+
+        Args:
+            key: of the table ``[limits]``.
+        """
+        return LIMITS[key].of(self.design.limits)
+
     def extreme(self, name: str, sign: float) -> Extreme:
         """Return the least or largest value of a column that the criterion needs.
 
@@ -99,6 +116,17 @@ class Scene(NamedTuple):
         return [np.where(share == 1.0, limits[name], there[name][0]) for name in names]
 
 
+class Written(NamedTuple):
+    """A spec, for what can be judged without a solution."""
+
+    spec: ChuteSpec
+    """The checked spec."""
+    data: dict[str, Any]
+    """The same as written."""
+    designs: int
+    """Number of designs."""
+
+
 class Case(NamedTuple):
     """One thing that a criterion found, for the designs of which it holds."""
 
@@ -112,6 +140,8 @@ class Case(NamedTuple):
     """Numbers of the message by name with unit, each of shape (designs,) or 1."""
     severity: Severity | None = None
     """One of the criterion's severities; its first if None."""
+    key: str = ""
+    """Path of the key of the spec that it is about, where it is about no segment."""
 
 
 class Criterion(NamedTuple):
@@ -129,32 +159,47 @@ class Criterion(NamedTuple):
     """Extremes along a part that it reads."""
     in_falls: bool
     """Whether falls are judged too."""
-    cases: Callable[[Scene], Iterable[Case]]
+    foretells_failure: bool
+    """Whether a stream that stalls or chokes shows it on the way, so that it is no news beside the failure."""
+    judges_spec: bool
+    """Whether it judges the spec as written, once, instead of each segment with its stream."""
+    cases: Callable[[Any], Iterable[Case]]
 
     def findings(self, scene: Scene) -> Iterator[Finding]:
-        """Return what the criterion finds for any design.
+        """Return what the criterion finds on a segment, for any design.
 
         Args:
             scene: the segment with the stream along it.
         """
-        if not (scene.part.guided or self.in_falls):
+        if self.judges_spec or not (scene.part.guided or self.in_falls):
             return
         for case in self.cases(scene):
-            if case.mask.any():
-                mask, s, *values = (
-                    np.broadcast_to(item, scene.designs) for item in (case.mask, case.s, *case.numbers.values())
-                )
-                severity, name = case.severity or self.severities[0], scene.part.segment.name
-                numbers = dict(zip(case.numbers, values, strict=True))
-                yield Finding(
-                    code=self.code,
-                    severity=severity,
-                    segment=name,
-                    mask=mask,
-                    s_m=s,
-                    template=case.template,
-                    numbers=numbers,
-                )
+            concerned = case.mask & ~scene.overwhelmed if self.foretells_failure else case.mask
+            if concerned.any():
+                yield self._finding(case._replace(mask=concerned), scene.part.segment.name, scene.designs)
+
+    def findings_of_spec(self, written: Written) -> Iterator[Finding]:
+        """Return what the criterion finds in a spec, for any design.
+
+        Args:
+            written: the spec.
+        """
+        if self.judges_spec:
+            yield from (self._finding(case, "", written.designs) for case in self.cases(written) if case.mask.any())
+
+    def _finding(self, case: Case, segment: str, designs: int) -> Finding:
+        """Return a case as a finding of all designs."""
+        mask, s, *values = (np.broadcast_to(item, designs) for item in (case.mask, case.s, *case.numbers.values()))
+        return Finding(
+            code=self.code,
+            severity=case.severity or self.severities[0],
+            segment=segment,
+            key=case.key,
+            mask=mask,
+            s_m=s,
+            template=case.template,
+            numbers=dict(zip(case.numbers, values, strict=True)),
+        )
 
 
 CRITERIA: list[Criterion] = []
@@ -169,7 +214,9 @@ def criterion(
     source: str = "",
     needs: Sequence[ExtremeOf] = (),
     in_falls: bool = False,
-) -> Callable[[Callable[[Scene], Iterable[Case]]], Any]:
+    foretells_failure: bool = False,
+    judges_spec: bool = False,
+) -> Callable[[Callable[[Any], Iterable[Case]]], Any]:
     """Register the decorated function as a design criterion.
 
     Args:
@@ -180,12 +227,14 @@ def criterion(
         source: where the limit comes from.
         needs: extremes that it reads, pairs of a column's name and ``LEAST`` or ``LARGEST``.
         in_falls: whether it judges falls beside guiding surfaces.
+        foretells_failure: whether it keeps silent where the stream stalls or chokes on the segment.
+        judges_spec: whether the function takes the spec as written, once, instead of each segment.
 
     Returns:
         The decorator; the function takes a scene and yields cases.
     """
 
-    def register(cases: Callable[[Scene], Iterable[Case]]) -> Callable[[Scene], Iterable[Case]]:
+    def register(cases: Callable[[Any], Iterable[Case]]) -> Callable[[Any], Iterable[Case]]:
         if code in {each.code for each in CRITERIA}:
             raise ValueError(f"the finding {code!r} is registered twice, the second time in {cases.__module__}")
         CRITERIA.append(
@@ -197,6 +246,8 @@ def criterion(
                 source=source,
                 needs=tuple(needs),
                 in_falls=in_falls,
+                foretells_failure=foretells_failure,
+                judges_spec=judges_spec,
                 cases=cases,
             )
         )

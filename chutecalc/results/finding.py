@@ -8,6 +8,7 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.column import quantity_text
+from chutecalc.results.columns import COLUMNS
 
 
 class Severity(StrEnum):
@@ -26,14 +27,16 @@ class Severity(StrEnum):
 
 
 class _Quantity(NamedTuple):
-    """A number of a message; the template may say its unit in the United States."""
+    """A number of a message; the template may say its unit in the United States, or how to format it alone."""
 
     name: str
     value: float
     units: str
 
-    def __format__(self, us_unit: str) -> str:
-        return quantity_text(self.name, self.value, self.units, us_unit)
+    def __format__(self, form: str) -> str:
+        if form.startswith("."):
+            return format(self.value, form)
+        return quantity_text(self.name, self.value, self.units, form)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -45,15 +48,37 @@ class Finding:
     severity: Severity
     """``failure``, ``warning`` or ``note``."""
     segment: str
-    """Name of the segment concerned."""
+    """Name of the segment concerned; empty for a finding about a key of the spec."""
     mask: Mask
     """True for the designs concerned."""
     s_m: Array
-    """Position: distance from the inlet along the stream, m."""
+    """Position: distance from the inlet along the stream, m; NaN for a finding about a key."""
     template: str
-    """The message, with names of ``numbers`` in braces; ``{depth_m:in}`` is in inches in US units."""
+    """The message, with names of ``numbers`` in braces; ``{depth_m:in}`` is in inches in US units, ``{given:.12g}`` a
+    number alone."""
     numbers: Numbers
     """The numbers that led to the finding; names end in their units."""
+    key: str = ""
+    """Path of the key of the spec concerned, where the finding is about no segment; else empty."""
+
+    @property
+    def subject(self) -> str:
+        """The segment, or the path of the key, that the finding is about."""
+        return self.segment or self.key
+
+    def where(self, design: int = 0, units: str = "metric") -> str:
+        """Return what the finding is about, and where along the stream, for one design.
+
+        Args:
+            design: index of the design, from 0.
+            units: ``metric`` or ``us``.
+
+        >>> import chutecalc
+        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).findings()[0].where()
+        'spoon, s = 6.712 m'
+        """
+        s, column = float(self.s_m[design]), COLUMNS["s_m"]
+        return self.subject if s != s else f"{self.subject}, s = {column.shown(s, units)} {column.unit_text(units)}"
 
     def message(self, design: int = 0, units: str = "metric") -> str:
         """Return the finding in words for one design.
@@ -79,5 +104,4 @@ class Finding:
         concerned = np.flatnonzero(self.mask)
         first = int(concerned[0]) if concerned.size else 0
         designs = f" ({concerned.size} of {len(self.mask)} designs)" if len(self.mask) > 1 else ""
-        position = quantity_text("s_m", float(self.s_m[first]), "metric")
-        return f"<{self.severity} {self.code}{designs}: {self.segment}, s = {position}: {self.message(first)}>"
+        return f"<{self.severity} {self.code}{designs}: {self.where(first)}: {self.message(first)}>"

@@ -8,6 +8,7 @@ from typing import Any
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS, NUMERIC, REPORTED
 from chutecalc.results.impacts import IMPACT_COLUMNS
+from chutecalc.results.loads import LOAD_COLUMNS
 from chutecalc.results.segments import SegmentResult
 
 
@@ -66,6 +67,7 @@ GROUPS = (
     ColumnGroup("min", "least value on it", _EXTREME, lambda result: result.minimum),
     ColumnGroup("max", "largest value on it", _EXTREME, lambda result: result.maximum),
     ColumnGroup("impact", "of the impact on it", list(IMPACT_COLUMNS.values()), lambda result: result.impact),
+    ColumnGroup("", "", list(LOAD_COLUMNS.values()), lambda result: result.loads),
 )
 """What a segment's results consist of, beside its status and duration."""
 

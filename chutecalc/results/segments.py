@@ -1,7 +1,7 @@
 """Results of each segment: ends, extremes and impacts, by column name, for all designs."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, overload
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.described import html_table, number, outcomes
+from chutecalc.results.loads import joined_loads
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -36,6 +37,8 @@ class SegmentResult:
     """Time from its start to its end, s, shape (designs,)."""
     impact: Numbers
     """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
+    loads: Numbers = field(default_factory=dict)
+    """Forces and wear of the segment, see :data:`chutecalc.results.loads.LOAD_COLUMNS`; empty in flight."""
 
     def __repr__(self) -> str:
         """Return name and outcome, and velocity and depth at both ends: of several designs the ranges.
@@ -156,6 +159,7 @@ def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
         duration=first.duration + np.where(there, again.duration, 0.0),
         impact=_either(first.impact, again.impact),
+        loads=joined_loads(first.loads, again.loads),
     )
 
 

@@ -10,9 +10,11 @@ from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import receiver_numbers
 from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
+from chutecalc.results.criterion import Written
 from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge, stream_edges
 from chutecalc.results.finding import Finding
+from chutecalc.results.findings import find_in_spec, in_order
 from chutecalc.results.inlet import inlet_numbers
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
@@ -146,7 +148,8 @@ class SolvedChute:
 
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
-        return self.trajectory.findings(self.receiver, self.inlet, self.edges)
+        found = find_in_spec(Written(self.spec, self.data, self.count))
+        return in_order([*found, *self.trajectory.findings(self.receiver, self.inlet, self.edges)])
 
     def stations(
         self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()

@@ -1,6 +1,7 @@
 """The solved trajectory of the stream, part by part: what the results of a solution are read from."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -14,6 +15,7 @@ from chutecalc.results.edges import Edge
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
+from chutecalc.results.loads import loads_of, relative_to_first
 from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
@@ -72,7 +74,9 @@ class Trajectory:
     @cached_property
     def results(self) -> list[SegmentResult]:
         """What came out on each part, flights included; a segment that was left and struck again has several."""
-        return [self._result(sampled) for sampled in self.sampled]
+        found = [self._result(sampled) for sampled in self.sampled]
+        loads = relative_to_first([result.loads for result in found])
+        return [replace(result, loads=own) for result, own in zip(found, loads, strict=True)]
 
     def segments(self) -> Segments:
         """Return what came out on each segment of the spec, on all visits together."""
@@ -177,6 +181,8 @@ class Trajectory:
             return stretched(values, (self.count,))
 
         part, columns, found = sampled.part, sampled.columns, sampled.extremes
+        duration, impact = columns["time_s"][-1] - columns["time_s"][0], part.impact()
+        maximum = {name: found[name, LARGEST].value for name in REPORTED}
         return SegmentResult(
             name=part.name,
             kind=part.kind,
@@ -184,7 +190,8 @@ class Trajectory:
             entry={name: whole(columns[name][0]) for name in NUMERIC},
             exit={name: whole(columns[name][-1]) for name in NUMERIC},
             minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
-            maximum={name: whole(found[name, LARGEST].value) for name in REPORTED},
-            duration=whole(columns["time_s"][-1] - columns["time_s"][0]),
-            impact={name: whole(values) for name, values in part.impact().items()},
+            maximum={name: whole(values) for name, values in maximum.items()},
+            duration=whole(duration),
+            impact={name: whole(values) for name, values in impact.items()},
+            loads={name: whole(values) for name, values in loads_of(part, duration, maximum, impact).items()},
         )

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import Width
 from chutecalc.fields.quantity import in_si
 from chutecalc.fields.table import Table, Violation
 from chutecalc.physics import section
@@ -63,7 +63,7 @@ class Section(Table):
 class OpenSection(Section):
     """A cross-section that is open at its top."""
 
-    wall_height_m: Length = Field(
+    wall_height_m: Width = Field(
         None, description="height of the walls above the floor; a deeper stream chokes the chute"
     )
 

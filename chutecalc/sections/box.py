@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import Width
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import ClosedSection
@@ -15,8 +15,8 @@ class Box(ClosedSection):
     """A rectangle with a roof."""
 
     shape: Literal["box"]
-    width_m: Length = Field(description="inner width between the walls")
-    height_m: Length = Field(description="inner height between floor and roof")
+    width_m: Width = Field(description="inner width between the walls")
+    height_m: Width = Field(description="inner height between floor and roof")
 
     example: ClassVar = """\
 shape = "box"                   # rectangular and closed; it chokes when full

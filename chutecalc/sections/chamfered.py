@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Depth, Length
+from chutecalc.fields.quantities import Base, Width
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.section import Polygon
@@ -20,9 +20,9 @@ class Chamfered(OpenSection):
     """A centre section between two chamfers."""
 
     shape: Literal["chamfered"]
-    base_m: Depth = Field(description="width of the centre section")
+    base_m: Base = Field(description="width of the centre section")
     chamfer_deg: ChamferAngle = Field(description="angle of the chamfers from the plane of the centre section")
-    chamfer_m: Length = Field(
+    chamfer_m: Width = Field(
         None, description="length of a chamfer, with vertical walls above it; without it the chamfer has no top"
     )
 

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import Width
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.section import Circle
 from chutecalc.sections.base import OpenSection
@@ -15,7 +15,7 @@ class Circular(OpenSection):
     """The lower half of a circle, with vertical walls above it."""
 
     shape: Literal["circular"]
-    radius_m: Length = Field(description="radius of the circle")
+    radius_m: Width = Field(description="radius of the circle")
 
     example: ClassVar = """\
 shape = "circular"              # lower half of a circle, vertical walls above it

@@ -7,7 +7,7 @@ import numpy as np
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import STEEP, Width
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.fields.table import Table
 from chutecalc.physics.section import Polygon
@@ -17,8 +17,8 @@ from chutecalc.sections.base import OpenSection, Section
 class Facet(Table):
     """A flat wall."""
 
-    length_m: Length = Field(description="length along the section")
-    slope_deg: Annotated[Number, Quantity("angle", ge=0, le=90)] = Field(
+    length_m: Width = Field(description="length along the section")
+    slope_deg: Annotated[Number, Quantity("angle", ge=0, le=90, plausible=STEEP)] = Field(
         description="slope from the plane of the section"
     )
 

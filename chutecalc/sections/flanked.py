@@ -5,12 +5,13 @@ from typing import Annotated, Any
 import numpy as np
 
 from chutecalc.fields.faults import GeometryFaults, Location
+from chutecalc.fields.quantities import STEEP
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import length_or_unbounded
 
-ChamferAngle = Annotated[Number, Quantity("angle", gt=0, le=90)]
+ChamferAngle = Annotated[Number, Quantity("angle", gt=0, le=90, plausible=STEEP)]
 
 
 def flanked(

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import Width
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.section import Circle
 from chutecalc.sections.base import ClosedSection
@@ -15,7 +15,7 @@ class Pipe(ClosedSection):
     """A round pipe."""
 
     shape: Literal["pipe"]
-    radius_m: Length = Field(description="inner radius of the pipe")
+    radius_m: Width = Field(description="inner radius of the pipe")
 
     example: ClassVar = """\
 shape = "pipe"                  # round and closed; it chokes when full

@@ -5,7 +5,7 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import Width
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import OpenSection
@@ -15,7 +15,7 @@ class Rectangular(OpenSection):
     """A rectangle."""
 
     shape: Literal["rectangular"]
-    width_m: Length = Field(description="width between the walls")
+    width_m: Width = Field(description="width between the walls")
 
     example: ClassVar = """\
 shape = "rectangular"

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import Length
+from chutecalc.fields.quantities import Width
 from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import OpenSection
 from chutecalc.sections.flanked import ChamferAngle, flanked
@@ -17,7 +17,7 @@ class Vee(OpenSection):
 
     shape: Literal["vee"]
     chamfer_deg: ChamferAngle = Field(description="angle of the flanks from the plane of the section")
-    chamfer_m: Length = Field(
+    chamfer_m: Width = Field(
         None, description="length of a flank, with vertical walls above it; without it the flank has no top"
     )
 

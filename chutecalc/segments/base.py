@@ -24,6 +24,10 @@ class Lining(NamedTuple):
     """Least and greatest normal stress of the yield locus, Pa; None for other liners."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
+    thickness: Array | None
+    """Thickness, m, or None."""
+    wear_rate: Array | None
+    """Volume lost per frictional work, m³/J, or None."""
 
 
 class Context(NamedTuple):

@@ -66,6 +66,8 @@ class Guide(Segment):
             wall=lining.wall,
             measured=lining.measured,
             slip_ratio=lining.slip_ratio,
+            thickness=lining.thickness,
+            wear_rate=lining.wear_rate,
         )
 
     def _section_names(self, context: Context) -> tuple[str, str | None]:

@@ -4,11 +4,11 @@ import numpy as np
 
 from chutecalc.design import VERTICAL, Belt, Design, Receiver, Segment
 from chutecalc.fields.faults import GeometryFaults
-from chutecalc.fields.quantity import in_si
+from chutecalc.fields.quantity import in_si, optional
 from chutecalc.physics.arrays import Array, shared
 from chutecalc.physics.head_pulley import discharge
 from chutecalc.physics.pressure import vertical_pressure_ratio
-from chutecalc.physics.wall import constant_wall, yield_locus
+from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.segments.base import Context, Lining
 from chutecalc.spec import chute_spec as model
 from chutecalc.spec.segment_names import segment_names
@@ -38,7 +38,7 @@ class _Geometry:
     def design(self) -> Design:
         """Return the design; it is of no use if there are faults."""
         material, flow = self.spec.material, self.spec.flow
-        friction = None if material.internal_friction_deg is None else in_si(material.internal_friction_deg, "angle")
+        friction = optional(material.internal_friction_deg, "angle")
         if material.pressure_ratio is not None:
             ratio = in_si(material.pressure_ratio, "number")
         else:
@@ -48,6 +48,7 @@ class _Geometry:
         return Design(
             mass_rate=in_si(flow.rate_t_h, "mass rate"),
             density=in_si(material.density_kg_m3, "density"),
+            lump=optional(material.lump_m, "length"),
             gravity=in_si(flow.gravity_m_s2, "acceleration"),
             internal_friction=friction,
             vertical_ratio=ratio,
@@ -57,6 +58,7 @@ class _Geometry:
             inlet_slope=slope,
             belt=belt,
             receiver=self.receiver(),
+            limits=self.spec.limits.in_order(),
             segments=self.segments(velocity, slope),
         )
 
@@ -142,15 +144,29 @@ class _Geometry:
         Args:
             liner: its table of the spec.
         """
-        rows, slip_ratio = liner.yield_locus_kpa, in_si(liner.slip_ratio, "number")
+        wall, measured = self.wall(liner)
+        return Lining(
+            wall=wall,
+            measured=measured,
+            slip_ratio=in_si(liner.slip_ratio, "number"),
+            thickness=optional(liner.thickness_m, "length"),
+            wear_rate=optional(liner.wear_mm3_per_j, "wear rate"),
+        )
+
+    def wall(self, liner: model.Liner) -> tuple[Wall, tuple[Array, Array] | None]:
+        """Return the friction law of a liner, and the least and greatest normal stress at which it was measured, Pa.
+
+        Args:
+            liner: its table of the spec.
+        """
         if liner.friction_deg is not None:
-            return Lining(constant_wall(np.tan(in_si(liner.friction_deg, "angle"))), None, slip_ratio)
-        strength = np.sin(in_si(self.spec.material.internal_friction_deg, "angle"))
+            return constant_wall(np.tan(in_si(liner.friction_deg, "angle"))), None
+        strength, rows = np.sin(in_si(self.spec.material.internal_friction_deg, "angle")), liner.yield_locus_kpa
         if rows is None:
-            return Lining(constant_wall(strength), None, slip_ratio)
+            return constant_wall(strength), None
         normal, shear = (
             np.stack(np.broadcast_arrays(*(in_si(item, "pressure") for item in column)))
             for column in zip(*rows, strict=True)
         )
         measured = in_si(rows[0][0], "pressure"), in_si(rows[-1][0], "pressure")
-        return Lining(yield_locus(normal, shear, strength), measured, slip_ratio)
+        return yield_locus(normal, shear, strength), measured

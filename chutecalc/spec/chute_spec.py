@@ -4,21 +4,44 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from chutecalc.fields.quantities import BeltSlope, BeltVelocity, FrictionAngle, Name, Position, Slope
+from chutecalc.fields.plausible import Plausible
+from chutecalc.fields.quantities import (
+    BeltSlope,
+    BeltVelocity,
+    FrictionAngle,
+    InternalFrictionAngle,
+    Name,
+    Position,
+    Slope,
+)
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.rules import one_of
 from chutecalc.fields.table import Table
 from chutecalc.sections.registry import SHAPES, AnySection
 from chutecalc.segments.registry import KINDS, AnySegment
 from chutecalc.spec.inlet_belt import Belt
+from chutecalc.spec.limits import Limits
 from chutecalc.spec.rules import known_format, known_strength, locus_rows, names, one_inlet, placement, some_friction
+
+_FLOWS = Plausible(0.05, 50_000.0, "a trickle", "more than any belt carries")
+_WEIGHS = Plausible(1.0, 25.0, "weaker than on the Moon", "stronger than on any planet")
+_DENSE = Plausible(100.0, 7000.0, "lighter than sawdust", "denser than any ore")
+_COARSE = Plausible(5e-5, 2.0, "as fine as dust", "larger than any crusher takes")
+_RATIO = Plausible(0.05, 1.0, "next to nothing", "more than all of it")
+_PRESSES = Plausible(0.005, 200.0, "less than a millimetre of material weighs", "more than any chute bears")
+_LINES = Plausible(0.0005, 0.5, "as thin as paint", "thicker than any liner")
+_WEARS = Plausible(1e-9, 1.0, "less than any liner loses", "softer than any liner")
+_TURNS = Plausible(1.0, 180.0, "no angle to speak of", "more than half a turn")
+_RUNS = Plausible(0.01, 40.0, "hardly a motion", "faster than a stream in any chute")
 
 
 class Flow(Table):
     """How much material flows."""
 
-    rate_t_h: Annotated[Number, Quantity("mass rate", gt=0, le=1e9)] = Field(description="mass rate of the stream")
-    gravity_m_s2: Annotated[Number, Quantity("acceleration", gt=0, le=1e4)] = Field(
+    rate_t_h: Annotated[Number, Quantity("mass rate", gt=0, le=1e9, plausible=_FLOWS)] = Field(
+        description="mass rate of the stream"
+    )
+    gravity_m_s2: Annotated[Number, Quantity("acceleration", gt=0, le=1e4, plausible=_WEIGHS)] = Field(
         9.80665, description="gravitational acceleration"
     )
 
@@ -27,11 +50,14 @@ class Material(Table):
     """The bulk material."""
 
     name: str | None = Field(None, description="name of the material, shown in reports")
-    density_kg_m3: Annotated[Number, Quantity("density", gt=0, le=1e5)] = Field(
+    density_kg_m3: Annotated[Number, Quantity("density", gt=0, le=1e5, plausible=_DENSE)] = Field(
         description="bulk density in the stream"
     )
-    internal_friction_deg: FrictionAngle = Field(None, description="effective angle of internal friction, δ")
-    pressure_ratio: Annotated[Number, Quantity("number", gt=0, le=1)] = Field(
+    internal_friction_deg: InternalFrictionAngle = Field(None, description="effective angle of internal friction, δ")
+    lump_m: Annotated[Number, Quantity("length", gt=0, le=1e5, plausible=_COARSE)] = Field(
+        None, description="size of the largest lump"
+    )
+    pressure_ratio: Annotated[Number, Quantity("number", gt=0, le=1, plausible=_RATIO)] = Field(
         None, description="K_v, pressure on a vertical wall over that on the centre section; without it δ sets K_v"
     )
     rules: ClassVar = (some_friction,)
@@ -41,15 +67,21 @@ class Liner(Table):
     """A wall that the stream slides on: one of a friction angle, a yield locus and the material itself."""
 
     friction_deg: FrictionAngle = Field(None, description="wall friction angle")
-    yield_locus_kpa: Annotated[Any, Quantity("pressure", ge=0, le=1e6, shape=(None, 2))] = Field(
+    yield_locus_kpa: Annotated[Any, Quantity("pressure", ge=0, le=1e6, shape=(None, 2), plausible=_PRESSES)] = Field(
         None,
         description="measured wall yield locus, rows of normal and shear stress; extrapolated with its end slopes",
     )
     own_material: Literal[True] | None = Field(
         None, description="true for material that slides on itself, as in a rock box"
     )
-    slip_ratio: Annotated[Number, Quantity("number", gt=0, le=1)] = Field(
+    slip_ratio: Annotated[Number, Quantity("number", gt=0, le=1, plausible=_RATIO)] = Field(
         1.0, description="slip velocity at the wall over mean velocity, for wear"
+    )
+    thickness_m: Annotated[Number, Quantity("length", gt=0, le=1e5, plausible=_LINES)] = Field(
+        None, description="thickness that may wear away, for the life of the liner"
+    )
+    wear_mm3_per_j: Annotated[Number, Quantity("wear rate", gt=0, le=1e9, plausible=_WEARS)] = Field(
+        None, description="volume lost per frictional work, measured with the material, for the life of the liner"
     )
     rules: ClassVar = (one_of("friction_deg", "yield_locus_kpa", "own_material"), locus_rows)
 
@@ -57,7 +89,7 @@ class Liner(Table):
 class Inlet(Table):
     """How the stream enters: with a velocity and a slope, or from a belt."""
 
-    velocity_m_s: Annotated[Number, Quantity("velocity", ge=0, le=1e4)] = Field(
+    velocity_m_s: Annotated[Number, Quantity("velocity", ge=0, le=1e4, plausible=_RUNS)] = Field(
         None, description="velocity of the stream, along slope_deg"
     )
     slope_deg: Slope = Field(None, description="slope of the stream below horizontal; 90 falls straight down")
@@ -77,7 +109,7 @@ class Receiver(Table):
     at_m: Position = Field(
         None, description="x and z of a point of its surface; where the last segment ends if not given"
     )
-    plan_angle_deg: Annotated[Number, Quantity("angle", ge=-180, le=180)] = Field(
+    plan_angle_deg: Annotated[Number, Quantity("angle", ge=-180, le=180, plausible=_TURNS)] = Field(
         0.0, description="angle between the headings of stream and belt, seen from above"
     )
 
@@ -109,6 +141,7 @@ class ChuteSpec(Table):
     inlet: Inlet
     model: Model = Field(Model(), description="variant of the model, optional")
     receiver: Receiver | None = Field(None, description="belt that the stream goes to, optional")
+    limits: Limits = Field(Limits(), description="limits of findings, optional")
     segments: list[AnySegment] = Field(min_length=1, description="segments in the order in which the stream meets them")
     cases: dict[Name, dict[str, Any]] = Field(
         {}, description="operating states that the same steel has to serve, by name: key paths with their values"

@@ -8,14 +8,14 @@ from pydantic import Field
 
 from chutecalc import design
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import BeltSlope, BeltVelocity, Depth, FrictionAngle, Length
+from chutecalc.fields.quantities import INCLINES, WIDE, BeltSlope, BeltVelocity, Depth, FrictionAngle, Width
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.fields.table import Table, Violation
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.troughed_belt import BeltLoad, belt_load
 
 LOCATION: Location = ("inlet", "belt")
-LoadAngle = Annotated[Number, Quantity("angle", ge=0, lt=90)]
+LoadAngle = Annotated[Number, Quantity("angle", ge=0, lt=90, plausible=INCLINES)]
 
 
 def loaded_belt(table: dict[str, Any]) -> Iterator[Violation]:
@@ -44,15 +44,15 @@ class Belt(Table):
 
     velocity_m_s: BeltVelocity = Field(description="velocity of the belt")
     incline_deg: BeltSlope = Field(0.0, description="incline of the belt, positive uphill")
-    pulley_radius_m: Length = Field(description="radius of the head pulley")
+    pulley_radius_m: Width = Field(description="radius of the head pulley")
     belt_thickness_m: Depth = Field(0.0, description="thickness of the belt")
     material_depth_m: Depth = Field(
         None, description="depth of the stream on the belt, 0 if not given; the path is that of its middle"
     )
-    width_m: Annotated[Number, Quantity("length", ge=0.1, le=1e5)] = Field(
+    width_m: Annotated[Number, Quantity("length", ge=0.1, le=1e5, plausible=WIDE)] = Field(
         None, description="width of the belt; the depth of the stream then follows from the rate"
     )
-    roll_m: Length = Field(
+    roll_m: Width = Field(
         None, description="length of the middle one of three rolls; a third of the width and 10 mm if not given"
     )
     trough_deg: LoadAngle = Field(None, description="trough angle of the side rolls; 0 is a flat belt")

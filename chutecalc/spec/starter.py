@@ -5,6 +5,7 @@ from string import Formatter
 
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
+from chutecalc.spec.limits import LIMITS
 
 _CHUTE = """\
 # A chute for chutecalc. Run it:  chutecalc run chute.toml
@@ -20,9 +21,12 @@ name = "coal"
 density_kg_m3 = 800
 internal_friction_deg = 55      # effective angle of internal friction
 # pressure_ratio = 0.4          # instead: pressure on a vertical wall over that on the floor
+# lump_mm = 150                 # largest lump, to check that the chute has room for it
 
 [liners.ceramic]
 friction_deg = 25               # wall friction angle
+# thickness_mm = 20             # these two, for the life of the liner
+# wear_mm3_per_j = 1e-4         # volume lost per frictional work, measured with the material
 
 [sections.body]                 # {shapes}
 {chamfered}# wall_height_m = 0.4           # above the floor; a deeper stream chokes the chute
@@ -63,7 +67,10 @@ _FURTHER = """
 # velocity_m_s = 3.0
 # slope_deg = 0                 # downhill
 # friction_deg = 30             # of the material on the belt
-"""
+
+# Where findings begin; these are the defaults:
+
+{limits}"""
 _USED = {field for _, field, _, _ in Formatter().parse(_CHUTE)}
 
 
@@ -73,13 +80,22 @@ def _commented(headers: str, examples: Mapping[str, str]) -> str:
     return "\n".join("".join(f"# {line}\n" for line in block.splitlines()) for block in blocks)
 
 
+def _limits() -> str:
+    """Return the limits that are in force by default as TOML comments."""
+    entries = {f"{one.key} = {one.default:g}": one for one in LIMITS.values() if one.default is not None}
+    lines = ["[limits]", *(f"{entry:<31} # {one.finding}: {one.meaning}" for entry, one in entries.items())]
+    return "".join(f"# {line}\n" for line in lines)
+
+
 def _starter() -> str:
     """Return the chute and the further examples as TOML text."""
     sections = {shape: table.example for shape, table in SHAPES.items()}
     segments = {kind: table.example for kind, table in KINDS.items()}
     chute = _CHUTE.format(shapes=" | ".join(SHAPES), kinds=" | ".join(KINDS), **sections, **segments)
     return chute + _FURTHER.format(
-        sections=_commented("[sections.{}]\n", sections), segments=_commented("[[segments]]\n", segments)
+        sections=_commented("[sections.{}]\n", sections),
+        segments=_commented("[[segments]]\n", segments),
+        limits=_limits(),
     )
 
 

@@ -255,9 +255,10 @@ def test_new_and_gone_findings(folder, capsys):
     document = baseline()
     document["findings"] = [{"severity": "warning", "code": "thick_stream", "segment": "spoon"}]
     rewrite(document)
-    status, word, (new, gone) = outcome(capsys)
+    status, word, (new, note, gone) = outcome(capsys)
     assert (status, word) == (1, "changed")
     assert new.startswith("new finding: warning below_cut_off in spoon: the spoon ends at 0°, flatter than")
+    assert note.startswith("new finding: note will_not_clear in spoon: after a stop, ")
     assert gone == "finding in the baseline only: warning thick_stream in spoon"
 
 
@@ -325,7 +326,8 @@ def test_a_broken_baseline(folder, capsys, old, new, message):
 def test_a_bad_spec_ends_with_2_and_nothing_is_written(folder, capsys):
     Path("other.toml").write_text(chutecalc.STARTER.replace("radius_m = 3.0", "radius_m = -3.0"), encoding="utf-8")
     assert main(["check", "--update", "--junit", "check.xml"]) == 2
-    assert "other.toml:36: segments.2.radius_m = -3.0 must be greater than 0 m" in capsys.readouterr().err
+    line = 1 + Path("other.toml").read_text(encoding="utf-8").splitlines().index("radius_m = -3.0")
+    assert f"other.toml:{line}: segments.2.radius_m = -3.0 must be greater than 0 m" in capsys.readouterr().err
     assert sorted(path.name for path in folder.iterdir()) == ["other.toml", "spoon.baseline.toml", "spoon.toml"]
 
 

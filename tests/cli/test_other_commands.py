@@ -16,6 +16,7 @@ from chutecalc.design import Status
 from chutecalc.results.columns import COLUMNS
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
+from chutecalc.spec.limits import LIMITS
 from tests.conftest import STANDARD_DESIGNS
 
 
@@ -55,10 +56,18 @@ def test_the_starter_names_every_shape_and_kind_and_its_comments_are_toml():
     assert {"inlet", "receiver"} <= {key for block in blocks for key in block}
 
 
-def test_the_starter_runs_and_draws_the_warning_of_its_level_end_alone(capsys, tmp_path):
+def test_the_starter_runs_and_draws_what_its_level_end_does_alone(capsys, tmp_path):
     solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
     assert solution.status.tolist() == ["ok"]
-    assert [finding.code for finding in solution.findings()] == ["below_cut_off"]
+    assert [finding.code for finding in solution.findings()] == ["below_cut_off", "will_not_clear"]
+
+
+def test_limits_are_listed_with_their_defaults_and_sources(capsys):
+    assert main(["limits"]) == 0
+    heading, *rows = capsys.readouterr().out.splitlines()
+    assert heading.split() == ["key", "default", "finding", "source", "meaning"]
+    assert [row.split()[0] for row in rows if not row.startswith(" ")] == list(LIMITS)
+    assert "max_impact_angle_deg    20°      steep_impact      rule of thumb" in rows[0]
 
 
 def test_schema_accepts_every_standard_design_and_refuses_what_run_refuses(capsys):
@@ -117,7 +126,7 @@ def test_version_and_help(capsys):
         ("sweep", "PARAMETER is missing. For example: chutecalc sweep radius=2:4:0.5 phi=20:30:5 chute.toml"),
         ("chute.toml", "there is no command chute.toml. To solve a chute: chutecalc run chute.toml\n"),
         ("swep", "there is no command swep. Did you mean sweep?\n"),
-        ("xyz", "there is no command xyz. Use new, run, sweep, check, schema, columns or dem.\n"),
+        ("xyz", "there is no command xyz. Use new, run, sweep, check, freeze, schema, columns, limits or dem.\n"),
         ("run a.toml --foo", "there is no option --foo. chutecalc run --help lists the options.\n"),
         ("run a.toml --plott x", "there is no option --plott. Did you mean --plot"),
         ("run a.toml --plot", "--plot needs a value after it.\n"),

@@ -38,7 +38,7 @@ def test_every_key_of_a_liner_every_segment_section_inlet_and_law_is_in_one():
     shapes = {section["shape"] for table in tables for section in table["sections"].values()}
     assert shapes == SHAPES.keys()
     liners = {key.rsplit("_", 1)[0] for table in tables for liner in table["liners"].values() for key in liner}
-    assert liners == {"friction", "yield_locus", "own", "slip"}
+    assert liners == {"friction", "yield_locus", "own", "slip", "thickness", "wear_mm3_per"}
     assert {"belt" in table["inlet"] for table in tables} == {True, False}
     assert {table.get("model", {}).get("friction_law", "paper") for table in tables} == {"paper", "equilibrium"}
     assert {"pressure_ratio" in table["material"] for table in tables} == {True, False}
@@ -49,9 +49,8 @@ def test_every_outcome_and_every_finding_is_shown_by_one():
     solutions = {path: chutecalc.solve(chutecalc.load(path)) for path in STANDARD_DESIGNS}
     ends = {str(segment.status[0]) for solution in solutions.values() for segment in solution.segments}
     assert ends == set(Status.LABELS)
-    assert {finding.code for solution in solutions.values() for finding in solution.findings()} == {
-        criterion.code for criterion in CRITERIA
-    }
+    shown = {finding.code for solution in solutions.values() for finding in solution.findings()}
+    assert shown == {criterion.code for criterion in CRITERIA if not criterion.judges_spec}  # whose specs are right
     assert [path for path, solution in solutions.items() if solution.status[0] != "ok"] == FAILS
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import tomli_w
 
 import chutecalc
+from chutecalc.spec.limits import LIMITS
 from tests import seeds
 from tests.conftest import spec
 
@@ -223,6 +224,20 @@ class Maker:
         segments.insert(number, {"kind": "fall", "onto_next": True})
 
 
+class LimitMaker(Maker):
+    """Draws chutes with lumps, liners that wear, and limits of their own."""
+
+    def chute(self) -> dict[str, Any]:
+        data = super().chute()
+        data["material"] |= self.perhaps(0.7, lump_m=(1e-4, 1.0))
+        for liner in data["liners"].values():
+            liner |= self.perhaps(0.7, thickness_m=(0.001, 0.2), wear_mm3_per_j=(1e-8, 1.0))
+        ends = dict.fromkeys(LIMITS, (0.01, 10.0))
+        ends |= {"min_velocity_ratio": (0.1, 0.9), "max_velocity_ratio": (1.0, 3.0)}
+        data["limits"] = self.perhaps(0.5, **ends)
+        return data
+
+
 class ClosedMaker(Maker):
     """Draws chutes of pipes and boxes."""
 
@@ -254,5 +269,5 @@ class BeltMaker(Maker):
         return data
 
 
-MAKERS = (Maker, ClosedMaker, BeltMaker)
+MAKERS = (Maker, ClosedMaker, BeltMaker, LimitMaker)
 """All that draw chutes, each with cases of its own. For a new shape or kind add a class derived from ``Maker``."""

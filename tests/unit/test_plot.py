@@ -167,7 +167,7 @@ def test_many_segments_are_told_once_and_not_named():
         {"kind": "straight", "slope_deg": float(a), "length_m": 0.1, "name": f"s{k}"} for k, a in enumerate(slopes)
     ]
     _, axes, _ = drawn(chute(inlet={"velocity_m_s": 5.0, "slope_deg": 76.0}, segments=straights))
-    assert [text.get_text() for text in axes["side"].texts] == ["1"]
+    assert [text.get_text() for text in axes["side"].texts] == ["1, 2"]  # where both findings have their first place
     assert not axes["velocity_m_s"].texts
     assert re.search(r"and \d+ more", axes["notes"].texts[0].get_text())
 

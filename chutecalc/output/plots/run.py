@@ -173,12 +173,10 @@ def _notes(solution: SolvedChute, stream: Sequence[Trace], units: str) -> tuple[
     found: dict[str, list[Finding]] = {}
     for finding in solution.findings():
         found.setdefault(finding.code, []).append(finding)
-    column = COLUMNS["s_m"]
     for number, (code, alike) in enumerate(found.items(), 1):
         first, more = alike[0], len(alike) - 1
-        location = f"{first.segment}, s = {column.shown(float(first.s_m[0]), units)} {column.unit_text(units)}"
         others = f" and {more} more" if more else ""
-        text = f"{number}  {first.severity} {code}: {location}{others}: {first.message(0, units)}"
+        text = f"{number}  {first.severity} {code}: {first.where(0, units)}{others}: {first.message(0, units)}"
         lines += textwrap.wrap(text, NOTE_LENGTH, subsequent_indent="    ")
         if np.isfinite(first.s_m[0]):
             marks.append(Mark(str(number), float(first.s_m[0])))

@@ -4,14 +4,14 @@ To add a criterion, write a function with :func:`chutecalc.results.criterion.cri
 one: the modules are found by the package itself, and a criterion is all that is known of its findings.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.registry import load_modules
-from chutecalc.results.criterion import CRITERIA, Scene
+from chutecalc.results.criterion import CRITERIA, Scene, Written
 from chutecalc.results.edges import Edge
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.sampled import SampledPart
@@ -67,4 +67,22 @@ def find(
                 designs=designs,
             )
             found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]
-    return sorted(found, key=lambda finding: _RANK[finding.severity])
+    return in_order(found)
+
+
+def find_in_spec(written: Written) -> list[Finding]:
+    """Return all findings about the keys of a spec, in the order of its keys.
+
+    Args:
+        written: the spec.
+    """
+    return [finding for criterion in CRITERIA for finding in criterion.findings_of_spec(written)]
+
+
+def in_order(findings: Iterable[Finding]) -> list[Finding]:
+    """Return findings with failures first, then warnings, then notes; otherwise as they are.
+
+    Args:
+        findings: in any order.
+    """
+    return sorted(findings, key=lambda finding: _RANK[finding.severity])

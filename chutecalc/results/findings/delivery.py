@@ -6,9 +6,7 @@ import numpy as np
 
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
-
-FULLEST_BELT = 1.0
-"""Area of the load over that which the belt can carry by ISO 5048."""
+from chutecalc.spec.limits import LIMITS
 
 _ON_PULLEY = (
     *("discharge_froude", "slope_deg", "velocity_m_s", "slide_start_deg", "held_slope_deg", "held_velocity_m_s"),
@@ -55,8 +53,8 @@ def slides_on_pulley(scene: Scene) -> Iterator[Case]:
     "belt_overfull",
     Severity.WARNING,
     summary="the belt brings more than it can carry",
-    limit=f"A_b > {FULLEST_BELT:g} S",
-    source="ISO 5048",
+    limit=f"A_b > {LIMITS['max_belt_fill'].text} S",
+    source=LIMITS["max_belt_fill"].source,
     in_falls=True,
 )
 def belt_overfull(scene: Scene) -> Iterator[Case]:
@@ -68,11 +66,12 @@ def belt_overfull(scene: Scene) -> Iterator[Case]:
     if "belt_fill" not in scene.inlet:
         return
     numbers = {name: scene.inlet[name] for name in ("belt_fill", "load_width_m", "load_area_m2")}
+    numbers["limit"] = scene.limit("max_belt_fill")
     template = (
-        "the load of {load_area_m2} fills the belt that brings it to {belt_fill} (limit 1) and spills; it would cover"
-        " {load_width_m:in} of belt: use a wider or faster belt"
+        "the load of {load_area_m2} fills the belt that brings it to {belt_fill} (limit {limit}) and spills; it would"
+        " cover {load_width_m:in} of belt: use a wider or faster belt"
     )
-    yield Case(numbers["belt_fill"] > FULLEST_BELT, np.zeros(1), template, numbers)
+    yield Case(numbers["belt_fill"] > numbers["limit"], np.zeros(1), template, numbers)
 
 
 @criterion(

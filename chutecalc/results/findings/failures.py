@@ -77,12 +77,21 @@ def choke(scene: Scene) -> Iterator[Case]:
     begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     further = (beyond - share) * scene.contact.surface.length
     for status, fate in (
-        (Status.STALL, "higher walls alone do not help, as the stream would stop {further_m} further on"),
-        (Status.CONTACT_LOST, "with higher walls the stream would leave the surface {further_m} further on"),
+        (
+            Status.STALL,
+            "make the slope steeper or reduce the wall friction; higher walls alone do not help, as the stream"
+            " would stop {further_m} further on",
+        ),
+        (
+            Status.CONTACT_LOST,
+            "use a wider section; with higher walls the stream would leave the surface {further_m} further on",
+        ),
     ):
         mask, template = choked & (end == status), f"{begin} {fate}"
         yield Case(mask, s, template, numbers | {"further_m": further})
-    template = f"{begin} with higher walls the stream would run on to the end of the segment"
+    template = (
+        f"{begin} use a wider section or higher walls, with which the stream would run on to the end of the segment"
+    )
     yield Case(choked & (end == Status.OK), s, template, numbers)
 
 

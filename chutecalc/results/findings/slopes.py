@@ -9,16 +9,14 @@ from chutecalc.physics.motion import FLOOR
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
 from chutecalc.results.finding import Severity
-
-DECELERATION_MARGIN = 1.25
-CUT_OFF = np.radians(5.0)
+from chutecalc.spec.limits import LIMITS
 
 
 @criterion(
     "decelerating",
     Severity.WARNING,
     summary="on a straight the stream comes near or falls below the velocity at which friction slows it",
-    limit=f"v < {DECELERATION_MARGIN:g} v_c",
+    limit=f"v < {LIMITS['min_velocity_margin'].text} v_c",
     needs=[("velocity_m_s", LEAST), ("wall_friction", LARGEST)],
 )
 def decelerating(scene: Scene) -> Iterator[Case]:
@@ -54,16 +52,16 @@ def decelerating(scene: Scene) -> Iterator[Case]:
         " on a slope of {slope_deg}; make the slope steeper or reduce the friction"
     )
     yield Case(stalled, s, template, numbers)
-    margin = velocity / critical
+    margin, limit = velocity / critical, scene.limit("min_velocity_margin")
     template = (
         "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
-        " friction brings it to a stall on a slope of {slope_deg} (limit 1.25); make the slope steeper"
+        " friction brings it to a stall on a slope of {slope_deg} (limit {limit}); make the slope steeper"
     )
     yield Case(
-        (margin < DECELERATION_MARGIN) & ~flat & ~stalled,
+        (margin < limit) & ~flat & ~stalled,
         s,
         template,
-        numbers | {"velocity_m_s": velocity, "margin": margin},
+        numbers | {"velocity_m_s": velocity, "margin": margin, "limit": limit},
     )
 
 
@@ -71,11 +69,11 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     "below_cut_off",
     Severity.WARNING,
     summary="the last spoon ends too flat to clear itself",
-    limit=f"slope < atan(μ_e) + {np.degrees(CUT_OFF):g}°",
-    source="rule of thumb",
+    limit=f"slope < atan(μ_e) + {LIMITS['min_cut_off_margin_deg'].text}",
+    source=LIMITS["min_cut_off_margin_deg"].source,
 )
 def below_cut_off(scene: Scene) -> Iterator[Case]:
-    """Find a last spoon that ends flatter than the equivalent friction angle + 5° (rule of thumb).
+    """Find a last spoon that ends flatter than the equivalent friction angle and a margin (rule of thumb).
 
     Args:
         scene: the segment with the stream along it.
@@ -83,13 +81,13 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
     surface = scene.contact.surface
     if not (scene.last_surface and scene.segment.side == FLOOR):
         return
-    needed = np.arctan(scene.sampled.columns["equivalent_friction"][-1]) + CUT_OFF
-    slope = surface.slope + surface.turn
+    margin = scene.limit("min_cut_off_margin_deg")
+    needed = np.degrees(np.arctan(scene.sampled.columns["equivalent_friction"][-1])) + margin
+    slope = np.degrees(surface.slope + surface.turn)
     template = (
         "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
-        " (rule of thumb: equivalent friction angle + 5°)"
+        " (equivalent friction angle + {margin_deg}, rule of thumb)"
     )
     mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
-    yield Case(
-        mask, scene.solved.exit.distance, template, {"slope_deg": np.degrees(slope), "needed_deg": np.degrees(needed)}
-    )
+    numbers = {"slope_deg": slope, "needed_deg": needed, "margin_deg": margin}
+    yield Case(mask, scene.solved.exit.distance, template, numbers)

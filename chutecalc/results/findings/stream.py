@@ -4,109 +4,98 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
 from chutecalc.solver.segment_solution import TANGENT
-
-THICKEST = 1.0
-THICKEST_ON_ARC = 0.1
-SLOWEST_FROUDE = 2.0
-MOST_MISSING = 0.10
+from chutecalc.spec.limits import LIMITS
 
 
 @criterion(
     "thick_stream",
     Severity.WARNING,
     summary="the stream is too deep for its width or for the radius of its surface",
-    limit=f"H > {THICKEST:g} b, H > {THICKEST_ON_ARC:g} R",
+    limit=f"H > {LIMITS['max_depth_over_width'].text} b, H > {LIMITS['max_depth_over_radius'].text} R",
     needs=[("thickness", LARGEST), ("depth_m", LARGEST)],
+    foretells_failure=True,
 )
 def thick_stream(scene: Scene) -> Iterator[Case]:
-    """Find depths above the stream's greatest width b, or above a tenth of the radius.
+    """Find depths above the stream's greatest width b, or above a tenth of the radius, unless other limits are given.
 
     Args:
         scene: the segment with the stream along it.
     """
     thick, deep = scene.extreme("thickness", LARGEST), scene.extreme("depth_m", LARGEST)
+    limit = scene.limit("max_depth_over_width")
     template = (
-        "the depth reaches {thickness} times the stream's width (limit 1), too thick for a model with one mean"
+        "the depth reaches {thickness} times the stream's width (limit {limit}), too thick for a model with one mean"
         " velocity; use a wider section"
     )
-    s, numbers = scene.distance(thick.share), {"thickness": thick.value}
-    yield from _too_thick(thick.value, THICKEST, s, template, numbers, "the stream's width")
-    share = deep.value * np.abs(scene.contact.surface.curvature)
+    numbers = {"thickness": thick.value, "limit": limit}
+    yield Case(thick.value > limit, scene.distance(thick.share), template, numbers)
+    share, limit = deep.value * np.abs(scene.contact.surface.curvature), scene.limit("max_depth_over_radius")
     template = (
-        "the depth of {depth_m:in} reaches {share} of the radius (limit 0.1), too thick for a model with one mean"
+        "the depth of {depth_m:in} reaches {share} of the radius (limit {limit}), too thick for a model with one mean"
         " velocity; use a larger radius"
     )
-    s, numbers = scene.distance(deep.share), {"depth_m": deep.value, "share": share}
-    yield from _too_thick(share, THICKEST_ON_ARC, s, template, numbers, "a tenth of the radius")
-
-
-def _too_thick(ratio: Array, limit: float, s: Array, template: str, numbers: Numbers, what: str) -> Iterator[Case]:
-    """Yield the cases of a depth above a limit: a largest depth, and a stall, towards which it grows without bound."""
-    thick, bounded = ratio > limit, np.isfinite(ratio)
-    yield Case(thick & bounded, s, template, numbers)
-    template = (
-        f"the depth grows without bound where the stream stalls, past {what}: too thick for a model with one mean"
-        " velocity; prevent the stall"
-    )
-    yield Case(thick & ~bounded, s, template)
+    numbers = {"depth_m": deep.value, "share": share, "limit": limit}
+    yield Case(share > limit, scene.distance(deep.share), template, numbers)
 
 
 @criterion(
     "slow_stream",
     Severity.WARNING,
     summary="the stream is so slow that the neglected pressure gradient counts",
-    limit=f"Fr < {SLOWEST_FROUDE:g}",
+    limit=f"Fr < {LIMITS['min_froude'].text}",
     needs=[("froude", LEAST)],
+    foretells_failure=True,
 )
 def slow_stream(scene: Scene) -> Iterator[Case]:
-    """Find Froude numbers below 2, where the neglected pressure gradient changes dv/ds by about K/Fr².
+    """Find low Froude numbers, where the neglected pressure gradient changes dv/ds by about K/Fr².
 
     Args:
         scene: the segment with the stream along it.
     """
-    froude = scene.extreme("froude", LEAST)
+    froude, limit = scene.extreme("froude", LEAST), scene.limit("min_froude")
     template = (
-        "the Froude number falls to {froude} (limit 2): the pressure gradient along the stream, which the model"
+        "the Froude number falls to {froude} (limit {limit}): the pressure gradient along the stream, which the model"
         " neglects, changes dv/ds by about 1/Fr² there; a steeper slope makes the stream faster"
     )
-    mask = froude.value < SLOWEST_FROUDE
-    yield Case(mask, scene.distance(froude.share), template, {"froude": froude.value})
+    mask = froude.value < limit
+    yield Case(mask, scene.distance(froude.share), template, {"froude": froude.value, "limit": limit})
 
 
 @criterion(
     "missing_load",
     Severity.WARNING,
     summary="the paper's law lays much of the weight on the centre section by way of correction",
-    limit=f"m > {MOST_MISSING:g}",
+    limit=f"m > {LIMITS['max_missing_load'].text}",
+    source=LIMITS["max_missing_load"].source,
     needs=[("missing_load", LARGEST)],
 )
 def missing_load(scene: Scene) -> Iterator[Case]:
-    """Find loads above a tenth of the weight that the paper's law lays on the centre section as a correction.
+    """Find loads that are too large for the paper's law, which lays them on the centre section as a correction.
 
     Args:
         scene: the segment with the stream along it.
     """
     if scene.design.equilibrium:
         return
-    missing = scene.extreme("missing_load", LARGEST)
+    missing, limit = scene.extreme("missing_load", LARGEST), scene.limit("max_missing_load")
     friction, even = scene.at(missing.share, "equivalent_friction", "equilibrium_friction")
     template = (
-        "hydrostatic wall pressures do not carry {missing_percent} % of the weight (limit 10 %): the paper's law lays"
-        " it on the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it would be"
-        ' {equilibrium_friction} (friction_law = "equilibrium")'
+        "hydrostatic wall pressures do not carry {missing_percent} % of the weight (limit {limit_percent} %): the"
+        " paper's law lays it on the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it"
+        ' would be {equilibrium_friction} (friction_law = "equilibrium")'
     )
     yield Case(
-        missing.value > MOST_MISSING,
+        missing.value > limit,
         scene.distance(missing.share),
         template,
         {
             "missing_load": missing.value,
             "missing_percent": 100.0 * missing.value,
+            "limit_percent": 100.0 * limit,
             "equivalent_friction": friction,
             "equilibrium_friction": even,
         },
@@ -118,6 +107,7 @@ def missing_load(scene: Scene) -> Iterator[Case]:
     Severity.NOTE,
     summary="the depth passes the drawn top of the section",
     needs=[("above_top_m", LARGEST)],
+    foretells_failure=True,
 )
 def above_chamfer(scene: Scene) -> Iterator[Case]:
     """Find depths above the drawn top of the section.

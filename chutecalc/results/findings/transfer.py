@@ -6,6 +6,7 @@ import numpy as np
 
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.spec.limits import LIMITS
 
 
 @criterion(
@@ -37,3 +38,65 @@ def not_accelerated(scene: Scene) -> Iterator[Case]:
             "belt_slope_deg": np.degrees(belt.slope),
         },
     )
+
+
+@criterion(
+    "hard_landing",
+    Severity.WARNING,
+    summary="the stream lands hard on the receiving belt",
+    limit=f"velocity into the belt > {LIMITS['max_velocity_into_m_s'].text}",
+    source=LIMITS["max_velocity_into_m_s"].source,
+    in_falls=True,
+)
+def hard_landing(scene: Scene) -> Iterator[Case]:
+    """Find streams that land hard on the receiving belt: by their velocity into it, or a pressure above its limit.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    received = scene.received
+    if not received:
+        return
+    into, pressure = received["velocity_into_m_s"], received["impact_pressure_kpa"]
+    fastest, greatest = scene.limit("max_velocity_into_m_s"), scene.limit("max_belt_impact_kpa")
+    advice = "expect wear and damage of the belt; end the chute closer to the slope of the belt"
+    template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, rule of thumb): {advice}"
+    yield Case(into > fastest, scene.exit_distance, template, {"velocity_m_s": into, "limit_m_s": fastest})
+    template = f"the stream lands on the belt with {{pressure_kpa}} (limit {{limit_kpa}}): {advice}"
+    yield Case(pressure > greatest, scene.exit_distance, template, {"pressure_kpa": pressure, "limit_kpa": greatest})
+
+
+@criterion(
+    "off_speed",
+    Severity.WARNING,
+    summary="the stream is slower or faster than the receiving belt",
+    limit=f"velocity ratio < {LIMITS['min_velocity_ratio'].text} or > {LIMITS['max_velocity_ratio'].text}",
+    source=LIMITS["min_velocity_ratio"].source,
+    in_falls=True,
+)
+def off_speed(scene: Scene) -> Iterator[Case]:
+    """Find streams whose velocity along the receiving belt is far from the belt's (rule of thumb).
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    belt, received = scene.design.receiver, scene.received
+    if belt is None or not received:
+        return
+    ratio, low, high = received["velocity_ratio"], scene.limit("min_velocity_ratio"), scene.limit("max_velocity_ratio")
+    numbers = {
+        "velocity_m_s": received["velocity_along_m_s"],
+        "ratio": ratio,
+        "belt_velocity_m_s": belt.velocity,
+        "low": low,
+        "high": high,
+    }
+    for mask, advice in (
+        (ratio < low, "make the stream faster, or end the chute closer to the slope of the belt"),
+        (ratio > high, "make the stream slower, or the belt faster"),
+    ):
+        template = (
+            "along the belt the stream has {velocity_m_s}, {ratio} times the {belt_velocity_m_s} of the belt (limits"
+            f" {{low}} to {{high}}, rule of thumb), which wears it; {advice}"
+        )
+        yield Case(mask, scene.exit_distance, template, numbers)

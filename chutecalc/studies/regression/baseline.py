@@ -59,6 +59,8 @@ class BaselineSegment(Table):
     """Status of the stream at its end."""
     impact: Row = Field(default_factory=dict)
     """Numbers of the impact at its start."""
+    loads: Row = Field(default_factory=dict)
+    """Forces and wear of the segment."""
     stations: list[Row] = Field(default_factory=list)
     """Columns at its stations."""
     minimum: Row = Field(default_factory=dict)
@@ -129,6 +131,7 @@ class Baseline(State):
             yield RowKey(f"{before}inlet", 1, ""), state.inlet
         for visit, segment in self.visits().items():
             yield RowKey(*visit, "impact"), segment.impact
+            yield RowKey(*visit, "loads"), segment.loads
             for number, station in enumerate(segment.stations, 1):
                 yield RowKey(*visit, f"station {number}"), station
             yield RowKey(*visit, "minimum"), segment.minimum
@@ -172,14 +175,21 @@ class RowKey(NamedTuple):
     visit: int
     """Number of the visit, from 1: more than one where the stream leaves the segment and comes back."""
     row: str
-    """``impact``, ``station 1`` to ``station 5``, ``minimum`` or ``maximum``; empty for inlet and receiver."""
+    """``impact``, ``loads``, ``station 1`` to ``station 5``, ``minimum``, ``maximum``; empty for inlet and receiver."""
 
 
 def _is_number(name: str, value: Any) -> bool:
     return isinstance(value, float) and name not in ("rtol", "tolerance")
 
 
-_OF_UNIT = {"m": "s_m", "m_s": "velocity_m_s", "deg": "slope_deg", "kpa": "pressure_kpa", "w_m2": "wear_w_m2"}
+_OF_UNIT = {
+    "m": "s_m",
+    "m_s": "velocity_m_s",
+    "deg": "slope_deg",
+    "kpa": "pressure_kpa",
+    "w_m2": "wear_w_m2",
+    "n": "force_n",
+}
 
 
 @cache

@@ -118,7 +118,7 @@ def _drifts(was: Baseline, now: Baseline, common: set[tuple[str, int]]) -> Itera
                 spare = 2.0 * EXTREME_MARGIN
             off = 1.0 if a is None or b is None else abs(a - b) / max(abs(a), abs(b), scales[column_of(column)])
             if off > was.tolerance + spare:
-                station = key._replace(row="station 1") if key.row == "impact" else key
+                station = key._replace(row="station 1") if key.row in ("impact", "loads") else key
                 s = after.get(station, {}).get("s_m", before.get(station, {}).get("s_m"))
                 yield Drift(key, column, s_m=s, was=a, now=b, off=off)
 

@@ -113,6 +113,7 @@ def _state(solution: Solution, findings: Sequence[Finding]) -> dict[str, Any]:
                 kind=result.kind,
                 status=str(result.status[0]),
                 impact=_finite(result.impact),
+                loads=_finite(result.loads),
                 stations=[station for station in stations if station],
                 minimum=_beyond(result.minimum, stations, -1.0),
                 maximum=_beyond(result.maximum, stations, 1.0),
@@ -121,7 +122,7 @@ def _state(solution: Solution, findings: Sequence[Finding]) -> dict[str, Any]:
     return {
         "status": str(solution.status[0]),
         "findings": [
-            BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings
+            BaselineFinding(severity=item.severity, code=item.code, segment=item.subject) for item in findings
         ],
         "inlet": _finite(solution.inlet),
         "segments": segments,

@@ -1,0 +1,28 @@
+"""The table of the forces on segments and the wear of their liners."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from chutecalc.output.grid import Grid
+from chutecalc.results.loads import LOAD_COLUMNS
+from chutecalc.results.segments import SegmentResult
+
+
+def loads_table(results: Iterable[SegmentResult], units: str) -> Grid:
+    """Return a row for each segment that is loaded, with the columns that any of them has.
+
+    Args:
+        results: of one design, in order.
+        units: ``metric`` or ``us``.
+    """
+    loaded = [result for result in results if any(np.isfinite(values[0]) for values in result.loads.values())]
+    names = [name for name in LOAD_COLUMNS if any(result.loads[name][0] == result.loads[name][0] for result in loaded)]
+    names = [name for name in names if name != "relative_wear" or len(loaded) > 1]  # of one segment it says nothing
+    table = Grid()
+    table.column("loads", left=True, label=True)
+    for column in (LOAD_COLUMNS[name] for name in names):
+        table.column(f"{column.heading}\n{column.unit_text(units)}")
+    for result in loaded if names else ():
+        table.row([result.name, *(LOAD_COLUMNS[name].shown(float(result.loads[name][0]), units) for name in names)])
+    return table
