@@ -7,6 +7,10 @@ import numpy as np
 from chutecalc.physics.arrays import Array
 
 
+ROUNDING = 4e-16
+"""Share of a velocity below which a component of it is rounding."""
+
+
 class Loading(NamedTuple):
     """The load of a stream on the belt that receives it, arrays of shape (designs,)."""
 
@@ -56,6 +60,7 @@ def components(velocity: Array, slope: Array, belt_slope: Array, plan_angle: Arr
     turned = 2.0 * np.sin(0.5 * plan_angle) ** 2 * np.cos(slope)
     along = np.cos(slope - belt_slope) - turned * np.cos(belt_slope)
     into = np.sin(slope - belt_slope) + turned * np.sin(belt_slope)
+    along, into = (np.where(np.abs(part) > ROUNDING, part, 0.0) for part in (along, into))
     return velocity * along, np.abs(velocity * into), velocity * np.cos(slope) * np.sin(plan_angle)
 
 

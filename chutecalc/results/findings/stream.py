@@ -138,7 +138,7 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
         return
     slope = np.degrees(scene.contact.surface.slope)
     template = (
-        "the curve is drawn tangent to the stream of the spec, from {slope_deg}: an edited flow draws another curve; set"
+        "the curve is drawn tangent to the stream of the spec, from {slope_deg}: another flow draws another curve; set"
         " from_slope_deg, or let `chutecalc freeze` write it down"
     )
     s = scene.solved.start.distance
