@@ -18,6 +18,7 @@ from chutecalc.output.dataset import Dataset
 from chutecalc.output.formats.csv import CsvRows
 from chutecalc.output.run import run_dataset
 from chutecalc.output.table import Printer
+from chutecalc.results.cases import DESIGN_POINT, Cases
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
@@ -49,7 +50,7 @@ def stages(file: Path) -> Tasks:
         "stations, all columns": lambda: again().stations(),
         "extremes and findings": lambda: again().findings(),
         "table": lambda: Printer("metric", io.StringIO()).report(again()),
-        "CSV file": lambda: write_csv(run_dataset([solution], [table])),
+        "CSV file": lambda: write_csv(run_dataset([Cases({DESIGN_POINT: solution})], [{DESIGN_POINT: table}])),
     }
 
 

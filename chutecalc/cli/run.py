@@ -14,7 +14,7 @@ from chutecalc.cli.specs import read_chutes
 from chutecalc.errors import ExitStatus
 
 if TYPE_CHECKING:
-    from chutecalc.api.solution import Solution
+    from chutecalc.results.cases import Cases
 
 EXAMPLES = (
     "chutecalc run chute.toml --plot chute.svg",
@@ -50,57 +50,68 @@ def run(
     Data files have a row for each station, 101 along each segment unless you choose with --points or --stations.
     JSON has all other results as well. `chutecalc columns` lists the columns that there are.
     """
-    from chutecalc.api.chute import solve
+    from chutecalc.api.cases import solve_cases
+    from chutecalc.results.cases import DESIGN_POINT
     from chutecalc.results.columns import COLUMNS, check_columns
 
     names = names_of(columns)
     check_columns(names, COLUMNS)
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
-    solutions = [solve(chute, rtol) for chute in chutes]
+    cases = [solve_cases(chute, rtol) for chute in chutes]
+    solutions = [states[DESIGN_POINT] for states in cases]
     tables = None
     if stations.given:
         from chutecalc.output.run import needed
 
+        shown = needed(names or list(COLUMNS))
         tables = [
-            solution.stations(stations.points, stations.stations, needed(names or list(COLUMNS)))
-            for solution in solutions
+            {
+                name: solution.stations(stations.points, stations.stations, shown)
+                for name, solution in states.solutions.items()
+            }
+            for states in cases
         ]
     if outputs.files:
         from chutecalc.output.run import run_dataset
 
-        outputs.write(run_dataset(solutions, tables, names or list(COLUMNS)))
+        outputs.write(run_dataset(cases, tables, names or list(COLUMNS)))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
         outputs.draw(draw_run(solutions, outputs.units))
-    _print(solutions, tables, names, outputs)
-    return _status(solutions, strict)
+    _print(cases, tables, names, outputs)
+    return _status(cases, strict)
 
 
 def _print(
-    solutions: Sequence[Solution],
-    tables: Sequence[dict[str, Any]] | None,
+    cases: Sequence[Cases],
+    tables: Sequence[dict[str, dict[str, Any]]] | None,
     columns: Sequence[str],
     outputs: RunOutputs,
 ) -> None:
     """Print reports. If rows go to standard output, print findings to standard error instead."""
     from chutecalc.output.table import Printer
+    from chutecalc.results.cases import DESIGN_POINT
     from chutecalc.results.columns import IN_TABLES
 
+    solutions = [states[DESIGN_POINT] for states in cases]
     if data := outputs.to_standard_output:
         printer = Printer(outputs.units, sys.stderr)
-        for solution in solutions if data.document is None else ():
-            printer.findings(solution.findings())
+        for states in cases if data.document is None else ():
+            printer.findings(states[DESIGN_POINT].findings())
+            printer.case_findings(states)
         return
     printer = Printer(outputs.units, columns=columns or IN_TABLES)
     for number, solution in enumerate(solutions):
         if number:
             printer.text()
         printer.report(solution)
+        if len(cases[number].names) > 1:
+            printer.cases(cases[number])
         if tables:
             printer.text()
-            printer.stations(tables[number])
+            printer.stations(tables[number][DESIGN_POINT])
         if outputs.chart:
             from chutecalc.output.chart import print_chart
 
@@ -111,10 +122,11 @@ def _print(
         printer.comparison(solutions)
 
 
-def _status(solutions: Sequence[Solution], strict: bool) -> int:
-    """Return 1 if a design fails or, with ``strict``, has a warning; else 0."""
+def _status(cases: Sequence[Cases], strict: bool) -> int:
+    """Return 1 if a design fails in any state or, with ``strict``, has a warning; else 0."""
     from chutecalc.results.finding import Severity
 
+    solutions = [solution for states in cases for solution in states.solutions.values()]
     fails = any(not solution.ok[0] for solution in solutions)
     found = (finding for solution in solutions for finding in solution.findings())
     warned = strict and any(finding.severity == Severity.WARNING for finding in found)

@@ -5,35 +5,38 @@ from typing import Any
 
 import numpy as np
 
+from chutecalc.output.cases import cases_document
 from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
+from chutecalc.results.cases import DESIGN_POINT, Cases
 from chutecalc.results.columns import AT_STATION, COLUMNS
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
 
 
 def run_dataset(
-    solutions: Sequence[SolvedChute],
-    stations: Sequence[Mapping[str, Any]] | None,
+    chutes: Sequence[Cases],
+    stations: Sequence[Mapping[str, Mapping[str, Any]]] | None,
     columns: Sequence[str] = tuple(COLUMNS),
 ) -> Dataset:
     """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
 
     Args:
-        solutions: solutions of one design each.
-        stations: stations of each solution, if a user asked for some. The document holds them then. Without them the
-            rows are the default stations, and the document has none.
+        chutes: chutes of one design each, in all their states. Rows and documents begin with the design point.
+        stations: stations of each chute by the name of the state, if a user asked for some. The document holds those
+            of the design point then. Without them the rows are the default stations, and the document has none.
         columns: names of the station columns.
     """
 
     def blocks() -> Iterator[Block]:
-        tables = stations or (solution.stations(columns=needed(columns)) for solution in solutions)
-        for solution, table in zip(solutions, tables, strict=True):
-            yield _station_rows(solution.source, table, columns)
+        for index, chute in enumerate(chutes):
+            for name, solution in chute.solutions.items():
+                table = stations[index][name] if stations else solution.stations(columns=needed(columns))
+                yield _station_rows(solution.source, name, table, columns)
 
     def document() -> Any:
         documents = [
-            run_document(solution, stations[number] if stations else None, columns)
-            for number, solution in enumerate(solutions)
+            run_document(chute, stations[number][DESIGN_POINT] if stations else None, columns)
+            for number, chute in enumerate(chutes)
         ]
         return documents[0] if len(documents) == 1 else documents
 
@@ -52,24 +55,25 @@ def needed(columns: Sequence[str]) -> list[str]:
     return [name for name in AT_STATION if name in {"segment", "s_m", *columns}]
 
 
-def _station_rows(source: str, table: Mapping[str, Any], columns: Sequence[str]) -> Block:
-    """Return the stations that the stream reached, with the spec that they belong to."""
+def _station_rows(source: str, case: str, table: Mapping[str, Any], columns: Sequence[str]) -> Block:
+    """Return the stations that the stream reached, with the spec and the operating state that they belong to."""
     reached = np.isfinite(table["s_m"][0])
-    spec = np.full(np.count_nonzero(reached), source)
-    return {name: spec if name == "spec" else table[name][0][reached] for name in columns}
+    labels = {"spec": source, "case": case}
+    count = np.count_nonzero(reached)
+    return {name: np.full(count, labels[name]) if name in labels else table[name][0][reached] for name in columns}
 
 
 def run_document(
-    solution: SolvedChute, stations: Mapping[str, Any] | None, columns: Sequence[str] = tuple(COLUMNS)
+    chute: Cases, stations: Mapping[str, Any] | None, columns: Sequence[str] = tuple(COLUMNS)
 ) -> dict[str, Any]:
     """Return the results of one chute as a document.
 
     Args:
-        solution: solution of one design.
-        stations: its stations, from :meth:`chutecalc.Solution.stations`, to include.
+        chute: a chute of one design in all its states.
+        stations: those of the design point, from :meth:`chutecalc.Solution.stations`, to include.
         columns: names of the columns of its stations.
     """
-    segments = []
+    segments, solution = [], chute[DESIGN_POINT]
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
         entry = _segment(segment, stations, columns)
         if segment.impact:
@@ -103,6 +107,7 @@ def run_document(
             }
             for finding in solution.findings()
         ],
+        **(cases_document(chute) if len(chute.names) > 1 else {}),
     }
 
 

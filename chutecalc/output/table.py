@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
 from chutecalc.output.inlet import inlet_lines
 from chutecalc.output.loads import loads_table
+from chutecalc.output.receiver import receiver_lines
 from chutecalc.results.column import Column, Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
@@ -22,6 +23,8 @@ from chutecalc.results.solved import SolvedChute
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
+
+    from chutecalc.results.cases import Cases
 
 COLOURS: dict[str, str] = {Severity.FAILURE: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
 """Styles of rich by the severity of a finding."""
@@ -153,6 +156,30 @@ class Printer:
                 COLOURS[finding.severity],
             )
 
+    def cases(self, cases: Cases) -> None:
+        """Print the operating states of a chute, and what goes wrong in them beside the findings of the design point.
+
+        Args:
+            cases: the states of one design.
+        """
+        from chutecalc.output.cases import cases_table
+
+        self.text()
+        self.table(cases_table(cases, self.units))
+        self.text()
+        self.case_findings(cases)
+
+    def case_findings(self, cases: Cases) -> None:
+        """Print what goes wrong in cases beside the findings of the design point, a line each.
+
+        Args:
+            cases: the states of one design.
+        """
+        from chutecalc.output.cases import case_findings
+
+        for severity, begin, rest in case_findings(cases, self.units):
+            self.text(begin, rest, COLOURS[severity])
+
     def stations(self, stations: dict[str, Any]) -> None:
         """Print stations along the stream.
 
@@ -231,35 +258,8 @@ class Printer:
 
     def _belts(self, solution: SolvedChute) -> Iterator[str]:
         """Yield lines on the belt that the stream leaves and on the one that receives it."""
-
-        def text(numbers: Mapping[str, Any], name: str) -> str:
-            return quantity_text(name, float(numbers[name][0]), self.units)
-
         yield from inlet_lines(solution, self.units)
-        belt = solution.receiver
-        if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
-            return
-        yield (
-            f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} times its"
-            f" speed; {text(belt, 'velocity_into_m_s')} into it ({text(belt, 'impact_pressure_kpa')}); belt wear"
-            f" {text(belt, 'wear_w_m2')}"
-        )
-        yield (
-            f"receiver  {self._reached(belt['acceleration_length_m'][0])}, with"
-            f" {text(belt, 'acceleration_power_kw')}; after friction at the impact:"
-            f" {text(belt, 'landed_velocity_m_s')} along the belt,"
-            f" {self._reached(belt['landed_acceleration_length_m'][0]).removeprefix('reaches ')}"
-        )
-        yield f"receiver  {_advice(solution, text)}"
-
-    def _reached(self, length: float) -> str:
-        """Return where the material reaches the velocity of the belt, as text."""
-        if length == float("inf"):
-            return "never reaches belt speed"
-        distance = quantity_text("length_m", abs(length), self.units)
-        if length < 0.0:
-            return f"runs back first, then reaches belt speed {distance} behind the loading point"
-        return f"reaches belt speed after {distance}"
+        yield from receiver_lines(solution, self.units)
 
 
 def heading(column: Column, units: str) -> str:
@@ -298,22 +298,6 @@ def _exceeds(extreme: float, *ends: float) -> bool:
     """Return whether an extreme is visibly above both ends. A stream that comes to rest has only one."""
     end = max((end for end in ends if end == end), default=extreme)
     return extreme > end and (math.isinf(extreme) or extreme - end > 1e-6 * abs(extreme))
-
-
-def _advice(solution: SolvedChute, text: Callable[[Mapping[str, Any], str], str]) -> str:
-    """Return how to change velocity or slope at the exit so that the stream suits the belt."""
-    belt, exit_ = solution.receiver, solution.exit
-    ratio, slope = belt["velocity_ratio"][0], exit_["slope_deg"][0]
-    if abs(ratio - 1.0) < 0.005:
-        return "along the belt, the stream has the speed of the belt"
-    off = f"the stream is too {'slow' if ratio < 1.0 else 'fast'} for the belt"
-    velocity = f"at this slope an exit velocity of {text(belt, 'matching_velocity_m_s')} would match"
-    match = belt["matching_slope_deg"][0]
-    if match != match:
-        return f"{off} at any slope; {velocity}"
-    change = "flatter" if match < slope else "steeper"
-    slope_text = text(belt, "matching_slope_deg")
-    return f"{off}; {velocity}, or a {change} exit, at {slope_text}, which changes the impact on the belt"
 
 
 def _flow_line(solution: SolvedChute, units: str) -> str:

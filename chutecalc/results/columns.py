@@ -153,6 +153,7 @@ def _clearing_margin(part: Any, at: Any) -> Array:
 # fmt: off
 _CATALOGUE = (
     StreamColumn("spec", "spec", "", "the spec's file"),
+    StreamColumn("case", "case", "", "operating state: design, or the name of a case"),
     StreamColumn("segment", "segment", "", "name of the segment; NAME:flight for a flight that leads to it"),
     StreamColumn("kind", "kind", "", "kind of the segment; flight"),
     StreamColumn("s_m", "s", "s", "distance from the inlet along the stream", "length", "m", 3, "ft", 2,
@@ -257,7 +258,7 @@ REPORTED = tuple(name for name, column in COLUMNS.items() if column.extremes is 
 """Names of the columns whose least and largest values are reported for each segment."""
 IN_TABLES = tuple(name for name, column in COLUMNS.items() if column.in_tables)
 """Names of the columns that tables for people show."""
-AT_STATION = tuple(name for name in COLUMNS if name != "spec")
+AT_STATION = tuple(name for name in COLUMNS if name not in ("spec", "case"))
 """Names of the columns of a solution at its stations."""
 AT_EXIT = tuple(name for name in NUMERIC if Needs.WHOLE_PATH not in COLUMNS[name].needs)
 """Names of the columns that exist at an exit alone."""

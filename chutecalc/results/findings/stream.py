@@ -138,8 +138,8 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
         return
     slope = np.degrees(scene.contact.surface.slope)
     template = (
-        "the curve is drawn tangent to the stream, from {slope_deg}, so its shape changes with the flow; set"
-        " from_slope_deg to fix it"
+        "the curve is drawn tangent to the stream of the spec, from {slope_deg}: an edited flow draws another curve; set"
+        " from_slope_deg, or let `chutecalc freeze` write it down"
     )
     s = scene.solved.start.distance
     mask = slope < 90.0 - np.degrees(TANGENT)

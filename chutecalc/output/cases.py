@@ -1,0 +1,72 @@
+"""The operating states of a chute side by side: for people, and as part of a document."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from chutecalc.output.dataset import first, number
+from chutecalc.output.grid import Grid
+from chutecalc.results.cases import DESIGN_POINT, Cases
+from chutecalc.results.finding import Severity
+
+CONCERNED = (Severity.FAILURE, Severity.WARNING)
+"""Severities of the findings of cases that are printed."""
+
+
+def cases_table(cases: Cases, units: str) -> Grid:
+    """Return a row for each state, and below them the name of the worst in each column.
+
+    Args:
+        cases: the states of one design.
+        units: ``metric`` or ``us``.
+    """
+    table = Grid("cases, on the same steel")
+    table.column("case", left=True, label=True)
+    table.column("status", left=True, label=True)
+    for measure in cases.measures:
+        table.column(f"{measure.column.heading}\n{measure.column.unit_text(units)}")
+    for k, (name, solution) in enumerate(cases.solutions.items()):
+        cells = (
+            measure.column.shown(float(cases.numbers[measure.column.name][k, 0]), units) for measure in cases.measures
+        )
+        table.row([name, str(solution.status[0]).replace("_", " "), *cells])
+    worst = {name: str(states[0]) for name, states in cases.worst.items()}
+    cells = (worst.get(measure.column.name, "") for measure in cases.measures)
+    table.row(["worst", worst["status"], *cells])
+    return table
+
+
+def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str]]:
+    """Yield severity, beginning and rest of a line for each failure or warning that the design point does not have.
+
+    Args:
+        cases: the states of one design.
+        units: ``metric`` or ``us``.
+    """
+    for name in cases.names:
+        for finding in cases.findings(name):
+            if finding.severity in CONCERNED:
+                rest = f"  {name}: {finding.segment}: {finding.message(0, units)}"
+                yield finding.severity, f"{finding.severity} {finding.code}", rest
+
+
+def cases_document(cases: Cases) -> dict[str, Any]:
+    """Return the states as objects by name, and the names of the worst.
+
+    Args:
+        cases: the states of one design.
+    """
+    states = {}
+    for k, (name, solution) in enumerate(cases.solutions.items()):
+        if name == DESIGN_POINT:
+            continue
+        states[name] = {
+            "status": str(solution.status[0]),
+            "exit": first(solution.exit),
+            "receiver": first(solution.receiver) or None,
+            "compared": {key: number(values[k, 0]) for key, values in cases.numbers.items()},
+            "findings": [
+                {"code": finding.code, "severity": finding.severity, "segment": finding.segment}
+                for finding in solution.findings()
+            ],
+        }
+    return {"cases": states, "worst_cases": {key: str(name[0]) or None for key, name in cases.worst.items()}}
