@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from chutecalc.design import Status
+from chutecalc.physics.arrays import Mask
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.wall import holding_depth
 from chutecalc.results.criterion import Case, Scene, criterion
@@ -30,15 +31,14 @@ def will_not_clear(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    if scene.contact.surface.side != FLOOR:
-        return
-    yield from _too_flat(scene)
-    yield from _held(scene)
+    runs = (scene.solved.status == Status.OK) & (scene.contact.surface.side == FLOOR)  # a bed falls off a roof
+    yield from _too_flat(scene, runs)
+    yield from _held(scene, runs)
 
 
-def _too_flat(scene: Scene) -> Iterator[Case]:
-    """Yield the cases of stretches that are too flat to clear."""
-    part, worst, runs = scene.part, scene.extreme("clearing_margin_deg", LEAST), scene.solved.status == Status.OK
+def _too_flat(scene: Scene, runs: Mask) -> Iterator[Case]:
+    """Yield the cases of stretches that are too flat to clear, of designs whose stream runs along the floor."""
+    part, worst = scene.part, scene.extreme("clearing_margin_deg", LEAST)
     if not (runs & (worst.value < 0.0)).any():
         return
     stretches = negative_stretches(part, "clearing_margin_deg")
@@ -63,8 +63,8 @@ def _too_flat(scene: Scene) -> Iterator[Case]:
     yield Case(stands & ~most, s, f"{template}provide for cleaning it", numbers)
 
 
-def _held(scene: Scene) -> Iterator[Case]:
-    """Yield the case of a bed that adhesion holds where the segment is steepest."""
+def _held(scene: Scene, runs: Mask) -> Iterator[Case]:
+    """Yield the case of a bed that adhesion holds where the segment is steepest, of the same designs."""
     wall, surface, design = scene.segment.wall, scene.contact.surface, scene.design
     if not wall.intercepts.any():
         return
@@ -76,6 +76,6 @@ def _held(scene: Scene) -> Iterator[Case]:
         "after a stop, adhesion holds a bed of up to {depth_m:in} where the segment is steepest, {slope_deg}: expect"
         " build-up; provide for cleaning it"
     )
-    mask = (scene.solved.status == Status.OK) & (held > 0.0) & np.isfinite(held)
+    mask = runs & (held > 0.0) & np.isfinite(held)
     s = scene.distance(np.where(last > first, 1.0, 0.0))
     yield Case(mask, s, template, {"depth_m": held, "slope_deg": np.degrees(steepest)})
