@@ -17,10 +17,12 @@ MAP = "viridis"
 """Colour map, perceptually uniform: lightness grows with the values, also in print without colour."""
 DARKEST, LIGHTEST = 0.0, 0.8
 """Range of the colour map that stands out as a line on white paper."""
-INK, STEEL, PALE = "0.15", "0.35", "0.6"
+INK, STEEL, PALE, LOAD, SHADE = "0.15", "0.35", "0.6", "0.82", "0.95"
+"""Greys: of lines and text, surfaces, marks, a load that the model does not follow, and flights in panels."""
 STROKES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (9, 2)))
 MARKS = ("o", "s", "^", "D", "v", "P", "X", "<")
-SMALL = 7.5
+SMALL, TITLE = 7.5, 11.0
+"""Sizes of letters, points."""
 _STYLE = {
     "axes.axisbelow": True,
     "axes.grid": True,
@@ -29,7 +31,7 @@ _STYLE = {
     "axes.titlelocation": "left",
     "axes.titlesize": 9.5,
     "figure.constrained_layout.use": True,
-    "figure.titlesize": 11,
+    "figure.titlesize": TITLE,
     "font.size": 8.5,
     "grid.color": "0.9",
     "grid.linewidth": 0.6,
@@ -89,10 +91,22 @@ def label_axes(axes: Axes, x: Column, y: Column, units: str) -> None:
     axes.set_ylabel(mathematical(y.label(units)))
 
 
+def parts_of(title: str) -> list[str]:
+    """Return the parts of a title, which commas, colons and semicolons separate, with a space behind.
+
+    Args:
+        title: a title.
+
+    >>> parts_of("Spoon: coal, 1,200 t/h")
+    ['Spoon', 'coal', '1,200 t/h']
+    """
+    return [part.strip() for part in re.split(r"[,:;]\s+", title)]
+
+
 def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
     """Return the parts in which titles differ, as labels, and the parts that all of them share, as text.
 
-    Parts are separated by commas, colons and semicolons.
+    Parts are separated by commas, colons and semicolons, with a space behind.
 
     Args:
         titles: titles of several chutes.
@@ -100,7 +114,7 @@ def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
     >>> labels_of(["Spoon: R = 1 m, square", "Spoon: R = 2 m, square"])
     ([('R = 1 m',), ('R = 2 m',)], 'Spoon, square')
     """
-    split = [[part.strip() for part in re.split("[,:;]", title)] for title in titles]
+    split = [parts_of(title) for title in titles]
     shared = [part for part in split[0] if all(part in title for title in split)]
     parts = [tuple(part for part in title if part not in shared) for title in split]
     if all(parts) and len(set(parts)) == len(parts):

@@ -1,21 +1,27 @@
-"""The lines of a chute seen from the side: its stream, its surfaces, and flights that miss."""
+"""The lines of a chute seen from the side: its surfaces, and its stream with its edges, guided, in flight, or lost."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
 
 from chutecalc.design import Contact, Status
+from chutecalc.output.plots.belts import feed_lines, receiver_lines
+from chutecalc.output.plots.flights import STATIONS, Line, Throw, belt_edges, surface_line
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.surface import point
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.part import Part
 from chutecalc.results.solved import SolvedChute
 
-STATIONS = 101
-"""Number of stations along each segment or flight."""
 DEEPEST = 0.25
 """Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
+FURTHER = 0.2
+"""A stream that is lost is drawn to this far below everything else, over the height of the chute."""
+LOST = "lost"
+"""Kind of the trace of a stream that misses the next segment."""
 Lines = dict[str, Array]
+"""Columns by name, each of shape (stations,)."""
 
 
 class Trace(NamedTuple):
@@ -26,90 +32,161 @@ class Trace(NamedTuple):
     side: float
     """1 on a floor, -1 under a roof, 0 in flight."""
     columns: Lines
+    edges: list[Line]
+    """The path in flight, if its edges are not known; else the edges, that on the surface or the lower one first."""
+
+    @property
+    def path(self) -> Line:
+        """The path of the stream."""
+        return np.stack([self.columns["x_m"], self.columns["z_m"]])
 
 
-def traces(solution: SolvedChute) -> list[Trace]:
-    """Return the stream of the first design, a trace for each segment and flight that it reached.
+class Steel(NamedTuple):
+    """The surface of a segment, whether the stream reaches it or not."""
 
-    A stream that reaches none has the inlet as its only trace.
+    name: str
+    side: float
+    """1 for a floor, -1 for a roof."""
+    line: Line
+
+
+class View(NamedTuple):
+    """All that is to be seen of one design from the side."""
+
+    stream: list[Trace]
+    lost: Trace | None
+    surfaces: list[Steel]
+    feed: list[Line]
+    """The belt that the stream comes from, see :func:`chutecalc.output.plots.belts.feed_lines`."""
+    received: list[Line]
+    """The belt that it goes to, as one line."""
+    size: float
+    """Greater side of the chute without belts, m."""
+
+    @property
+    def deepest(self) -> float:
+        """Greatest depth to which the stream is drawn, m."""
+        return DEEPEST * self.size
+
+    @property
+    def traces(self) -> list[Trace]:
+        """The stream, with what is lost of it."""
+        return [*self.stream, *([self.lost] if self.lost else [])]
+
+    @property
+    def lines(self) -> list[Line]:
+        """All lines."""
+        edges, steel = (edge for trace in self.traces for edge in trace.edges), (each.line for each in self.surfaces)
+        return [*edges, *steel, *self.feed, *self.received]
+
+
+def view(solution: SolvedChute) -> View:
+    """Return what is to be seen of the first design.
 
     Args:
         solution: solution of one design.
     """
+    surfaces = _surfaces(solution)
+    reached = _reached(solution)
+    inlet = np.stack([solution.inlet[name][:1] for name in ("x_m", "z_m")])
+    paths = [np.stack([at["x_m"], at["z_m"]]) for _, at in reached]
+    size = float(extent([inlet, *(steel.line for steel in surfaces), *paths]).max())
+    belt = solution.design.belt
+    throws = belt_edges(belt, solution.design.gravity) if belt else []
+    stream: list[Trace] = []
+    for (part, at), following in zip_longest(reached, reached[1:]):
+        if part.contact is None:
+            throws = throws or [Throw(*part.solved.path[:, 0].tolist())]
+            landed = None if following is None or following[0].contact is None else following[0].contact.surface
+            edges, throws = _flown(throws, at, None if landed is None else surface_line(landed))
+            side = 0.0
+        else:
+            assert isinstance(part.segment, Contact)
+            side = part.segment.side
+            edges, throws = _guided(at, side, DEEPEST * size, float(solution.design.gravity[0]))
+        stream.append(Trace(part.name, part.kind, side, at, edges))
+    stream = stream or [_at_inlet(solution)]
+    lost = _lost(solution, stream, throws, surfaces)
+    return View(stream, lost, surfaces, feed_lines(solution), receiver_lines(solution, size), size)
+
+
+def _surfaces(solution: SolvedChute) -> list[Steel]:
+    """Return the surfaces that have a place, in the order of the spec."""
+    visits = {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}
+    found = []
+    for _, solved in sorted(visits.items()):
+        if solved.contact is not None:
+            steel = Steel(solved.segment.name, solved.contact.segment.side, surface_line(solved.contact.surface))
+            found += [steel] if np.isfinite(steel.line).all() else []
+    return found
+
+
+def extent(lines: Sequence[Line]) -> Array:
+    """Return width and height of lines together, m.
+
+    Args:
+        lines: at least one.
+    """
+    size: Array = np.ptp(np.concatenate(lines, axis=1), axis=1)
+    return size
+
+
+def _reached(solution: SolvedChute) -> list[tuple[Part, Lines]]:
+    """Return the parts that the stream reached, with their columns along it."""
     stations = solution.stations(points=STATIONS)
     found = []
     for number, part in enumerate(solution.trajectory.parts):
         rows = slice(number * STATIONS, (number + 1) * STATIONS)
         reached = np.isfinite(stations["s_m"][0, rows])
         if reached.any():
-            guide = part.solved.segment if part.contact is not None else None
-            side = guide.side if isinstance(guide, Contact) else 0.0
-            columns = {name: stations[name][0, rows][reached] for name in stations}
-            found.append(Trace(part.name, part.kind, side, columns))
-    return found or [_at_inlet(solution)]
+            found.append((part, {name: values[0, rows][reached] for name, values in stations.items()}))
+    return found
+
+
+def _guided(at: Lines, side: float, deepest: float, gravity: float) -> tuple[list[Line], list[Throw]]:
+    """Return the edges on a surface, that on it first, and how they leave it."""
+    depth = np.minimum(at["depth_m"], deepest)  # none where the stream has come to rest
+    slope = np.radians(at["slope_deg"])
+    foot = np.stack([at["x_m"], at["z_m"]])
+    edges = [foot, foot + side * depth * np.stack([np.sin(slope), np.cos(slope)])]
+    velocity = at["velocity_m_s"][-1]
+    leaves = float(velocity * np.cos(slope[-1])), float(velocity * np.sin(slope[-1]))
+    known = [edge[:, -1].tolist() for edge in edges if np.isfinite(edge[:, -1]).all()]
+    return edges, [Throw(x, z, *leaves, gravity) for x, z in known]
+
+
+def _flown(throws: list[Throw], at: Lines, landed: Line | None) -> tuple[list[Line], list[Throw]]:
+    """Return the edges of a flight, and how they would fly on."""
+    time = at["time_s"] - at["time_s"][0]
+    usual = float(time[-1])
+    x, z = at["x_m"][0], at["z_m"][0]
+    edges = []
+    for throw in throws:
+        is_path = np.hypot(throw.x - x, throw.z - z) <= 1e-9 * (1.0 + np.hypot(x, z))
+        ends = usual if is_path or landed is None else throw.time_of_landing(landed, usual)
+        edges.append(throw.at(time * (ends / usual if usual else 1.0)))
+    return edges, [throw.after(usual) for throw in throws]
+
+
+def _lost(solution: SolvedChute, stream: list[Trace], throws: list[Throw], surfaces: list[Steel]) -> Trace | None:
+    """Return the path of a stream that misses the next segment, until it is below everything drawn; else None."""
+    missed = [each for each in solution.trajectory.segment_solutions if each.status[0] == Status.MISSED]
+    if not missed:
+        return None
+    path = Throw(*missed[-1].path[:, 0].tolist())
+    everything = np.concatenate([*(steel.line for steel in surfaces), *(trace.path for trace in stream)], axis=1)
+    level = min(float(everything[1].min()), path.z) - FURTHER * max(float(np.ptp(everything[1])), 1.0)
+    time = np.linspace(0.0, path.time_to(level), STATIONS)
+    x, z = path.at(time)
+    flown = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(z)))])
+    columns = {name: np.full(STATIONS, np.nan) for name in COLUMNS}
+    columns |= {"x_m": x, "z_m": z, "s_m": stream[-1].columns["s_m"][-1] + flown, "velocity_m_s": path.velocity(time)}
+    return Trace(LOST, LOST, 0.0, columns, [throw.at(time) for throw in throws or [path]])
 
 
 def _at_inlet(solution: SolvedChute) -> Trace:
-    """Return the inlet as a trace of one station."""
+    """Return the inlet as a trace of one station, for a stream that reaches nothing."""
     inlet = {name: values[:1] for name, values in solution.inlet.items()}
     nowhere = {name: np.full(1, np.nan) for name in COLUMNS}
-    return Trace("inlet", "inlet", 0.0, nowhere | inlet | {"s_m": np.zeros(1)})
-
-
-def extent(solution: SolvedChute, stream: Sequence[Trace]) -> Array:
-    """Return width and height of a chute with its stream, seen from the side, m.
-
-    Args:
-        solution: solution of one design.
-        stream: traces of its stream.
-    """
-    paths = [(part.columns["x_m"], part.columns["z_m"]) for part in stream]
-    points = np.concatenate([np.stack(line) for line in (*paths, *surfaces(solution))], axis=1)
-    size: Array = np.ptp(points, axis=1)
-    return size
-
-
-def deepest(solution: SolvedChute, stream: Sequence[Trace]) -> float:
-    """Return the greatest depth to which the stream is drawn, m.
-
-    Args:
-        solution: solution of one design.
-        stream: traces of its stream.
-    """
-    return DEEPEST * float(extent(solution, stream).max())
-
-
-def surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
-    """Yield the line or arc of each contact segment that has a position.
-
-    Args:
-        solution: solution of one design.
-
-    Yields:
-        Horizontal position and height along it, m, each of shape (stations,).
-    """
-    for solved in {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}.values():
-        if solved.contact is not None:
-            x, z, _ = point(solved.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
-            if np.isfinite(x[:, 0] + z[:, 0]).all():
-                yield x[:, 0], z[:, 0]
-
-
-def lost_flights(solution: SolvedChute, drawn: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
-    """Yield the paths of streams that miss the next segment, until they are below everything drawn.
-
-    Args:
-        solution: solution of one design.
-        drawn: horizontal position and height of its surfaces, m.
-
-    Yields:
-        Horizontal position and height along the path, m, each of shape (stations,).
-    """
-    lowest = min((float(z.min()) for _, z in drawn), default=np.inf)
-    further = max((float(np.ptp(z)) for _, z in drawn), default=1.0)
-    for solved in solution.trajectory.segment_solutions:
-        if solved.status[0] == Status.MISSED:
-            x, z, forward, downward, gravity = solved.path[:, 0]
-            drop = z - min(lowest, z) + 0.2 * further
-            time = np.linspace(0.0, (np.sqrt(downward**2 + 2.0 * gravity * drop) - downward) / gravity, STATIONS)
-            yield x + forward * time, z - (downward + 0.5 * gravity * time) * time
+    columns = nowhere | inlet | {"s_m": np.zeros(1)}
+    return Trace("inlet", "inlet", 0.0, columns, [np.stack([columns["x_m"], columns["z_m"]])])
