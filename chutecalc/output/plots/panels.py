@@ -69,7 +69,7 @@ def limit(panel: Axes, values: Array) -> None:
         panel: the panel.
         values: all that it shows; NaN where there is none.
     """
-    values = values[np.isfinite(values)]
+    values = values[np.isfinite(values) & (values > 0.0)]
     top = min(1.06 * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
 

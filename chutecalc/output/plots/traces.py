@@ -19,7 +19,9 @@ DEEPEST = 0.25
 FURTHER = 0.2
 """A stream that is lost is drawn to this far below everything else, over the height of the chute."""
 LOST = "lost"
-"""Kind of the trace of a stream that misses the next segment."""
+"""Kind of the trace of a stream that nothing catches."""
+FLIES_ON = ("x_m", "z_m", "slope_deg", "velocity_m_s")
+"""Columns that a flight follows from."""
 Lines = dict[str, Array]
 """Columns by name, each of shape (stations,)."""
 
@@ -125,9 +127,10 @@ def extent(lines: Sequence[Line]) -> Array:
     """Return width and height of lines together, m.
 
     Args:
-        lines: at least one.
+        lines: at least one; NaN where there is none.
     """
-    size: Array = np.ptp(np.concatenate(lines, axis=1), axis=1)
+    points = np.concatenate(lines, axis=1)
+    size: Array = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
     return size
 
 
@@ -169,18 +172,19 @@ def _flown(throws: list[Throw], at: Lines, landed: Line | None) -> tuple[list[Li
 
 
 def _lost(solution: SolvedChute, stream: list[Trace], throws: list[Throw], surfaces: list[Steel]) -> Trace | None:
-    """Return the path of a stream that misses the next segment, until it is below everything drawn; else None."""
-    missed = [each for each in solution.trajectory.segment_solutions if each.status[0] == Status.MISSED]
-    if not missed:
+    """Return the flight of a stream that nothing catches, until it is below everything drawn; else None."""
+    if solution.trajectory.status_numbers[0] not in (Status.MISSED, Status.CONTACT_LOST):
         return None
-    path = Throw(*missed[-1].path[:, 0].tolist())
+    x, z, slope, velocity = (float(stream[-1].columns[name][-1]) for name in FLIES_ON)
+    forward, downward = velocity * np.cos(np.radians(slope)), velocity * np.sin(np.radians(slope))
+    path = Throw(x, z, forward, downward, float(solution.design.gravity[0]))
     everything = np.concatenate([*(steel.line for steel in surfaces), *(trace.path for trace in stream)], axis=1)
     level = min(float(everything[1].min()), path.z) - FURTHER * max(float(np.ptp(everything[1])), 1.0)
     time = np.linspace(0.0, path.time_to(level), STATIONS)
-    x, z = path.at(time)
-    flown = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(z)))])
-    columns = {name: np.full(STATIONS, np.nan) for name in COLUMNS}
-    columns |= {"x_m": x, "z_m": z, "s_m": stream[-1].columns["s_m"][-1] + flown, "velocity_m_s": path.velocity(time)}
+    line = path.at(time)
+    flown = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line)))])
+    columns = {name: np.full(STATIONS, np.nan) for name in COLUMNS} | dict(zip(("x_m", "z_m"), line, strict=True))
+    columns |= {"s_m": stream[-1].columns["s_m"][-1] + flown, "velocity_m_s": path.velocity(time)}
     return Trace(LOST, LOST, 0.0, columns, [throw.at(time) for throw in throws or [path]])
 
 
