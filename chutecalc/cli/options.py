@@ -18,6 +18,18 @@ RTOL = typer.Option(1e-10, min=1e-13, max=1e-3, metavar="R", help="Relative tole
 JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Default: one for each processor.")
 
 
+def names_of(text: str | None) -> list[str]:
+    """Return the names of an option that takes several, each once.
+
+    Args:
+        text: names between commas, or None.
+
+    >>> names_of("depth_m, s_m"), names_of(None)
+    (['depth_m', 's_m'], [])
+    """
+    return list(dict.fromkeys(name.strip() for name in text.split(","))) if text else []
+
+
 def option(name: str, kind: Any, default: Any) -> inspect.Parameter:
     """Return a parameter that Typer makes an option or an argument of.
 

@@ -11,6 +11,7 @@ import typer
 
 from chutecalc.cli.options import OptionGroup, option
 from chutecalc.errors import UsageError
+from chutecalc.output.dataset import without_negative_zeros
 from chutecalc.output.extras import CHART, require_extra
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
@@ -120,8 +121,9 @@ class Outputs(OptionGroup):
                 else:
                     writers.append(form.rows(stream, dataset))
             for block in dataset.blocks if writers else ():
+                rows = without_negative_zeros(block)
                 for writer in writers:
-                    writer.write(block)
+                    writer.write(rows)
             for writer in writers:
                 writer.close()
 

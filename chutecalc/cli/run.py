@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.options import RTOL, StationOptions, with_groups
+from chutecalc.cli.options import RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.specs import read_chutes
 from chutecalc.errors import ExitStatus
@@ -38,6 +38,9 @@ def run(
     ),
     *,
     stations: StationOptions,
+    columns: str | None = typer.Option(
+        None, metavar="NAMES", help="Columns of tables and of stations in files, separated by commas."
+    ),
     strict: bool = typer.Option(False, "--strict", help="Exit with status 1 on warnings too."),
     rtol: float = RTOL,
     outputs: RunOutputs,
@@ -45,38 +48,49 @@ def run(
     """Solve chutes and report the stream along each segment.
 
     Data files have a row for each station, 101 along each segment unless you choose with --points or --stations.
-    JSON has all other results as well.
+    JSON has all other results as well. `chutecalc columns` lists the columns that there are.
     """
     from chutecalc.api.chute import solve
+    from chutecalc.output.run import needed, run_dataset
+    from chutecalc.results.columns import COLUMNS, check_columns
 
+    names = names_of(columns)
+    check_columns(names, COLUMNS)
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
     solutions = [solve(chute, rtol) for chute in chutes]
     tables = None
     if stations.given:
-        tables = [solution.stations(stations.points, stations.stations) for solution in solutions]
+        tables = [
+            solution.stations(stations.points, stations.stations, needed(names or list(COLUMNS)))
+            for solution in solutions
+        ]
     if outputs.files:
-        from chutecalc.output.run import run_dataset
-
-        outputs.write(run_dataset(solutions, tables))
+        outputs.write(run_dataset(solutions, tables, names or list(COLUMNS)))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
         outputs.draw(draw_run(solutions, outputs.units))
-    _print(solutions, tables, outputs)
+    _print(solutions, tables, names, outputs)
     return _status(solutions, strict)
 
 
-def _print(solutions: Sequence[Solution], tables: Sequence[dict[str, Any]] | None, outputs: RunOutputs) -> None:
+def _print(
+    solutions: Sequence[Solution],
+    tables: Sequence[dict[str, Any]] | None,
+    columns: Sequence[str],
+    outputs: RunOutputs,
+) -> None:
     """Print reports. If rows go to standard output, print findings to standard error instead."""
     from chutecalc.output.table import Printer
+    from chutecalc.results.columns import IN_TABLES
 
     if data := outputs.to_standard_output:
         printer = Printer(outputs.units, sys.stderr)
         for solution in solutions if data.document is None else ():
             printer.findings(solution.findings())
         return
-    printer = Printer(outputs.units)
+    printer = Printer(outputs.units, columns=columns or IN_TABLES)
     for number, solution in enumerate(solutions):
         if number:
             printer.text()

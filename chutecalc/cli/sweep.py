@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.options import JOBS, RTOL, OptionGroup, StationOptions, with_groups
+from chutecalc.cli.options import JOBS, RTOL, OptionGroup, StationOptions, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.specs import read_chute
 from chutecalc.errors import UsageError
@@ -131,7 +131,7 @@ def sweep(
     outputs.check(specs)
     chute = read_chute(specs[0])
     parameters = read_parameters(given, chute)
-    names = [name.strip() for name in columns.split(",")] if columns else []
+    names = names_of(columns)
     task = Sweep(
         chute,
         parameters,

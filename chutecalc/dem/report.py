@@ -51,7 +51,7 @@ def _table(study: Study, series: Series) -> Grid:
     headings = ("β", "area", "depth", "solids", "wall", "K", "±", "law", "N_t/N", "±", "paper", "equil.", "μ_e", "±")
     units = ("°", "m²", "m", "", "", "", "", "", "", "", "", "", "", "")
     for heading, unit in zip((*headings, "seeds"), (*units, ""), strict=True):
-        table.column(f"{heading}\n{unit}", left=heading == "wall")
+        table.column(f"{heading}\n{unit}", left=heading == "wall", label=heading in ("β", "wall"))
     for point in series.points:
         walls = {name: both for name, both in point.walls.items() if name != "floor"}
         law = point.law(series.fits["paper"].vertical_ratio, "paper")

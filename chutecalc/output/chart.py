@@ -12,8 +12,6 @@ CHARTED = ("velocity_m_s", "depth_m")
 """Columns of a run's charts."""
 MIN_WIDTH, MAX_WIDTH = 60, 120
 """Widths of a chart, characters. A narrower terminal has no chart, and a wider one is not filled."""
-WIDTH_IN_PIPE = 80
-"""Width where there is no terminal, characters."""
 HEIGHT = 10
 """Height of a chart, lines."""
 TICK_WIDTH, MARGIN = 10, 23
@@ -51,7 +49,7 @@ def terminal_width(printer: Printer) -> int:
     Args:
         printer: where the chart goes.
     """
-    width = min(printer.console.width, MAX_WIDTH) if printer.is_terminal else WIDTH_IN_PIPE
+    width = min(printer.width, MAX_WIDTH)
     if width < MIN_WIDTH:
         printer.text(f"no chart: it needs {MIN_WIDTH} columns, and the terminal has {width}")
         return 0
@@ -74,10 +72,11 @@ def chart_lines(x: Array, values: Array, column: Column, width: int, units: str,
     known = np.isfinite(values)
     figure = plotille.Figure()
     figure.width, figure.height, figure.with_colors = width - MARGIN, HEIGHT, False
-    figure.x_label, figure.y_label = f"{x_column.symbol or x_column.heading}, {x_column.unit_text(units)}", ""
+    x_words = (x_column.symbol or x_column.heading, x_column.unit_text(units))
+    figure.x_label, figure.y_label = ", ".join(filter(None, x_words)), ""
     digits = column.us_digits if units == Units.US and column.us_unit else column.digits
-    figure.x_ticks_fkt = lambda low, _: f"{low:.1f}"
-    figure.y_ticks_fkt = lambda low, _: f"{low:{TICK_WIDTH}.{digits}f}"
+    figure.x_ticks_fkt = lambda low, _: f"{low:z.1f}"
+    figure.y_ticks_fkt = lambda low, _: f"{low:z{TICK_WIDTH}.{digits}f}"
     reached = x[np.isfinite(x)]
     low = 0.0 if x_column is COLUMNS["s_m"] else float(reached.min())
     figure.set_x_limits(low, max(float(reached.max()), low + 1e-9))

@@ -61,6 +61,19 @@ def block_of(rows: Sequence[Mapping[str, Any]], columns: Mapping[str, type]) -> 
     return {name: np.array(values(name, kind), dtype=kind) for name, kind in columns.items()}
 
 
+def without_negative_zeros(block: Block) -> Block:
+    """Return a block with 0 in place of -0, which says nothing more.
+
+    Args:
+        block: the rows.
+
+    >>> import numpy
+    >>> without_negative_zeros({"x_m": numpy.array([-0.0, -1.0])})["x_m"].tolist()
+    [0.0, -1.0]
+    """
+    return {name: values + 0.0 if values.dtype.kind == "f" else values for name, values in block.items()}
+
+
 def document_head() -> dict[str, Any]:
     """Return the entries that every document begins with: the version of chutecalc and of the layout."""
     return {"chutecalc": __version__, "format": DOCUMENT_FORMAT}
@@ -72,10 +85,10 @@ def number(value: float) -> float | None:
     Args:
         value: a number, in any unit.
 
-    >>> number(2), number(float("nan"))
-    (2.0, None)
+    >>> number(2), number(-0.0), number(float("nan"))
+    (2.0, 0.0, None)
     """
-    return float(value) if math.isfinite(value) else None
+    return float(value) + 0.0 if math.isfinite(value) else None  # + 0: no -0
 
 
 def numbers(values: Any) -> list[Any]:
@@ -86,7 +99,7 @@ def numbers(values: Any) -> list[Any]:
     """
     if values.dtype.kind != "f":
         return list(values.tolist())
-    return [value if math.isfinite(value) else None for value in values.tolist()]
+    return [value if math.isfinite(value) else None for value in (values + 0.0).tolist()]  # + 0: no -0
 
 
 def first(columns: Mapping[str, Any]) -> dict[str, float | None]:

@@ -5,8 +5,9 @@ Loading rich takes a tenth of the time of a whole run, and a pipe shows none of 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from textwrap import wrap
+from typing import TYPE_CHECKING, NamedTuple
 from unicodedata import category, east_asian_width
 
 if TYPE_CHECKING:
@@ -16,10 +17,27 @@ GAP = "  "
 """Text between two columns."""
 ZERO_WIDTH = ("Mn", "Me", "Cf")
 """Unicode categories of characters without width: marks on the letter before, and format characters."""
+LEAST_WORDS = 24
+"""Width that a column of words has at least, beside others, unless it needs less. Long words may need more."""
+LEAST_SHARE = 0.25
+"""Share of the width that columns beside the labels have at least, however long the labels are."""
+
+
+class GridColumn(NamedTuple):
+    """How a column is laid out."""
+
+    heading: str
+    """Its heading, with a line break before the unit."""
+    left: bool
+    """Whether cells are aligned to the left, as words are, rather than to the right, as numbers are."""
+    label: bool
+    """Whether it says what a row is, and so stands in each of the tables that a wide one becomes."""
+    words: bool
+    """Whether its cells may be broken between words."""
 
 
 class Grid:
-    """Headings of one line or two, and rows of cells.
+    """Headings of a few lines, and rows of cells.
 
     Args:
         title: a line above the headings, or empty.
@@ -28,19 +46,19 @@ class Grid:
 
     def __init__(self, title: str = "", indent: str = "") -> None:
         self.title, self.indent = title, indent
-        self.headings: list[str] = []
-        self.left_aligned: list[bool] = []
+        self.columns: list[GridColumn] = []
         self.rows: list[Sequence[str]] = []
 
-    def column(self, heading: str, left: bool = False) -> None:
+    def column(self, heading: str, left: bool = False, label: bool = False, words: bool = False) -> None:
         """Add a column.
 
         Args:
             heading: its heading, with a line break before the unit.
             left: whether cells are aligned to the left, as words are, rather than to the right, as numbers are.
+            label: whether it says what a row is, and so stands in each of the tables that a wide one becomes.
+            words: whether its cells may be broken between words.
         """
-        self.headings.append(heading)
-        self.left_aligned.append(left)
+        self.columns.append(GridColumn(heading, left, label, words))
 
     def row(self, cells: Iterable[str]) -> None:
         """Add a row. Missing cells at its end are empty.
@@ -49,19 +67,69 @@ class Grid:
             cells: text of the cells, from the first column on.
         """
         row = tuple(cells)
-        self.rows.append(row + ("",) * (len(self.headings) - len(row)))
+        self.rows.append(row + ("",) * (len(self.columns) - len(row)))
+
+    def fitted(self, most: int) -> list[Grid]:
+        """Return the table as one that fits, or as several of the same rows: the labels, and some of the columns each.
+
+        No number is cut or left out. A row that has nothing beside its labels is in the first table only.
+
+        Args:
+            most: largest width, characters.
+
+        >>> grid = Grid()
+        >>> for k, heading in enumerate(["segment", "velocity", "depth"]):
+        ...     grid.column(heading, left=k == 0, label=k == 0)
+        >>> grid.row(["spoon", "3.878", "0.1399"])
+        >>> for part in grid.fitted(20):
+        ...     list(part.lines())
+        ['segment  velocity', 'spoon       3.878']
+        ['segment   depth', 'spoon    0.1399']
+        """
+        sizes = [
+            len(GAP) + (min(size, LEAST_WORDS) if own.words else size)
+            for own, size in zip(self.columns, self._widths(), strict=True)
+        ]
+        labels = [k for k, own in enumerate(self.columns) if own.label]
+        others = {k: size for k, size in enumerate(sizes) if not self.columns[k].label}
+        room = most - len(self.indent) + len(GAP) - sum(sizes[k] for k in labels)
+        room = max(room, int(LEAST_SHARE * most))
+        chosen = _shared(others, room)
+        while room > max(others.values(), default=0) and len(_shared(others, room - 1)) == len(chosen):
+            room -= 1  # several tables of about the same width
+            chosen = _shared(others, room)
+        return [self._part(sorted([*labels, *some]), most, first=k == 0) for k, some in enumerate(chosen)]
+
+    def _part(self, chosen: Sequence[int], most: int, first: bool) -> Grid:
+        """Return a table of some of the columns, whose words are broken where they must."""
+        part = Grid(self.title if first else "", self.indent)
+        part.columns = [self.columns[k] for k in chosen]
+        own = [k for k in chosen if not self.columns[k].label]
+        part.rows = [[row[k] for k in chosen] for row in self.rows if first or any(row[k] for k in own)]
+        widths = part._widths()
+        over = len(self.indent) + sum(widths) + len(GAP) * (len(widths) - 1) - most
+        for k, column in enumerate(part.columns):
+            if column.words and over > 0:
+                part.rows = [line for row in part.rows for line in _broken(row, k, max(widths[k] - over, 1))]
+        return part
+
+    def _headings(self) -> list[tuple[str, ...]]:
+        """Return the lines of the headings, each with a cell for each column."""
+        headings = [column.heading.split("\n") for column in self.columns]
+        height = max(map(len, headings), default=0)
+        return list(zip(*([""] * (height - len(lines)) + lines for lines in headings), strict=True))
+
+    def _widths(self) -> list[int]:
+        """Return the widths of the columns."""
+        return [max(map(width, cells)) for cells in zip(*self._headings(), *self.rows, strict=True)]
 
     def lines(self) -> Iterator[str]:
         """Yield lines of plain text, without blanks at their ends."""
         if self.title:
             yield self.title
-        headings = [heading.split("\n") for heading in self.headings]
-        height = max(map(len, headings), default=0)
-        head = [[""] * (height - len(lines)) + lines for lines in headings]
-        rows = [*zip(*head, strict=True), *self.rows]
-        widths = [max(map(width, cells)) for cells in zip(*rows, strict=True)]
-        for row in rows:
-            cells = map(_padded, row, widths, self.left_aligned)
+        widths, left = self._widths(), [column.left for column in self.columns]
+        for row in (*self._headings(), *self.rows):
+            cells = map(_padded, row, widths, left)
             yield (self.indent + GAP.join(cells)).rstrip()
 
     def drawn(self) -> Table:
@@ -76,11 +144,21 @@ class Grid:
             title=self.title or None,
             title_justify="left",
         )
-        for heading, left in zip(self.headings, self.left_aligned, strict=True):
-            table.add_column(heading, justify="left" if left else "right", no_wrap=True)
+        for column in self.columns:
+            table.add_column(column.heading, justify="left" if column.left else "right", no_wrap=True)
         for row in self.rows:
             table.add_row(*row)
         return table
+
+
+def _shared(sizes: Mapping[int, int], room: int) -> list[list[int]]:
+    """Return columns in turn in as many groups as they need to fit, each of at least one column."""
+    groups: list[list[int]] = [[]]
+    for column, size in sizes.items():
+        if groups[-1] and sum(sizes[each] for each in groups[-1]) + size > room:
+            groups.append([])
+        groups[-1].append(column)
+    return groups
 
 
 def width(text: str) -> int:
@@ -101,3 +179,11 @@ def _padded(cell: str, size: int, left: bool) -> str:
     """Return a cell as wide as its column."""
     space = " " * (size - width(cell))
     return cell + space if left else space + cell
+
+
+def _broken(row: Sequence[str], column: int, most: int) -> Iterator[Sequence[str]]:
+    """Yield a row, and further lines of the words of one of its cells."""
+    begin, *rest = wrap(row[column], most, break_long_words=False, break_on_hyphens=False) or [""]
+    yield [*row[:column], begin, *row[column + 1 :]]
+    for line in rest:
+        yield [*("" for _ in row[:column]), line, *("" for _ in row[column + 1 :])]

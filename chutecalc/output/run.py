@@ -6,55 +6,76 @@ from typing import Any
 import numpy as np
 
 from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
-from chutecalc.results.columns import COLUMNS
+from chutecalc.results.columns import AT_STATION, COLUMNS
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
 
 
-def run_dataset(solutions: Sequence[SolvedChute], stations: Sequence[Mapping[str, Any]] | None) -> Dataset:
+def run_dataset(
+    solutions: Sequence[SolvedChute],
+    stations: Sequence[Mapping[str, Any]] | None,
+    columns: Sequence[str] = tuple(COLUMNS),
+) -> Dataset:
     """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
 
     Args:
         solutions: solutions of one design each.
         stations: stations of each solution, if a user asked for some. The document holds them then. Without them the
             rows are the default stations, and the document has none.
+        columns: names of the station columns.
     """
 
     def blocks() -> Iterator[Block]:
-        tables = stations or (solution.stations() for solution in solutions)
+        tables = stations or (solution.stations(columns=needed(columns)) for solution in solutions)
         for solution, table in zip(solutions, tables, strict=True):
-            yield _station_rows(solution.source, table)
+            yield _station_rows(solution.source, table, columns)
 
     def document() -> Any:
         documents = [
-            run_document(solution, stations[number] if stations else None) for number, solution in enumerate(solutions)
+            run_document(solution, stations[number] if stations else None, columns)
+            for number, solution in enumerate(solutions)
         ]
         return documents[0] if len(documents) == 1 else documents
 
-    return Dataset(column_types(COLUMNS.values()), blocks(), document=document)
+    return Dataset(column_types(COLUMNS[name] for name in columns), blocks(), document=document)
 
 
-def _station_rows(source: str, table: Mapping[str, Any]) -> Block:
+def needed(columns: Sequence[str]) -> list[str]:
+    """Return the columns that stations need to have: those asked for, and those that say which station it is.
+
+    Args:
+        columns: names of the columns asked for.
+
+    >>> needed(["depth_m", "spec"])
+    ['segment', 's_m', 'depth_m']
+    """
+    return [name for name in AT_STATION if name in {"segment", "s_m", *columns}]
+
+
+def _station_rows(source: str, table: Mapping[str, Any], columns: Sequence[str]) -> Block:
     """Return the stations that the stream reached, with the spec that they belong to."""
     reached = np.isfinite(table["s_m"][0])
     spec = np.full(np.count_nonzero(reached), source)
-    return {name: spec if name == "spec" else table[name][0][reached] for name in COLUMNS}
+    return {name: spec if name == "spec" else table[name][0][reached] for name in columns}
 
 
-def run_document(solution: SolvedChute, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+def run_document(
+    solution: SolvedChute, stations: Mapping[str, Any] | None, columns: Sequence[str] = tuple(COLUMNS)
+) -> dict[str, Any]:
     """Return the results of one chute as a document.
 
     Args:
         solution: solution of one design.
         stations: its stations, from :meth:`chutecalc.Solution.stations`, to include.
+        columns: names of the columns of its stations.
     """
     segments = []
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
-        entry = _segment(segment, stations)
+        entry = _segment(segment, stations, columns)
         if segment.impact:
             entry["impact"] = first(segment.impact)
         if flights:
-            entry["flight"], *again = (_segment(flight, stations) for flight in flights)
+            entry["flight"], *again = (_segment(flight, stations, columns) for flight in flights)
             entry |= {"flights_again": again} if again else {}
         segments.append(entry)
     return {
@@ -82,7 +103,7 @@ def run_document(solution: SolvedChute, stations: Mapping[str, Any] | None) -> d
     }
 
 
-def _segment(result: SegmentResult, stations: Mapping[str, Any] | None) -> dict[str, Any]:
+def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, Any]:
     """Return a segment or a flight."""
     entry = {
         "name": result.name,
@@ -94,12 +115,12 @@ def _segment(result: SegmentResult, stations: Mapping[str, Any] | None) -> dict[
         "maximum": first(result.maximum),
         "duration_s": number(result.duration[0]),
     }
-    return entry if stations is None else entry | {"stations": _rows(stations, result.name)}
+    return entry if stations is None else entry | {"stations": _rows(stations, result.name, columns)}
 
 
-def _rows(stations: Mapping[str, Any], segment: str) -> list[dict[str, Any]]:
+def _rows(stations: Mapping[str, Any], segment: str, columns: Sequence[str]) -> list[dict[str, Any]]:
     """Return the stations of one segment or flight that the stream reached, an object each."""
-    names = [name for name in COLUMNS if name in stations and name not in {"segment", "kind"}]
+    names = [name for name in columns if name not in {"spec", "segment", "kind"}]
     chosen = (stations["segment"][0] == segment) & np.isfinite(stations["s_m"][0])
-    columns = [numbers(stations[name][0][chosen]) for name in names]
-    return [dict(zip(names, row, strict=True)) for row in zip(*columns, strict=True)]
+    values = [numbers(stations[name][0][chosen]) for name in names]
+    return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
-from chutecalc.results.column import Units, quantity_text
+from chutecalc.results.column import Column, Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
@@ -19,11 +19,16 @@ from chutecalc.results.solved import SolvedChute
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
 
 COLOURS: dict[str, str] = {Severity.FAILURE: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
 """Styles of rich by the severity of a finding."""
+PIPE_WIDTH = 80
+"""Width of tables where there is no terminal, characters."""
 NO_WRAP = 100_000
-"""Width at which no table is wrapped, characters."""
+"""Width at which rich breaks no table, characters."""
+HANGING = "    "
+"""Text before the further lines of a line that is wrapped."""
 
 
 class Printer:
@@ -32,10 +37,12 @@ class Printer:
     Args:
         units: ``metric`` or ``us``.
         stream: where to print; None for standard output.
+        columns: names of the station columns of tables.
     """
 
-    def __init__(self, units: str = "metric", stream: Any = None) -> None:
+    def __init__(self, units: str = "metric", stream: Any = None, columns: Iterable[str] = IN_TABLES) -> None:
         self.units = units
+        self.columns = [name for name in columns if COLUMNS[name].formula]
         self.stream = stream or sys.stdout
         self.is_terminal = self.stream.isatty()
 
@@ -53,8 +60,13 @@ class Printer:
             emoji=False,
         )
 
+    @property
+    def width(self) -> int:
+        """Width of a line, characters."""
+        return self.console.width if self.is_terminal else PIPE_WIDTH
+
     def text(self, text: str = "", plain: str = "", style: str = "") -> None:
-        """Print a line. It is wrapped on a terminal only.
+        """Print a line. On a terminal it is wrapped between words; elsewhere it stays one line, for grep.
 
         Args:
             text: the line, or its beginning if there is ``plain``.
@@ -64,22 +76,32 @@ class Printer:
         if self.is_terminal:
             from rich.text import Text
 
-            self.console.print(Text(text, style=style).append(plain, style="none"))
+            line = Text(text, style=style).append(plain, style="none")
+            if line.cell_len > self.width:
+                begin, *rest = line.wrap(self.console, self.width - len(HANGING))
+                line = Text("\n").join([begin, *(Text(HANGING).append_text(each) for each in rest)])
+            self.console.print(line, no_wrap=True, overflow="ignore", crop=False)
         else:
             self.stream.write(f"{text}{plain}\n")
 
     def table(self, grid: Grid) -> None:
-        """Print a table at its own width: numbers are never cut or wrapped.
+        """Print a table; one that is too wide as several, one below the other. Numbers are never cut or broken.
 
         Args:
             grid: the table.
         """
-        if not self.is_terminal:
-            self.stream.writelines(f"{line}\n" for line in grid.lines())
-            return
+        for number, part in enumerate(grid.fitted(self.width)):
+            if number:
+                self.text()
+            if self.is_terminal:
+                self._drawn(part.drawn())
+            else:
+                self.stream.writelines(f"{line}\n" for line in part.lines())
+
+    def _drawn(self, table: Table) -> None:
+        """Print a table of rich at its own width."""
         from rich.measure import Measurement
 
-        table = grid.drawn()
         needed = Measurement.get(self.console, self.console.options.update(width=NO_WRAP), table).maximum
         self.console.width, width = max(self.console.width, needed), self.console.width
         self.console.print(table, crop=False)
@@ -122,10 +144,10 @@ class Printer:
         Args:
             stations: stations of one design, from :meth:`chutecalc.Solution.stations`.
         """
-        table = self._new_table(["segment"])
+        table = self._new_table(["segment"], place=("s_m",))
         for k, segment in enumerate(stations["segment"][0].tolist()):
             if stations["s_m"][0, k] == stations["s_m"][0, k]:
-                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in IN_TABLES)])
+                table.row([segment, *(COLUMNS[name].shown(stations[name][0, k], self.units) for name in self.columns)])
         self.table(table)
 
     def comparison(self, solutions: Sequence[SolvedChute]) -> None:
@@ -136,7 +158,7 @@ class Printer:
         """
         table = self._new_table(["spec", "status"], "comparison")
         for solution in solutions:
-            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in IN_TABLES)
+            cells = (COLUMNS[name].shown(float(solution.exit[name][0]), self.units) for name in self.columns)
             table.row([solution.source, str(solution.status[0]), *cells])
         self.table(table)
 
@@ -144,7 +166,7 @@ class Printer:
         """Print the catalogue of columns."""
         table = Grid()
         for heading in ("name", "unit", "symbol", "meaning"):
-            table.column(heading, left=True)
+            table.column(heading, left=True, label=heading == "name", words=heading == "meaning")
         for column in COLUMNS.values():
             table.row([column.name, column.unit_text("metric"), column.symbol, column.meaning])
         self.table(table)
@@ -157,35 +179,28 @@ class Printer:
                 table.row([result.name, result.kind, str(result.status[0]).replace("_", " ")])
                 continue
             rows = [("in", result.entry), ("out", result.exit)]
-            if any(
-                _exceeds(-result.minimum[name][0], -result.entry[name][0], -result.exit[name][0])
-                for name in result.minimum
-                if name in IN_TABLES
-            ):
-                rows.append(("min", result.minimum))
-            if any(
-                _exceeds(result.maximum[name][0], result.entry[name][0], result.exit[name][0])
-                for name in result.maximum
-                if name in IN_TABLES
-            ):
-                rows.append(("max", result.maximum))
+            for label, sign, extremes in (("min", -1.0, result.minimum), ("max", 1.0, result.maximum)):
+                shown = [name for name in extremes if name in self.columns]
+                if any(
+                    _exceeds(*(sign * of[name][0] for of in (extremes, result.entry, result.exit))) for name in shown
+                ):
+                    rows.append((label, extremes))
             for row, (label, numbers) in enumerate(rows):
                 names = (result.name, result.kind) if row == 0 else ("", "")
                 cells = (
                     COLUMNS[name].shown(float(numbers[name][0]), self.units) if name in numbers else ""
-                    for name in IN_TABLES
+                    for name in self.columns
                 )
                 table.row([*names, label, *cells])
         return table
 
-    def _new_table(self, labels: Sequence[str], title: str = "") -> Grid:
-        """Return an empty table of labels and the columns of :data:`IN_TABLES`, with their units."""
+    def _new_table(self, labels: Sequence[str], title: str = "", place: Sequence[str] = ()) -> Grid:
+        """Return an empty table of labels and station columns; those of ``place`` say where a row is."""
         table = Grid(title)
         for label in labels:
-            table.column(label, left=True)
-        for name in IN_TABLES:
-            column = COLUMNS[name]
-            table.column(f"{column.heading}\n{column.unit_text(self.units)}")
+            table.column(label, left=True, label=True)
+        for name in self.columns:
+            table.column(heading(COLUMNS[name], self.units), label=name in place)
         return table
 
     def _impacts(self, solution: SolvedChute) -> Iterator[str]:
@@ -237,6 +252,19 @@ class Printer:
         if length < 0.0:
             return f"runs back first, then reaches belt speed {distance} behind the loading point"
         return f"reaches belt speed after {distance}"
+
+
+def heading(column: Column, units: str) -> str:
+    """Return the heading of a column with its unit, a line for each word.
+
+    Args:
+        column: of the catalogue.
+        units: ``metric`` or ``us``.
+
+    >>> heading(COLUMNS["chamfer_wear_w_m2"], "metric").splitlines()
+    ['wear', 'chamfer', 'W/m²']
+    """
+    return "\n".join([*column.heading.split(" "), column.unit_text(units)])
 
 
 def outcome(solution: SolvedChute, units: str) -> str:

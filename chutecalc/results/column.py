@@ -64,8 +64,8 @@ class Column:
         if math.isinf(value):
             return "∞" if value > 0 else "-∞"
         if units == Units.US and self.us_unit:
-            return f"{convert(value, self.dimension, self.unit, self.us_unit):.{self.us_digits}f}"
-        return f"{value:.{self.digits}f}"
+            return f"{convert(value, self.dimension, self.unit, self.us_unit):z.{self.us_digits}f}"
+        return f"{value:z.{self.digits}f}"
 
     def converted(self, values: Any, units: str) -> Any:
         """Convert numbers to the unit of :meth:`unit_text`.
@@ -139,4 +139,4 @@ def quantity_text(name: str, value: float, units: str, us_unit: str = "") -> str
         dimension, usual = _US_UNITS[unit]
         value, unit = convert(value, dimension, unit, us_unit or usual), us_unit or usual
     shown = TEXT.get(unit, unit)
-    return f"{value:.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")
+    return f"{value:z.4g}".replace("inf", "∞") + ("°" if unit == "deg" else f" {shown}" if shown else "")

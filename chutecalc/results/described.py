@@ -59,7 +59,7 @@ def number(values: Any, unit: str = "", digits: int = 4) -> str:
     known = [float(value) for value in values if value == value]
     if not known:
         return "–"
-    ends = dict.fromkeys(f"{value:.{digits}g}" for value in (min(known), max(known)))
+    ends = dict.fromkeys(f"{value:z.{digits}g}" for value in (min(known), max(known)))
     return f"{' to '.join(ends)} {unit}".rstrip()
 
 

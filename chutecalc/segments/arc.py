@@ -57,4 +57,4 @@ def degrees(slope: Array) -> str:
     >>> degrees(np.array([np.pi / 4]))
     '45°'
     """
-    return f"{np.degrees(slope.flat[0]):.6g}°"
+    return f"{np.degrees(slope.flat[0]):z.6g}°"

@@ -149,7 +149,7 @@ def checked_ends(layout: ChuteLayout, faults: int, ends: Array, stream_section: 
         row = int(refused.argmax())
         at, slope = int(ends[4, row]), np.degrees(ends[6, row])
         what = "a roof must steepen" if layout[at].side == ROOF else "an arc must turn"
-        problem = f"{what}, and the stream falls into this one at {slope:.6g}°"
+        problem = f"{what}, and the stream falls into this one at {slope:z.6g}°"
         fault = Fault(f"segments.{at + 1}.to_slope_deg", problem, "change it, or give from_slope_deg")
         raise SpecError([fault], designs=refused)
     solution_blocks = dict(zip(records.ENDS, ends, strict=True)) | {"status": ends[0].astype(np.intp)}

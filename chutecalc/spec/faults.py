@@ -74,7 +74,7 @@ def value_text(value: Any) -> str:
     if isinstance(value, str):
         return f'"{value}"'
     if hasattr(value, "ndim"):  # an array; a date has a min too
-        low, high = f"{value.min():.6g}", f"{value.max():.6g}"
+        low, high = f"{value.min():z.6g}", f"{value.max():z.6g}"
         return low if low == high else f"{low} to {high}"
     return str(value)
 

@@ -35,6 +35,22 @@ def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> d
     return changed
 
 
+def value_at(data: dict[str, Any], path: str) -> Any:
+    """Return what a spec's data hold at a key path; None if that is nothing.
+
+    Args:
+        data: nested tables as the user wrote them.
+        path: the path.
+
+    >>> value_at({"segments": [{"kind": "fall", "drop_m": 2.0}]}, "segments.fall.drop_m")
+    2.0
+    """
+    here: Any = _copied(data)  # a copy, for tables that may be left out are made
+    for item in path.split("."):
+        here = _below(here, item)
+    return here
+
+
 def _copied(item: Any) -> Any:
     """Copy tables and lists. One that is shared between two keys becomes two, so that each can be changed alone."""
     if isinstance(item, dict):

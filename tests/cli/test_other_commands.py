@@ -88,7 +88,12 @@ def test_schema_accepts_every_standard_design_and_refuses_what_run_refuses(capsy
 def test_columns_lists_them_all(capsys):
     assert main(["columns"]) == 0
     out = capsys.readouterr().out
-    assert [line.split()[0] for line in out.splitlines()[1:]] == list(COLUMNS)
+    catalogue, forms = out.split("\n\n")
+    names = [line.split()[0] for line in catalogue.splitlines()[1:] if not line.startswith(" ")]
+    assert names == list(COLUMNS)
+    for form in ("exit_NAME", "receiver_NAME", "segments.SEGMENT.impact_NAME", "segments.SEGMENT.status"):
+        assert f"\n{form} " in forms
+    assert max(map(len, out.splitlines())) <= 80
 
 
 def test_version_and_help(capsys):

@@ -25,9 +25,7 @@ def test_as_rich_draws_it(seed):
     for k in range(random.integers(1, 6)):
         grid.column("x" * (8 if k == 0 else 0) + str(random.choice(WORDS)), left=bool(random.random() < 0.4))
     for _ in range(random.integers(0, 5)):
-        grid.row(
-            str(random.choice(WORDS)).replace("\n", " ") for _ in range(random.integers(1, len(grid.headings) + 1))
-        )
+        grid.row(str(random.choice(WORDS)).replace("\n", " ") for _ in range(random.integers(1, len(grid.columns) + 1)))
     assert list(grid.lines()) == drawn(grid)
 
 

@@ -81,7 +81,7 @@ def _table(study: FrictionStudy, units: str) -> Grid:
     friction = FRICTION_COLUMNS["equivalent_friction"]
     for name in ("chamfer_deg", *SECTION_COLUMNS):
         column = FRICTION_COLUMNS[name]
-        table.column(f"{column.symbol}\n{column.unit_text(units)}")
+        table.column(f"{column.symbol}\n{column.unit_text(units)}", label=name == "chamfer_deg")
     for delta in study.internal_friction_deg:
         table.column(f"{friction.symbol}\nδ {delta:g}°")
     count = len(study.chamfer_deg)

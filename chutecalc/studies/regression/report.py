@@ -68,10 +68,10 @@ def _print_failing(printer: Printer, verdict: Verdict) -> None:
 def _drifts(verdict: Verdict) -> Grid:
     """Return a row for each column that drifted: its first drift along the chute, and its largest."""
     table = Grid(indent=GAP)
-    for heading in ("column", "first at", "s\nm", "largest at", "s\nm", "was", "is", "drift"):
-        table.column(heading, left=heading in ("column", "first at", "largest at"))
+    for heading in ("column", "was", "is", "drift", "largest at", "s\nm", "first at", "s\nm"):
+        table.column(heading, left=heading in ("column", "first at", "largest at"), label=heading == "column")
     for first, most in first_and_largest(verdict.drifts):
-        table.row([most.column, *_where(first), *_where(most), *_values(most), f"{most.off:.1e}"])
+        table.row([most.column, *_values(most), f"{most.off:.1e}", *_where(most), *_where(first)])
     return table
 
 
@@ -85,7 +85,7 @@ def _where(drift: Drift) -> tuple[str, str]:
 def _values(drift: Drift) -> tuple[str, str]:
     """Return both values, with enough digits to show the difference."""
     digits = min(max(2 - math.floor(math.log10(drift.off)), 4), 16)
-    was, now = ("none" if value is None else f"{value:.{digits}g}" for value in (drift.was, drift.now))
+    was, now = ("none" if value is None else f"{value:z.{digits}g}" for value in (drift.was, drift.now))
     return was, now
 
 

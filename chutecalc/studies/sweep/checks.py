@@ -1,6 +1,7 @@
 """Checks of what a sweep is given: its columns, and the values of its parameters."""
 
 from collections.abc import Sequence
+from functools import reduce
 
 import numpy as np
 
@@ -8,11 +9,14 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.results.columns import AT_STATION, closest
-from chutecalc.studies.sweep.columns import row_columns
+from chutecalc.studies.sweep.columns import own_columns, row_columns
+from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
 """Columns of a sweep of designs where none are asked for."""
+DEFAULT_ON_BELT = ("receiver_velocity_ratio", "receiver_velocity_across_m_s")
+"""Those beside, where there is a receiving belt."""
 
 
 def selected_columns(names: Sequence[str], chute: Chute, profiles: bool) -> list[str]:
@@ -30,14 +34,15 @@ def selected_columns(names: Sequence[str], chute: Chute, profiles: bool) -> list
     >>> selected_columns(["status", "max_depth_m", "max_depth_m"], chutecalc.parse(chutecalc.STARTER), profiles=False)
     ['max_depth_m']
     """
-    known = AT_STATION if profiles else row_columns()
-    usual = AT_STATION if profiles else DEFAULT
+    own = {} if profiles else own_columns(names, chute)
+    known = AT_STATION if profiles else {**row_columns(), **own}
+    usual = AT_STATION if profiles else DEFAULT + (DEFAULT_ON_BELT if chute.spec.receiver else ())
     unknown = [name for name in names if name not in known and name != "status"]
     if unknown:
-        own = "Use the columns of a station" if profiles else "Use exit_, max_ or min_ before a station's column"
+        use = "Use the columns of a station" if profiles else "Use exit_, max_ or min_ before a station's column"
         plural = "s" if len(unknown) > 1 else ""
         raise UsageError(
-            f"unknown column{plural} {', '.join(unknown)}. {closest(unknown, known)}{own}; chutecalc columns lists them"
+            f"unknown column{plural} {', '.join(unknown)}. {closest(unknown, known)}{use}; chutecalc columns lists them"
             " all"
         )
     belt = [name for name in names if name.startswith("receiver_")]
@@ -46,24 +51,42 @@ def selected_columns(names: Sequence[str], chute: Chute, profiles: bool) -> list
     return [name for name in dict.fromkeys(names or usual) if name != "status"]
 
 
-def check_values(chute: Chute, parameters: Sequence[Parameter]) -> None:
-    """Check that every path is in the spec and takes its values, whatever they make together.
+def chutes_by_names(chute: Chute, grid: Grid) -> dict[tuple[str, ...], Chute]:
+    """Return the chutes that the names of a sweep make, once every path is in the spec and takes its values.
 
     Args:
         chute: The chute.
-        parameters: The parameters to vary.
+        grid: The parameters to vary.
+
+    Returns:
+        A chute for each of the names that rows have together, without those that cannot be built.
 
     Raises:
-        SpecError: All faults.
+        SpecError: All faults of names and values, whatever they make together.
     """
+    found: dict[tuple[str, ...], Chute] = {}
+    faults: list[Fault] = []
+    for names in grid.names():
+        try:
+            found[names] = reduce(
+                lambda changed, each: each[0].chute_of(changed, each[1]), zip(grid.texts, names, strict=True), chute
+            )
+            faults += _value_faults(found[names], grid.numbers)
+        except SpecError as error:
+            faults += error.faults if error.designs is None else ()
+    if faults:
+        raise SpecError(list(dict.fromkeys(faults)), chute.source)
+    return found
+
+
+def _value_faults(chute: Chute, parameters: Sequence[Parameter]) -> list[Fault]:
+    """Return the faults of paths and of values, each path for itself, or else of the first values together."""
     first = {path: each.values[:1] for each in parameters for path in each.paths}
     ends = {path: np.array([each.values.min(), each.values.max()]) for each in parameters for path in each.paths}
     faults: list[Fault] = []
     for path, values in ends.items():
         faults += _faults(chute, {path: values})
-    faults = faults or [*_faults(chute, first)]
-    if faults:
-        raise SpecError(list(dict.fromkeys(faults)), chute.source)
+    return faults or [*_faults(chute, first)]
 
 
 def _faults(chute: Chute, changes: Block) -> tuple[Fault, ...]:

@@ -1,6 +1,6 @@
 """The rows of a block of a sweep: one for each design, or one for each station of each design."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,12 +13,15 @@ from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
+from chutecalc.studies.sweep.columns import OwnColumn
 
 EXTREME = {"max": LARGEST, "min": LEAST}
 """Prefixes of columns that are extremes."""
 
 
-def design_rows(variants: Chute, count: int, columns: Sequence[str], rtol: float) -> Block:
+def design_rows(
+    variants: Chute, count: int, columns: Sequence[str], rtol: float, own: Mapping[str, OwnColumn] | None = None
+) -> Block:
     """Compute a row for each design.
 
     Args:
@@ -26,6 +29,7 @@ def design_rows(variants: Chute, count: int, columns: Sequence[str], rtol: float
         count: Number of designs.
         columns: Names of the columns to compute.
         rtol: Relative tolerance, as in :func:`chutecalc.solve`.
+        own: Those of the columns that are of a segment, by name.
 
     Returns:
         Columns by name, each of shape (count,), with the status of each design.
@@ -56,9 +60,13 @@ def design_rows(variants: Chute, count: int, columns: Sequence[str], rtol: float
         keys = [f"{prefix}_{name}" for prefix in EXTREME for name in by_prefix[prefix]]
         numbers = dict(zip(keys, run.trajectory.extreme_columns(extremes).values(), strict=True))
     numbers |= output_numbers(exit_, belt, error)
+    texts: Block = {"findings": _codes(run)} if "findings" in columns else {}
+    segments = run.segments if own else ()
+    for name, (number, column) in (own or {}).items():
+        (numbers if column.dimension else texts)[name] = column.of(segments[number])
     block: Block = {"status": status}
     for name in columns:
-        block[name] = _codes(run) if name == "findings" else np.where(ok, numbers[name], np.nan)
+        block[name] = texts[name] if name in texts else np.where(ok, numbers[name], np.nan)
     return {name: np.broadcast_to(values, count) for name, values in block.items()}
 
 

@@ -1,12 +1,15 @@
 """The designs of a sweep by row number: the value of each parameter in any row, without a table of all rows."""
 
 from collections.abc import Sequence
+from itertools import product
+from typing import Any
 
 import numpy as np
 
 from chutecalc.errors import UsageError
-from chutecalc.physics.arrays import Array, Index
-from chutecalc.studies.sweep.parameters import Parameter
+from chutecalc.physics.arrays import Index
+from chutecalc.studies.sweep.parameters import AnyParameter, Parameter
+from chutecalc.studies.sweep.text_parameter import TextParameter
 
 
 class Grid:
@@ -24,8 +27,12 @@ class Grid:
     [[1.0], [4.0, 5.0]]
     """
 
-    def __init__(self, parameters: Sequence[Parameter], parallel: bool = False) -> None:
-        self.parameters = tuple(parameters)
+    def __init__(self, parameters: Sequence[AnyParameter], parallel: bool = False) -> None:
+        self.parameters, self.parallel = tuple(parameters), parallel
+        self.numbers = [each for each in parameters if isinstance(each, Parameter)]
+        """The parameters that are numbers."""
+        self.texts = [each for each in parameters if isinstance(each, TextParameter)]
+        """The parameters that are names."""
         counts = [len(parameter.values) for parameter in self.parameters]
         longest = max(counts)
         if parallel and any(count not in (1, longest) for count in counts):
@@ -38,14 +45,21 @@ class Grid:
             strides[k] = 1 if parallel else strides[k + 1] * counts[k + 1]
         self._steps = list(zip(strides, counts, strict=True))
 
-    def at(self, rows: Index) -> list[Array]:
+    def names(self) -> list[tuple[str, ...]]:
+        """Return the names that rows have together, for each of :attr:`texts` one: no names if there are none."""
+        lists = [each.values.tolist() for each in self.texts]
+        if self.parallel:
+            lists = [names * (self.count // len(names)) for names in lists]
+        return list(dict.fromkeys(zip(*lists, strict=True) if self.parallel and lists else product(*lists)))
+
+    def at(self, rows: Index) -> list[Any]:
         """Return the values of each parameter in some rows.
 
         Args:
             rows: Row numbers, from 0.
 
         Returns:
-            An array for each parameter, in its unit; of length 1 where all rows have one value.
+            An array for each parameter, of names or of numbers in its unit; of length 1 where all rows have one value.
         """
         found = []
         for parameter, (stride, count) in zip(self.parameters, self._steps, strict=True):

@@ -10,6 +10,7 @@ from chutecalc.fields.ranges import read_values
 from chutecalc.fields.units import UNITS, same_quantity, unit_keys
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.paths import item_names
+from chutecalc.studies.sweep.text_parameter import TextParameter, takes_names, text_parameter
 
 SHORT = {
     "beta": ("sections", "chamfer_deg"),
@@ -35,11 +36,15 @@ class Parameter(NamedTuple):
     """Values in the units of the paths, shape (values,)."""
 
 
-def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
+AnyParameter = Parameter | TextParameter
+
+
+def read_parameters(arguments: list[str], chute: Chute) -> list[AnyParameter]:
     """Return the parameters that some arguments stand for.
 
     Args:
-        arguments: ``NAME=VALUES`` each, or a name of :data:`DEFAULT_VALUES` alone.
+        arguments: ``NAME=VALUES`` each, or a name of :data:`DEFAULT_VALUES` alone. Values of a key that takes names
+            are names.
         chute: in whose spec short names are looked up.
 
     Raises:
@@ -50,7 +55,7 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[Parameter]:
     >>> rate.name, rate.paths, rate.values.tolist()
     ('rate_t_h', ('flow.rate_t_h',), [500.0, 1000.0])
     """
-    found: list[Parameter] = []
+    found: list[AnyParameter] = []
     faults: list[str] = []
     for argument in arguments:
         try:
@@ -86,9 +91,15 @@ def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]
     return name, read_values(name, text)
 
 
-def _parameter(argument: str, chute: Chute) -> Parameter:
+def _parameter(argument: str, chute: Chute) -> AnyParameter:
     """Return the parameter that an argument stands for."""
-    name, values = split_argument(argument, DEFAULT_VALUES)
+    try:
+        name, values = split_argument(argument, DEFAULT_VALUES)
+    except UsageError:
+        path, _, text = (part.strip() for part in argument.partition("="))
+        if text and "." in path and takes_names(path, chute.data):
+            return text_parameter(path, text)
+        raise
     for short, (table, key) in SHORT.items():
         keys = same_quantity(key)
         stem = min(keys, key=len).rpartition("_")[0]

@@ -13,10 +13,11 @@ from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.output.dataset import Block
 from chutecalc.output.plots.style import INK, MAP, SMALL, looks, mathematical, styled
 from chutecalc.results.column import Column
-from chutecalc.studies.sweep.block import TEXT
-from chutecalc.studies.sweep.parameters import Parameter
+from chutecalc.studies.sweep.axis import along, different, places
+from chutecalc.studies.sweep.parameters import AnyParameter
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of, parameter_label
+from chutecalc.studies.sweep.text_parameter import TextParameter
 
 MOST_LINES = 8
 """Most values of a second parameter that are drawn as lines; more are drawn as contours."""
@@ -52,7 +53,8 @@ def draw_sweep(sweep: Sweep, block: Block, units: str = "metric") -> Figure:
         figure = Figure(figsize=(max(WIDTH * across, 6.0), HEIGHT * down + 0.6))
         panels = [figure.add_subplot(down, across, k + 1) for k in range(len(names))]
         figure.suptitle(sweep.chute.spec.title or sweep.chute.source, x=0.01, ha="left")
-        lines = sweep.parallel or len(varied) == 1 or min(len(each.values) for each in varied) <= MOST_LINES
+        few = min(len(each.values) for each in varied) <= MOST_LINES
+        lines = sweep.parallel or len(varied) == 1 or few or any(isinstance(each, TextParameter) for each in varied)
         for axes, name in zip(panels, names, strict=True):
             axes.set_gid(name)
             column = column_of(sweep, name)
@@ -68,7 +70,7 @@ def draw_sweep(sweep: Sweep, block: Block, units: str = "metric") -> Figure:
 
 def _drawn(sweep: Sweep, block: Block) -> list[str]:
     """Return the columns to draw: numbers that vary, or else the first column."""
-    numbers = [name for name in sweep.columns if name not in TEXT]
+    numbers = [name for name in sweep.columns if name not in sweep.texts]
     differ = [name for name in numbers if np.ptp(_finite(block[name])) > 1e-9 * np.abs(_finite(block[name])).max()]
     shown: list[str] = []
     for name in differ or numbers[:1]:
@@ -89,21 +91,21 @@ def _finite(values: Any) -> Any:
     return found if found.size else np.zeros(1)
 
 
-def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, column: Column, units: str) -> None:
+def _lines(axes: Axes, sweep: Sweep, varied: Sequence[AnyParameter], block: Block, column: Column, units: str) -> None:
     """Draw lines over the parameter with the most values, and a cross above the panel where a design fails."""
-    x_parameter = varied[0] if sweep.parallel else max(varied, key=lambda each: len(each.values))
+    x_parameter = along(varied, sweep.parallel)
     second = None if sweep.parallel else next((each for each in varied if each is not x_parameter), None)
-    chosen = [None] if second is None else np.unique(second.values).tolist()
-    labels = [
-        "" if second is None else f"{column_of(sweep, second.name).heading} = {value:g}{_unit(sweep, second)}"
-        for value in chosen
-    ]
+    chosen = [None] if second is None else different(second)
+    labels = ["" if second is None else _given(sweep, second, value) for value in chosen]
     fail = 0
     for value, label, look in zip(chosen, labels, looks([(label,) for label in labels]), strict=True):
         rows = np.ones(len(block["status"]), bool) if second is None else block[second.name] == value
-        x, y = block[x_parameter.name][rows], column.converted(block[column.name][rows], units)
+        x, y = places(x_parameter, block[x_parameter.name][rows]), column.converted(block[column.name][rows], units)
         order = np.argsort(x, kind="stable")
         every = max(1, len(x) // MARKERS)
+        if isinstance(x_parameter, TextParameter):
+            look |= {"linestyle": ""}  # between names there is nothing
+            every = 1
         axes.plot(x[order], y[order], **look, markevery=every, label=label, gid="line")
         failed = (block["status"][rows] != Status.OK_LABEL) & (block["status"][rows] != Status.IMPOSSIBLE_LABEL)
         if failed.any():
@@ -122,11 +124,22 @@ def _lines(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, 
     top = _top(whole, block["status"] == Status.OK_LABEL)
     if top < _finite(whole).max():
         axes.set_ylim(top=top)
+    if isinstance(x_parameter, TextParameter):
+        names = different(x_parameter)
+        axes.set_xticks(range(len(names)), names)
     axes.set_xlabel(mathematical(parameter_label(column_of(sweep, x_parameter.name))))
     axes.set_ylabel(mathematical(column.label(units)))
 
 
-def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Block, column: Column, units: str) -> None:
+def _given(sweep: Sweep, parameter: AnyParameter, value: Any) -> str:
+    """Return a value of a parameter with its name, as text."""
+    words = column_of(sweep, parameter.name).heading
+    return f"{words} = {value}" if isinstance(value, str) else f"{words} = {value:zg}{_unit(sweep, parameter)}"
+
+
+def _contours(
+    axes: Axes, sweep: Sweep, varied: Sequence[AnyParameter], block: Block, column: Column, units: str
+) -> None:
     """Draw filled contours over two parameters, hatched where a design fails or is impossible."""
     first, second = varied
     shape = (len(first.values), len(second.values))
@@ -158,7 +171,7 @@ def _contours(axes: Axes, sweep: Sweep, varied: Sequence[Parameter], block: Bloc
     axes.set_title(mathematical(column.label(units)))
 
 
-def _unit(sweep: Sweep, parameter: Parameter) -> str:
+def _unit(sweep: Sweep, parameter: AnyParameter) -> str:
     """Return the unit of a parameter, to follow a number."""
     unit = column_of(sweep, parameter.name).unit
     return "°" if unit == "deg" else f" {UNIT_TEXT.get(unit, unit)}".rstrip()
@@ -168,7 +181,11 @@ def _note(sweep: Sweep, block: Block, lines: bool) -> str:
     """Return how the designs end, and what the marks mean, as text."""
     words, counts = np.unique(block["status"], return_counts=True)
     ends = ", ".join(f"{count:,} {word.replace('_', ' ')}" for word, count in zip(words, counts, strict=True))
-    single = [f"{each.name} = {each.values[0]:g}" for each in sweep.parameters if len(each.values) == 1]
-    constant = [f"constant {sweep.keep}"] if sweep.adjustment.names else []
+    single = [
+        f"{each.name} = {each.values[0] if isinstance(each, TextParameter) else f'{each.values[0]:zg}'}"
+        for each in sweep.parameters
+        if len(each.values) == 1
+    ]
+    constant = [f"constant {sweep.keep}"] if sweep.is_adjusted else []
     marks = f" ({'crosses' if lines else 'hatched'}: no stream leaves)" if (words != Status.OK_LABEL).any() else ""
     return "; ".join([f"{sweep.count:,} designs: {ends}{marks}", *constant, *single])

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from chutecalc.output.dataset import Block, Dataset
-from chutecalc.studies.sweep.block import TEXT, joined
+from chutecalc.studies.sweep.block import joined
 from chutecalc.studies.sweep.sweep import Sweep
 
 
@@ -25,7 +25,7 @@ def sweep_dataset(sweep: Sweep, blocks: Iterable[Block]) -> Dataset:
         "zip": sweep.parallel,
         "keep": sweep.keep,
     }
-    columns = {name: str if name in TEXT else float for name in sweep.header}
+    columns = {name: str if name in sweep.texts else float for name in sweep.header}
     return Dataset(columns, blocks, head)
 
 

@@ -20,13 +20,18 @@ from chutecalc.physics.arrays import Index
 from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import TEXT, Top, select_rows
-from chutecalc.studies.sweep.checks import check_values, selected_columns
+from chutecalc.studies.sweep.checks import chutes_by_names, selected_columns
+from chutecalc.studies.sweep.columns import own_columns
 from chutecalc.studies.sweep.design_rows import design_rows, station_rows
 from chutecalc.studies.sweep.grid import Grid
-from chutecalc.studies.sweep.parameters import Parameter
+from chutecalc.studies.sweep.parameters import AnyParameter, Parameter
+from chutecalc.studies.sweep.text_parameter import TextParameter
 
 WITH_FINDINGS, STATIONS = 1024, 262_144
-"""Designs of a block with findings, and stations of a block, roughly. Other blocks are one chunk of a batch."""
+"""Designs of a block with findings or columns of segments, and stations of a block, roughly.
+
+Other blocks are one chunk of a batch.
+"""
 
 
 class Sweep:
@@ -44,7 +49,7 @@ class Sweep:
     def __init__(
         self,
         chute: Chute,
-        parameters: Sequence[Parameter],
+        parameters: Sequence[AnyParameter],
         parallel: bool = False,
         keep: str = "base",
         columns: Sequence[str] = (),
@@ -61,7 +66,8 @@ class Sweep:
             parallel: Whether their lists run side by side instead of in all combinations.
             keep: Dimension of a section that is constant while its chamfer angle varies: ``base``, ``width`` or
                 ``depth``.
-            columns: Names of the columns to compute, from :func:`~chutecalc.studies.sweep.columns.row_columns`, or
+            columns: Names of the columns to compute, from :func:`~chutecalc.studies.sweep.columns.row_columns`,
+                or of segments as :func:`~chutecalc.studies.sweep.columns.own_columns` reads them; or
                 a station's columns with ``points`` or ``spacing``.
             top: The rows to select; all by default.
             points: Number of stations of each segment, as in :meth:`chutecalc.Solution.stations`; rows are stations
@@ -79,13 +85,18 @@ class Sweep:
         self.profiles = points is not None or spacing is not None
         self.grid = Grid(parameters, parallel)
         self.columns = selected_columns(columns, chute, self.profiles)
-        check_values(chute, parameters)
-        self.adjustment = SectionAdjustment(chute, [path for parameter in parameters for path in parameter.paths], keep)
+        paths = [path for parameter in self.grid.numbers for path in parameter.paths]
+        self.adjustments = {
+            names: SectionAdjustment(each, paths, keep) for names, each in chutes_by_names(chute, self.grid).items()
+        }
+        """The chutes to vary by their names, those that can be built, each with its adjusted sections."""
         if self.top and self.profiles:
             raise UsageError("--top selects designs. It cannot be used with --points or --stations")
         if self.top and self.top.column not in self.header:
             self.columns = selected_columns([*self.columns, self.top.column], chute, self.profiles)
-        if self.top and self.top.column in TEXT:
+        self.own = {} if self.profiles else own_columns(self.columns, chute)
+        """Those of the columns that are of a segment, by name."""
+        if self.top and self.top.column in self.texts:
             raise UsageError(f"--by needs a column of numbers, not {self.top.column}")
 
     @property
@@ -98,13 +109,24 @@ class Sweep:
         """Names of the columns of a row."""
         return [*(parameter.name for parameter in self.parameters), "status", *self.columns]
 
+    @property
+    def texts(self) -> list[str]:
+        """Names of the columns of text; all others are numbers."""
+        own = (name for name, (_, column) in self.own.items() if not column.dimension)
+        return [*(parameter.name for parameter in self.grid.texts), *TEXT, *own]
+
+    @property
+    def is_adjusted(self) -> bool:
+        """Whether sections are adjusted, see :class:`SectionAdjustment`."""
+        return any(adjustment.names for adjustment in self.adjustments.values())
+
     @cached_property
     def block_size(self) -> int:
         """Number of designs in a block."""
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
             return max(1, min(CHUNK, STATIONS // max(stations, 1)))
-        return WITH_FINDINGS if "findings" in self.columns else CHUNK
+        return WITH_FINDINGS if "findings" in self.columns or self.own else CHUNK
 
     @property
     def block_count(self) -> int:
@@ -168,9 +190,9 @@ class Sweep:
         """
         first = number * self.block_size
         rows = np.arange(first, min(first + self.block_size, self.count))
-        pieces = list(self._pieces(rows))
+        pieces = [piece for adjustment, some in self._by_names(rows) for piece in self._pieces(some, adjustment)]
         order: Index | slice
-        if len(pieces) == 1 and pieces[0][0] is rows:  # all there, and in their order
+        if len(pieces) == 1 and np.array_equal(pieces[0][0], rows):  # all there, and in their order
             numbers, order, missing = rows, slice(None), rows[:0]
         else:
             solved = np.concatenate([rows[:0], *(numbers for numbers, _ in pieces)])
@@ -183,34 +205,44 @@ class Sweep:
         }
         for name in ("status", *self.columns):
             empty = np.full(
-                len(missing), Status.IMPOSSIBLE_LABEL if name == "status" else "" if name in TEXT else np.nan
+                len(missing), Status.IMPOSSIBLE_LABEL if name == "status" else "" if name in self.texts else np.nan
             )
             block[name] = np.concatenate([*(piece[name] for _, piece in pieces), empty])[order]
         return block if self.top is None else select_rows(block, np.sort(self.top.best(block)))
 
-    def _pieces(self, rows: Index) -> Iterator[tuple[Index, Block]]:
-        """Yield numbers and columns of rows, without designs that cannot be built."""
+    def _by_names(self, rows: Index) -> Iterator[tuple[SectionAdjustment, Index]]:
+        """Yield the chutes that can be built, with the rows that share their names."""
         given = zip(self.parameters, self.grid.at(rows), strict=True)
-        changes, possible = self.adjustment.apply(
-            {path: values for each, values in given for path in each.paths}, len(rows)
-        )
+        texts = [values for parameter, values in given if isinstance(parameter, TextParameter)]
+        for names, adjustment in self.adjustments.items():
+            here = np.ones(len(rows), dtype=bool)
+            for values, name in zip(texts, names, strict=True):
+                here &= values == name
+            if here.any():
+                yield adjustment, rows[here]
+
+    def _pieces(self, rows: Index, adjustment: SectionAdjustment) -> Iterator[tuple[Index, Block]]:
+        """Yield numbers and columns of rows of one chute, without designs that cannot be built."""
+        given = zip(self.parameters, self.grid.at(rows), strict=True)
+        numbers = {path: values for each, values in given if isinstance(each, Parameter) for path in each.paths}
+        changes, possible = adjustment.apply(numbers, len(rows))
         if not possible.all():
             if possible.any():
-                yield from self._pieces(rows[possible])
+                yield from self._pieces(rows[possible], adjustment)
             return
         try:
-            variants = self.chute.vary(changes)
+            variants = adjustment.chute.vary(changes)
             if self.profiles:
                 piece = station_rows(variants, rows, self.columns, self.rtol, self.points, self.spacing)
             else:
-                piece = rows, design_rows(variants, len(rows), self.columns, self.rtol)
+                piece = rows, design_rows(variants, len(rows), self.columns, self.rtol, self.own)
         except SpecError as error:
             if error.designs is not None:
                 rest = rows[~np.broadcast_to(error.designs, len(rows))]
-                yield from self._pieces(rest) if rest.size else ()
+                yield from self._pieces(rest, adjustment) if rest.size else ()
             elif len(rows) > 1:
                 half = len(rows) // 2
-                yield from self._pieces(rows[:half])
-                yield from self._pieces(rows[half:])
+                yield from self._pieces(rows[:half], adjustment)
+                yield from self._pieces(rows[half:], adjustment)
         else:
             yield piece

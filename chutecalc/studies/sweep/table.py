@@ -11,10 +11,10 @@ from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.fields.units import UNITS
 from chutecalc.output.dataset import Block
 from chutecalc.output.grid import Grid
-from chutecalc.output.table import Printer
+from chutecalc.output.table import Printer, heading
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
-from chutecalc.studies.sweep.block import TEXT, joined, select_rows
+from chutecalc.studies.sweep.block import joined, select_rows
 from chutecalc.studies.sweep.columns import row_columns
 from chutecalc.studies.sweep.sweep import Sweep
 
@@ -27,6 +27,8 @@ ANGLES = {
     "friction": ("wall friction", "φ"),
 }
 VARIED = "varied"
+LABELS = ("status", "segment", "s_m")
+"""Columns that say what a row is, beside the parameters."""
 
 
 def column_of(sweep: Sweep, name: str) -> Column:
@@ -39,6 +41,8 @@ def column_of(sweep: Sweep, name: str) -> Column:
     known = COLUMNS if sweep.profiles else row_columns()
     if name == "status":
         return row_columns()[name]
+    if name in sweep.own:
+        return sweep.own[name].column
     if name in known and name in sweep.columns:
         return known[name]
     units = sorted((unit for table in UNITS.values() for unit in table if unit and name.endswith(f"_{unit}")), key=len)
@@ -114,7 +118,7 @@ class FirstRows:
         """Return the parameters, what stays constant, and which rows are chosen, as text."""
         sweep = self.sweep
         lists = [f"{parameter.name} ({len(parameter.values):,})" for parameter in sweep.parameters]
-        how = f", constant {sweep.keep}" if sweep.adjustment.names else ""
+        how = f", constant {sweep.keep}" if sweep.is_adjusted else ""
         top = sweep.top
         best = f", the {top.rows} with the {'largest' if top.largest else 'smallest'} {top.column}" if top else ""
         return (" with " if sweep.parallel else " by ").join(lists) + how + best
@@ -125,8 +129,8 @@ class FirstRows:
         block = joined(self.blocks)
         shown = {name: column_of(self.sweep, name) for name in self.sweep.header}
         for name, column in shown.items():
-            unit = UNIT_TEXT.get(column.unit, column.unit) if column.meaning == VARIED else column.unit_text(units)
-            table.column(f"{column.heading}\n{unit}", left=name in TEXT)
+            label = column.meaning == VARIED or name in LABELS
+            table.column(heading(column, units), left=name in self.sweep.texts, label=label, words=name == "findings")
         cells = [_texts(column, block[name], units) for name, column in shown.items()]
         for row in zip(*cells, strict=True):
             table.row(row)
@@ -153,9 +157,10 @@ def _counted(count: int, noun: str) -> str:
 def _texts(column: Column, values: Any, units: str) -> list[str]:
     """Return the cells of a column."""
     if values.dtype.kind != "f":
-        return [str(value).replace("_", " ") if column.name == "status" else str(value) for value in values.tolist()]
+        is_status = column.name.rpartition(".")[2] == "status"
+        return [str(value).replace("_", " ") if is_status else str(value) for value in values.tolist()]
     if column.meaning == VARIED:
-        return [f"{value:.6g}" for value in values.tolist()]
+        return [f"{value:z.6g}" for value in values.tolist()]
     if column.name == "error_estimate":
         return ["" if value != value else f"{value:.0e}" for value in values.tolist()]
     return [column.shown(value, units) for value in values.tolist()]

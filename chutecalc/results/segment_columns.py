@@ -1,0 +1,76 @@
+"""The columns of a segment's results: its ends, extremes and impact, by one name each."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from functools import cache
+from typing import Any
+
+from chutecalc.results.column import Column
+from chutecalc.results.columns import COLUMNS, NUMERIC, REPORTED
+from chutecalc.results.impacts import IMPACT_COLUMNS
+from chutecalc.results.segments import SegmentResult
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SegmentColumn(Column):
+    """A column of a segment's results."""
+
+    of: Callable[[SegmentResult], Any]
+    """Returns its values, shape (designs,). NaN where the results lack it, as those of an impact that no design has."""
+
+
+@dataclass(frozen=True, eq=False)
+class ColumnGroup:
+    """Columns that stand together in a segment's results."""
+
+    prefix: str
+    """Before the name of a column, with an underscore between; empty for none."""
+    meaning: str
+    columns: Sequence[Column]
+    of: Callable[[SegmentResult], Mapping[str, Any]]
+    """Returns their values by name."""
+
+    def members(self) -> dict[str, SegmentColumn]:
+        """Return the columns by name, that with the prefix."""
+        return {f"{self.prefix}_{column.name}".lstrip("_"): self._member(column) for column in self.columns}
+
+    def _member(self, column: Column) -> SegmentColumn:
+        """Return a column of the results."""
+
+        def values(result: SegmentResult) -> Any:
+            numbers = self.of(result)
+            return numbers[column.name] if column.name in numbers else result.duration * float("nan")
+
+        shared = {field.name: getattr(column, field.name) for field in fields(Column)}
+        named = {"heading": f"{self.prefix} {column.heading}".strip(), "symbol": "", "meaning": self.meaning}
+        return SegmentColumn(**shared | named, of=values)
+
+
+_AT_ENDS, _EXTREME = [COLUMNS[name] for name in NUMERIC], [COLUMNS[name] for name in REPORTED]
+GROUPS = (
+    ColumnGroup("entry", "where the stream enters it, after any impact", _AT_ENDS, lambda result: result.entry),
+    ColumnGroup("exit", "where the stream leaves it, or ends", _AT_ENDS, lambda result: result.exit),
+    ColumnGroup("min", "least value on it", _EXTREME, lambda result: result.minimum),
+    ColumnGroup("max", "largest value on it", _EXTREME, lambda result: result.maximum),
+    ColumnGroup("impact", "of the impact on it", list(IMPACT_COLUMNS.values()), lambda result: result.impact),
+)
+"""What a segment's results consist of, beside its status and duration."""
+
+
+@cache
+def segment_columns() -> dict[str, SegmentColumn]:
+    """Return all columns of a segment's results by name.
+
+    >>> segment_columns()["impact_incidence_deg"].label("metric")
+    'impact incidence, °'
+    """
+    ends, lasts = "ok, what ends the stream there, or not_reached", "time from its start to its end"
+    found = {
+        "status": SegmentColumn("status", "status", "", ends, of=lambda result: result.status),
+        "duration_s": SegmentColumn(
+            "duration_s", "duration", "", lasts, "time", "s", 3, of=lambda result: result.duration
+        ),
+    }
+    for group in GROUPS:
+        found |= group.members()
+    return found
