@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from chutecalc.output.plots.layout import PANELS, WIDTH, page
 from chutecalc.output.plots.panels import along, limit
+from chutecalc.output.plots.side import MISSED
 from chutecalc.output.plots.style import labels_of, looks
 from chutecalc.output.plots.text import fitted, legend_columns, legend_rows
 from chutecalc.output.plots.traces import extent, view
@@ -42,6 +43,8 @@ def draw_comparison(solutions: Sequence[SolvedChute], units: str) -> Figure:
     for seen, name, look in zip(views, names, looks(parts), strict=True):
         path = COLUMNS["x_m"].converted(np.concatenate([trace.path for trace in seen.stream], axis=1), units)
         axes["side"].plot(*path, **look, markevery=[-1], gid="path")
+        for edge in seen.lost.edges[:1] if seen.lost else ():
+            axes["side"].plot(*COLUMNS["x_m"].converted(edge, units), **MISSED | {"color": look["color"]})
         for panel in PANELS:
             lines += axes[panel].plot(*along(seen.stream, panel, units), **look, markevery=[-1], gid=panel, label=name)
     for panel in PANELS:

@@ -6,14 +6,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from chutecalc.output.plots.style import TITLE, label_axes
-from chutecalc.output.plots.text import fitted
+from chutecalc.output.plots.text import LINE_HEIGHT, fitted
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 
 PANELS = ("velocity_m_s", "depth_m", "pressure_kpa", "wear_w_m2")
 """Columns that are drawn along the stream."""
-WIDTH, PANEL_HEIGHT, LINE_HEIGHT = 10.0, 1.75, 0.17
-"""Width of the picture; heights of a panel, and of a line of text; inches."""
+WIDTH, PANEL_HEIGHT = 10.0, 1.75
+"""Width of the picture and height of a panel, inches."""
 KEY, NOTES, SIDE = "key", "notes", "side"
 """Names of the axes beside the panels: the legend of the side view, lines of text, and the side view."""
 SCALES, COLOUR_BAR = 0.6, 0.9

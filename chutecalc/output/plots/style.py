@@ -35,6 +35,7 @@ _STYLE = {
     "font.size": 8.5,
     "grid.color": "0.9",
     "grid.linewidth": 0.6,
+    "hatch.linewidth": 0.5,
     "legend.fontsize": SMALL,
     "legend.frameon": False,
     "legend.handlelength": 3.0,
@@ -125,8 +126,8 @@ def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
 def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
     """Return the look of each line of a family, for Matplotlib.
 
-    The first part of a label sets colour and marker, the rest sets the stroke. If no label has a rest, the first part
-    sets the stroke too.
+    The first part of a label sets colour and marker, the rest sets the stroke. If no label has a rest, or there are
+    more rests than strokes, the whole label sets all three.
 
     Args:
         labels: label of each line, in parts.
@@ -135,6 +136,8 @@ def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
     >>> [look["linestyle"] for look in pairs], pairs[0]["color"] == pairs[1]["color"]
     (['-', '--', '-'], True)
     """
+    if len({label[1:] for label in labels}) > len(STROKES):
+        labels = [(", ".join(label),) for label in labels]
     firsts = list(dict.fromkeys(label[0] for label in labels))
     rests = list(dict.fromkeys(label[1:] for label in labels))
     shades = colours(len(firsts))

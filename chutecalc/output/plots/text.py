@@ -11,6 +11,8 @@ CHARACTER_WIDTH = 0.6
 """Width of a character over its height, about."""
 LEGEND_LINE = 6.0
 """Width of a line, and of the gaps beside it and its label, in a legend; over the size of its letters."""
+LINE_HEIGHT = 0.17
+"""Height of a line of small text, inches."""
 POINTS = 72.0
 """Points in an inch."""
 
@@ -35,7 +37,7 @@ def fitted(text: str, width: float, size: float = SMALL, most: int = 0, indent: 
         most: number of lines from which on the rest is cut off; 0 for no bound.
         indent: what stands before all lines but the first.
 
-    >>> fitted("one two three", 0.5, most=1)
+    >>> fitted("one two three", 0.6, most=1)
     'one two …'
     """
     characters = max(8, int(width * POINTS / (CHARACTER_WIDTH * size)))
