@@ -97,13 +97,10 @@ class SideView:
         place_labels(self.axes, labels, [self._long(line) for line in (*self.seen.lines, *self._inside())])
 
     def _inside(self) -> list[Line]:
-        """Return lines that stand for the stream between its edges."""
-        return [
-            trace.edges[0] + share * (trace.edges[-1] - trace.edges[0])
-            for trace in self.seen.stream
-            if len(trace.edges) > 1
-            for share in FILLED_BETWEEN
-        ]
+        """Return lines that stand for the stream between its edges, and for a pulley inside its rim."""
+        rims = [(pulley, pulley.mean(axis=1)[:, None]) for pulley in self.seen.feed[2:]]
+        bands = [(trace.edges[0], trace.edges[-1]) for trace in self.seen.stream if len(trace.edges) > 1]
+        return [one + share * (other - one) for one, other in (*bands, *rims) for share in FILLED_BETWEEN]
 
     def _long(self, metres: Array) -> Array:
         """Return lengths in the unit of the picture."""

@@ -98,7 +98,8 @@ def _name_ends(axes: Axes, names: Sequence[str]) -> None:
     low, high = axes.get_ylim()
     line = SMALL * (high - low) / (axes.get_position().height * HEIGHT * POINTS)
     lines = [each for each in axes.lines if each.get_gid() == "friction" and np.size(each.get_xdata())]
-    ends = [(*each.get_xydata()[-1], name) for each, name in zip(lines, names, strict=True)]
+    paths = [np.stack([np.asarray(each.get_xdata()), np.asarray(each.get_ydata())]) for each in lines]
+    ends = [(float(path[0, -1]), float(path[1, -1]), name) for path, name in zip(paths, names, strict=True)]
     free = -np.inf
     for x, y, name in sorted(ends, key=lambda end: end[1]):
         if y - free > line:
