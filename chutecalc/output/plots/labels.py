@@ -114,16 +114,15 @@ class Taken:
 def place_labels(axes: Axes, labels: Sequence[Label], lines: Sequence[Line]) -> None:
     """Write labels, each at the best free place, one after the other.
 
-    The figure is laid out first, as places are in points on the page. The same picture gets the same places.
+    Places are in points on the page. The same picture gets the same places.
 
     Args:
-        axes: axes with their limits.
+        axes: axes of a figure that is laid out, see :func:`chutecalc.output.plots.style.lay_out`.
         labels: in order: the first ones choose first.
         lines: what is better not covered, in the units of the axes.
     """
     figure = axes.get_figure(root=True)
     assert figure is not None
-    figure.draw_without_rendering()
     scale = POINTS / figure.dpi
     corners = axes.transAxes.transform([(0.0, 0.0), (1.0, 1.0)]) * scale
 

@@ -47,7 +47,6 @@ def draw_panels(axes: Mapping[str, Axes], seen: View, fails: bool, units: str) -
             panel.plot(path[0][-1:], path[1][-1:], **END)
         if not np.isfinite(shown).any():
             panel.set_yticks([])
-    _mark_ends(panels, seen.traces, units)
 
 
 def along(stream: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
@@ -74,8 +73,15 @@ def limit(panel: Axes, values: Array) -> None:
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
 
 
-def _mark_ends(panels: Sequence[Axes], stream: Sequence[Trace], units: str) -> None:
-    """Mark the ends of segments and flights, shade the flights, and name what has room for its name."""
+def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> None:
+    """Mark the ends of segments and flights, shade the flights, and name what has room for its name.
+
+    Args:
+        axes: axes by name, of a figure that is laid out.
+        stream: traces of the stream, lost ones included.
+        units: ``metric`` or ``us``.
+    """
+    panels = [axes[name] for name in PANELS]
     ends = [COLUMNS["s_m"].converted(trace.columns["s_m"][[0, -1]], units) for trace in stream]
     low, high = ends[0][0], ends[-1][1]
     if not high > low:
@@ -83,7 +89,6 @@ def _mark_ends(panels: Sequence[Axes], stream: Sequence[Trace], units: str) -> N
         return
     figure = panels[0].get_figure(root=True)
     assert figure is not None
-    figure.draw_without_rendering()  # lays it out
     room = panels[0].get_position().width * figure.get_figwidth() * POINTS
     for panel in panels:
         panel.set_xlim(low, high)

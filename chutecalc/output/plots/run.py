@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 from chutecalc.output.plots.compare import draw_comparison
 from chutecalc.output.plots.layout import WIDTH, page
 from chutecalc.output.plots.notes import notes
-from chutecalc.output.plots.panels import draw_panels
+from chutecalc.output.plots.panels import draw_panels, mark_ends
 from chutecalc.output.plots.side import SideView
-from chutecalc.output.plots.style import SMALL, styled
+from chutecalc.output.plots.style import SMALL, lay_out, styled
 from chutecalc.output.plots.traces import extent, view
 from chutecalc.results.solved import SolvedChute
 
@@ -42,5 +42,7 @@ def _one(solution: SolvedChute, units: str) -> Figure:
     side = SideView(axes["side"], solution, seen, units)
     axes["key"].legend(side.handles.values(), side.handles.keys(), loc="center left", ncols=len(side.handles), **KEY)
     draw_panels(axes, seen, not solution.ok[0], units)
+    lay_out(figure)
+    mark_ends(axes, seen.traces, units)
     side.label(marks)
     return figure

@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 
 from chutecalc.results.column import Column
 
@@ -52,6 +53,19 @@ _STYLE = {
 def styled() -> AbstractContextManager[None]:
     """Return a context with the style of all pictures, whatever the settings of the user. Draw and save in it."""
     return style.context(["default", _STYLE])
+
+
+def lay_out(figure: Figure) -> None:
+    """Lay out a figure without drawing it, so that positions and sizes on the page are known.
+
+    Args:
+        figure: the figure.
+    """
+    engine = figure.get_layout_engine()
+    assert engine is not None
+    engine.execute(figure)
+    for axes in figure.axes:
+        axes.apply_aspect()
 
 
 def colours(count: int) -> list[str]:

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chutecalc.output.plots.style import INK, PALE, SMALL, TITLE, label_axes, looks, styled
+from chutecalc.output.plots.style import INK, PALE, SMALL, TITLE, label_axes, lay_out, looks, styled
 from chutecalc.output.plots.text import POINTS, fitted
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
@@ -94,7 +94,7 @@ def _name_ends(axes: Axes, names: Sequence[str]) -> None:
     """Write the names of lines at their right ends, those that have room."""
     figure = axes.get_figure(root=True)
     assert figure is not None
-    figure.draw_without_rendering()  # lays it out
+    lay_out(figure)
     low, high = axes.get_ylim()
     line = SMALL * (high - low) / (axes.get_position().height * HEIGHT * POINTS)
     lines = [each for each in axes.lines if each.get_gid() == "friction" and np.size(each.get_xdata())]
