@@ -87,7 +87,8 @@ class SideView:
             marks: numbers to set beside the stream.
         """
         stream, size = self.seen.stream, self.seen.size
-        labels: list[Label] = [*names(self.seen, self.units), *impact_labels(self.solution, self.units)]
+        struck = [label for label in impact_labels(self.solution, self.units) if label.text]
+        labels: list[Label] = [*names(self.seen, self.units), *struck]
         for lines, share, belt in (
             (self.feed, 0.2, self.solution.design.belt),
             (self.received, 0.6, self.solution.design.receiver),
