@@ -18,6 +18,8 @@ from chutecalc.results.part import FLIGHT
 
 CUT_OFF = 12.0
 """A panel ends at this multiple of the median of its values."""
+UPRIGHT = 50.0
+"""Greatest width of a name that may stand upright, points."""
 IN_FLIGHT = "in flight"
 
 
@@ -112,7 +114,7 @@ def _shade(panels: Sequence[Axes], first: float, last: float, room: float) -> No
 
 
 def _name(panel: Axes, middle: float, name: str, room: float) -> None:
-    """Write the name of a segment above a panel, upright where there is only room for that."""
+    """Write the name of a segment above a panel: a short one upright where there is only room for that."""
     look: dict[str, Any] = {"transform": panel.get_xaxis_transform(), "ha": "center", "fontsize": SMALL}
     if width_of(name) < 0.95 * room:
         panel.text(middle, 1.03, name, **look)
