@@ -20,10 +20,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from chutecalc.api.batch import exits
+    from chutecalc.api.cases import solve_cases
     from chutecalc.api.chute import Chute, load, parse, solve
+    from chutecalc.api.freeze import freeze
     from chutecalc.api.function import Function
     from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
+    from chutecalc.results.cases import Cases
     from chutecalc.results.exits import Exits
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
@@ -31,6 +34,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "STARTER",
+    "Cases",
     "Chute",
     "ChutecalcError",
     "Exits",
@@ -44,14 +48,17 @@ __all__ = [
     "UsageError",
     "__version__",
     "exits",
+    "freeze",
     "load",
     "parse",
     "solve",
+    "solve_cases",
 ]
 __version__ = "0.1.0"
 
 _MODULES = {
     "STARTER": "chutecalc.spec.starter",
+    "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
     "Exits": "chutecalc.results.exits",
@@ -64,9 +71,11 @@ _MODULES = {
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
     "exits": "chutecalc.api.batch",
+    "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.chute",
     "parse": "chutecalc.api.chute",
     "solve": "chutecalc.api.chute",
+    "solve_cases": "chutecalc.api.cases",
 }
 """Where each public name is defined."""
 

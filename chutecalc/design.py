@@ -52,7 +52,9 @@ class Contact(NamedTuple):
     length: Array | None
     """Length of a straight, m; None for an arc, whose length follows from its slopes."""
     start: tuple[Array, Array] | None
-    """x and z of its drawn start, m; None if that is the end of the segment before it."""
+    """x and z of its drawn start, m; None if that is the end of the segment before it. NaN stands for None."""
+    may_be_passed: bool
+    """Whether a stream may pass it without touching it; otherwise the chute fails there."""
     section: Section
     """Section at its start, and at its end if it does not taper."""
     end_section: Section | None
@@ -62,6 +64,11 @@ class Contact(NamedTuple):
     """Least and greatest normal stress of the yield locus, Pa; None for a constant friction angle."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
+
+    @property
+    def may_end_elsewhere(self) -> bool:
+        """Whether a stream that gets through may leave the chute otherwise than from the drawn end of this segment."""
+        return self.deflects or self.may_be_passed
 
     def wall_height(self, share: Array) -> Array:
         """Return the wall height above which the segment chokes, m; infinite where none is given.
@@ -84,7 +91,7 @@ class Contact(NamedTuple):
 
 
 class Fall(NamedTuple):
-    """Free flight, down to a level or to a distance from its drawn start, or onto the segment after it."""
+    """Free flight: onto the segment after it if that has its own start, else to a level or a distance."""
 
     name: str
     kind: str
@@ -92,15 +99,17 @@ class Fall(NamedTuple):
     """Height of its drawn start above its end, m, or None."""
     run: Array | None
     """Horizontal distance from its drawn start to its end, m, or None."""
-
-    @property
-    def onto_next(self) -> bool:
-        """Whether the fall ends where the stream lands on the next segment."""
-        return self.drop is None and self.run is None
+    start: tuple[Array, Array] | None = None
+    """x and z of its drawn start, m; None if that is the end of the segment before it, or the inlet."""
 
     @property
     def deflects(self) -> bool:
         """Whether the stream only strikes it: never, as it has no surface."""
+        return False
+
+    @property
+    def may_end_elsewhere(self) -> bool:
+        """Whether a stream that gets through may leave the chute elsewhere: never, as it has no surface."""
         return False
 
     def drawn_end(self, before: Array | None) -> Array | None:
@@ -136,6 +145,16 @@ class Receiver(NamedTuple):
     """Slope of the belt, rad below horizontal."""
     friction: Array
     """Friction coefficient of the material on the belt."""
+    plan_angle: Array
+    """Plan angle ψ between the headings of stream and belt, rad, seen from above."""
+    at: tuple[Array, Array] | None
+    """x and z of a point of its surface, m; None if that is where the last segment ends."""
+
+    @property
+    def slope_of_trace(self) -> Array:
+        """Slope of the line in which its surface cuts the plane of the chute, rad: tan b = tan a_b cos ψ."""
+        trace: Array = np.arctan2(np.sin(self.slope) * np.cos(self.plan_angle), np.cos(self.slope))
+        return trace
 
 
 Segment = Contact | Fall

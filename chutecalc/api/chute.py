@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,14 +9,15 @@ import numpy as np
 from pydantic import ValidationError
 
 from chutecalc.api.solution import Solution
-from chutecalc.design import Contact, Design, Fall
+from chutecalc.design import Design
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.faults import GeometryError
-from chutecalc.physics.arrays import Array
 from chutecalc.solver.chain import run_chain
+from chutecalc.solver.steel import Steel, drawn_steel, enters_vertically, follows_stream, with_steel
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
-from chutecalc.spec.faults import faults_of, geometry_faults, value_text
+from chutecalc.spec.faults import case_faults, faults_of, geometry_faults, value_text
+from chutecalc.spec.operating import case_values, check_operating, is_felt, is_operating
 from chutecalc.spec.parse import parse_text, read_text
 from chutecalc.spec.paths import with_values
 
@@ -34,19 +34,19 @@ class Chute:
     """The spec as written: nested tables as TOML gives them, with arrays of shape (designs,) where it is varied."""
     source: str
     """Name of the spec in messages and tables, usually its file."""
+    text: str
+    """TOML text of the spec, for line numbers in messages; empty if it was given as tables."""
     count: int
     """Number of designs."""
     spec: ChuteSpec
     """The checked spec."""
     design: Design
     """The numeric description, SI and radians."""
+    drawing: "Chute"
+    """The chute at its design point, where its steel is drawn; this chute itself unless operating keys were varied."""
 
     def __init__(
-        self,
-        data: dict[str, Any],
-        source: str = "spec",
-        text: str = "",
-        drawn_slopes: Mapping[int, Array] | None = None,
+        self, data: dict[str, Any], source: str = "spec", text: str = "", drawing: "Chute | None" = None
     ) -> None:
         """Check a spec and turn it into numbers.
 
@@ -54,17 +54,17 @@ class Chute:
             data: nested tables as TOML gives them; where designs are varied, with arrays of length 1 or n.
             source: name of the spec in messages.
             text: from which the data were read, for line numbers in messages.
-            drawn_slopes: entry slopes of curves that are fixed, rad, by number of the segment; see
-                :func:`chutecalc.spec.build.build`.
+            drawing: the chute at the design point, on whose steel this one runs; drawn anew if not given.
 
         Raises:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
-        self.data, self.source, self._text = data, source, text
+        self.data, self.source, self.text, self.drawing = data, source, text, drawing or self
         self.count = _count(data, source)
         try:
             self.spec = ChuteSpec.model_validate(data)
-            self.design = build(self.spec, drawn_slopes)
+            design = build(self.spec)
+            self.design = with_steel(design, drawing.steel_for(design)) if drawing else design
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
         except GeometryError as error:
@@ -84,12 +84,17 @@ class Chute:
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
         """Return variants of this chute: design k takes entry k of each array.
 
+        The steel stands still while operating keys vary: flow, material, liners, velocities of inlet and belts. Where
+        geometry varies each variant is drawn anew, at the operating state of the spec. With
+        ``model.steel = "follows_stream"`` what is placed by the stream moves with it instead.
+
         Args:
             changes: for each spec path a number or a 1-dimensional array of length 1 or n, in the unit of the path. A
-                key in another unit replaces the one given.
+                key in another unit replaces the one given. A path that takes a name, such as that of a liner, takes
+                text, for all designs.
 
         Returns:
-            The chute of n designs. A curve tangent to a falling stream keeps the slope that it has in this chute.
+            The chute of n designs.
 
         Raises:
             SpecError: a path does not exist, arrays differ in length, or a value is out of bounds.
@@ -101,7 +106,63 @@ class Chute:
         (2,)
         """
         arrays = {path: _as_array(path, value, self.source) for path, value in changes.items()}
-        return Chute(with_values(self.data, arrays, self.source), self.source, self._text, self._drawn_slopes)
+        return self._on_steel(arrays)
+
+    def _on_steel(self, changes: dict[str, Any]) -> "Chute":
+        """Return the chute with changes, on the steel of its drawing."""
+        drawing = self.drawing
+        drawn = {path: value for path, value in changes.items() if not is_operating(path)}
+        if (
+            drawing is self
+            and self.spec.model.steel == "fixed"
+            and not any(is_operating(path) and is_felt(path) for path in changes)
+        ):
+            return Chute(with_values(self.data, changes, self.source), self.source, self.text)
+        if drawn and self.spec.model.steel == "fixed":
+            drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)
+        return Chute(with_values(self.data, changes, self.source), self.source, self.text, drawing)
+
+    @cached_property
+    def cases(self) -> dict[str, "Chute"]:
+        r"""The operating states of the spec's ``[cases]`` on the same steel, by name.
+
+        >>> import chutecalc
+        >>> spoon = chutecalc.parse(chutecalc.STARTER + '[cases.surge]\n"flow.rate_t_h" = 1500')
+        >>> spoon.cases["surge"].spec.flow.rate_t_h
+        1500.0
+        """
+        found, faults = {}, []
+        for name, table in self.spec.cases.items():
+            values = case_values(table)
+            try:
+                check_operating(values, self.source)
+                found[name] = self._on_steel(values)
+            except SpecError as error:
+                faults += case_faults(error.faults, name, self.text)
+        if faults:
+            raise SpecError(faults, self.source)
+        return found
+
+    def steel_for(self, *states: Design) -> Steel:
+        """Return where the segments are drawn that follow the stream at this design point.
+
+        Args:
+            states: other states of the chute, which are to run on that steel; none for any state.
+
+        Raises:
+            SpecError: a curve is not tangent to the stream that falls into it.
+        """
+        vertical = bool(states) and all(enters_vertically(state) for state in (self.design, *states))
+        moving = follows_stream(self.design, vertical)
+        return {number: place for number, place in self._steel.items() if number in moving} if moving else {}
+
+    @cached_property
+    def _steel(self) -> Steel:
+        """Where all segments are drawn that may follow the stream."""
+        try:
+            return drawn_steel(self.design, self.spec.model.steel == "fixed")
+        except SpecError as error:
+            raise SpecError(error.faults, self.source, error.designs) from None
 
     def put(self, changes: Mapping[str, Any]) -> "Chute":
         """Return this chute with single values or text put at spec paths: a changed spec rather than variants.
@@ -117,7 +178,7 @@ class Chute:
         >>> chutecalc.solve(spoon).exit_velocity.round(3)
         array([3.578])
         """
-        return Chute(with_values(self.data, dict(changes), self.source), self.source, self._text)
+        return Chute(with_values(self.data, dict(changes), self.source), self.source, self.text)
 
     def function(
         self,
@@ -138,8 +199,9 @@ class Chute:
 
         Returns:
             A function that takes a number or an array for each parameter, in the units of their paths, and returns a
-            number or an array for each output: NaN where a design fails or cannot be built. A curve tangent to a
-            falling stream keeps the slope that it has in this chute, as for :meth:`vary`.
+            number or an array for each output: NaN where a design fails or cannot be built. The steel stands still
+            as for :meth:`vary`. Where both geometry and operating keys are varied and the drawing depends on the
+            stream, each call draws and builds the chutes anew, which is slower.
 
         Raises:
             SpecError: a path leads to no number of the spec.
@@ -157,25 +219,7 @@ class Chute:
         if self.count != 1:
             raise UsageError(f"function takes a chute of one design, not {self.count}: use the chute before vary")
         spec = ChuteSpec.model_validate(self.data)  # its own: what is varied is put there
-        return Function(spec, self.vary, self._drawn_slopes, parameters, outputs, rtol)
-
-    @cached_property
-    def _drawn_slopes(self) -> dict[int, Array]:
-        """Entry slopes of the curves that begin tangent to a falling stream, by number of the segment."""
-        slopes = {
-            number: segment.entry_slope
-            for number, (before, segment) in enumerate(pairwise(self.design.segments), 1)
-            if isinstance(before, Fall) and isinstance(segment, Contact)
-        }
-        known = {number: slope for number, slope in slopes.items() if slope is not None}
-        if len(known) == len(slopes):
-            return known
-        segment_solutions, _ = run_chain(self.design, 1e-10, dense_output=False)
-        return {
-            solved.number: solved.contact.surface.slope
-            for solved in segment_solutions
-            if solved.number in slopes and solved.contact and np.isfinite(solved.contact.surface.slope).all()
-        }
+        return Function(spec, self, parameters, outputs, rtol)
 
 
 def _count(data: Any, source: str) -> int:
@@ -230,7 +274,10 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[
         raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
     text = spec if isinstance(spec, str) else ""
     data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
-    return Chute(with_values(data, dict(changes), source) if changes else data, source, text)
+    chute = Chute(with_values(data, dict(changes), source) if changes else data, source, text)
+    if chute.spec.cases:
+        chute.cases  # noqa: B018 - their faults are those of the spec
+    return chute
 
 
 def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
@@ -278,7 +325,9 @@ def check_tolerance(rtol: float) -> None:
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:
-    """Return a varied value as a 1-dimensional array of floats."""
+    """Return a varied value as a 1-dimensional array of floats; text as it is."""
+    if isinstance(value, str):
+        return value
     try:
         array = np.asarray(value)
         array = array.astype(np.float64) if array.dtype.kind in "fiu" else np.empty(0)

@@ -1,8 +1,8 @@
 """A chute as a function from some of its numbers to numbers at its exit: for optimisers, root finders and sweeps."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from threading import Lock
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,14 +15,19 @@ from chutecalc.errors import SpecError, UsageError
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.belts import RECEIVER_COLUMNS, receiver_numbers
 from chutecalc.results.columns import AT_EXIT
-from chutecalc.results.exits import columns_needed, output_numbers, solve_exits
+from chutecalc.results.exits import output_numbers, solve_exits
 from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.solver.chain import run_ends, single_design_solver
 from chutecalc.solver.chain_input import DesignRows, first_varied_segment, layout_of, row_columns
 from chutecalc.solver.options import solver_options
 from chutecalc.solver.segment_solution import Ends
+from chutecalc.solver.steel import Steel, enters_vertically, follows_stream, with_steel
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
+from chutecalc.spec.operating import is_operating
+
+if TYPE_CHECKING:
+    from chutecalc.api.chute import Chute
 
 
 class Function:
@@ -40,8 +45,7 @@ class Function:
     def __init__(
         self,
         spec: ChuteSpec,
-        vary: Callable[[Mapping[str, Any]], Any],
-        drawn_slopes: Mapping[int, Array],
+        chute: "Chute",
         parameters: Mapping[str, Limits | None] | Sequence[str],
         outputs: Iterable[str],
         rtol: float,
@@ -50,13 +54,12 @@ class Function:
 
         Args:
             spec: a copy of the spec for this function alone; varied values are put into it.
-            vary: returns a chute with values at paths, for values that cannot be replayed.
-            drawn_slopes: as for :func:`chutecalc.spec.build.build`, rad.
+            chute: the chute, which is varied for values that cannot be replayed.
             parameters: as there.
             outputs: as there.
             rtol: as there, dimensionless.
         """
-        self.outputs, self.rtol, self._vary = check_names(outputs, "outputs"), rtol, vary
+        self.outputs, self.rtol, self._chute = check_names(outputs, "outputs"), rtol, chute
         limits = parameters if isinstance(parameters, Mapping) else {}
         self.parameters = tuple(
             parameter_at(spec, path, limits.get(path)) for path in check_names(parameters, "parameters")
@@ -68,16 +71,15 @@ class Function:
         self._direct = set(OUTPUTS) >= set(self.outputs)  # without a profile of the stream at the end
         self._indices = [OUTPUTS.index(name) for name in self.outputs] if self._direct else []
         self._check_outputs(spec)
-        self._trace(spec, drawn_slopes)
+        self._trace(spec)
 
     def __repr__(self) -> str:
         return f"<Function of {', '.join(self.paths)}: {', '.join(self.outputs)}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Rebuild the function in another process."""
-        vary: Any = self._vary  # of the chute
         limits = {parameter.path: parameter.limits for parameter in self.parameters}
-        return vary.__self__.function, (limits, self.outputs, self.rtol)
+        return self._chute.function, (limits, self.outputs, self.rtol)
 
     @property
     def traced(self) -> bool:
@@ -150,8 +152,8 @@ class Function:
         while waiting:
             rows = waiting.pop()
             try:
-                design = self._vary(dict(zip(self.paths, np.ascontiguousarray(values[rows].T), strict=True))).design
-                found = solve_exits(design, self.rtol, self._exit_columns, len(rows))
+                changes = dict(zip(self.paths, np.ascontiguousarray(values[rows].T), strict=True))
+                found = solve_exits(self._chute.vary(changes).design, self.rtol, self._exit_columns, len(rows))
             except SpecError as error:
                 if error.designs is None:
                     raise
@@ -170,8 +172,8 @@ class Function:
             numbers = (ends.velocity, ends.error, ends.distance, ends.x, ends.z, np.degrees(ends.slope), depth)
             known = dict(zip(OUTPUTS, numbers, strict=True))
         else:
-            found = at_exit(design, ends, columns_needed(design, self._exit_columns))
-            known = output_numbers(found, receiver_numbers(design, found), ends.error)
+            found = at_exit(design, ends, self._exit_columns)
+            known = output_numbers(found, receiver_numbers(design, ends), ends.error)
         return self._chosen(known, ends.status == Status.OK)
 
     def _chosen(self, known: Mapping[str, Array], ok: Mask) -> list[Array]:
@@ -188,26 +190,38 @@ class Function:
                 " receiver_ and a receiver column, or error_estimate"
             )
 
-    def _trace(self, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
+    def _trace(self, spec: ChuteSpec) -> None:
         """Build the chute once and record what follows from the parameters."""
-        base = build(spec, drawn_slopes)
+        base = self._chute.design
         self._layout, self._restart = layout_of(base), 0
         self._exit_needs = exit_needs(self._exit_columns)
         self._recipe: Recipe | None = None
         self._answer: SingleDesignSolver | None = None
         self._design, self._leaves = base, dict[int, int]()
-        if base.segments[-1].deflects:  # where the stream is as the impact on it leaves it
+        steel = self._steel()
+        if steel is None or base.segments[-1].may_end_elsewhere:
             return
         before = [parameter.value for parameter in self.parameters]
         try:
-            self._write(Tape(), spec, drawn_slopes)
+            self._write(Tape(), spec, steel)
         except (AttributeError, TypeError, ValueError):
             pass  # something that a tape cannot record
         finally:
             for parameter, value in zip(self.parameters, before, strict=True):
                 parameter.set_value(value)
 
-    def _write(self, tape: Tape, spec: ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
+    def _steel(self) -> Steel | None:
+        """Return the steel on which all calls run; none where each draws it anew; None where that needs a solution."""
+        chute, drawing = self._chute, self._chute.drawing
+        drawn = chute.spec.model.steel == "fixed" and not all(is_operating(path) for path in self.paths)
+        if not drawn:
+            return drawing.steel_for()
+        redrawn_only = drawing is chute and not any(is_operating(path) for path in self.paths)
+        vertical = not any(path.startswith("inlet.") for path in self.paths)
+        vertical = vertical and enters_vertically(drawing.design) and enters_vertically(chute.design)
+        return {} if redrawn_only or not follows_stream(drawing.design, vertical) else None
+
+    def _write(self, tape: Tape, spec: ChuteSpec, steel: Steel) -> None:
         """Record on a tape what leads to the solver's row of numbers, and what the outputs need beside it."""
         given = [tape.new_variable(parameter.value_in_unit) for parameter in self.parameters]
         for parameter, value in zip(self.parameters, given, strict=True):
@@ -215,7 +229,7 @@ class Function:
             if not parameter.accepts(converted):
                 raise ValueError("no value for the spec")
             parameter.set_value(converted)
-        design = build(spec, drawn_slopes)
+        design = with_steel(build(spec), steel)
         columns, _, begins = row_columns(design)
         varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
         self._restart = first_varied_segment(design, begins, varied[0]) if varied else 0

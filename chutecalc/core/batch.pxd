@@ -1,5 +1,5 @@
 cimport cython
-from chutecalc.core cimport chain, floats, guide_surface, records, section, state, wall_loads
+from chutecalc.core cimport chain, floats, guide_surface, receiver, records, section, state, wall_loads
 
 cdef int HEADER
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.core import chain, floats, guide_surface, records, section, state, wall_loads
+from chutecalc.core import chain, floats, guide_surface, receiver, records, section, state, wall_loads
 
 HEADER = 8
 """Number of entries of a row before those of the segments."""
@@ -18,8 +18,9 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
         chute: state of a chute of this layout; rows agree in all that comes before its segment ``first_varied``.
         options: tolerances and rules.
         numbers: a row each: density, gravity, volume rate, K_v; position, velocity and slope of the stream at the
-            inlet; then the segments: drop and run of a fall; else start, entry and exit slope, radius, length, the
-            pieces of the wall's friction law, the section at the start, and at the end of a taper.
+            inlet; then the segments: start, drop and run of a fall; else start, entry and exit slope, radius, length,
+            the pieces of the wall's friction law, the section at the start, and at the end of a taper; at last position
+            and slope of the receiving belt.
         first, last: rows.
     """
     row = first
@@ -36,6 +37,7 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
         if chute.full or chute.first.stream.store.full:
             chute.count, chute.first.stream.store.count = solution_count, panel_count
             return row
+        receiver.land_on_belt(chute)
         write_ends(chute, chute.last, chute.last.stream)
         if chute.status == state.UNSOLVED:
             return row
@@ -49,6 +51,8 @@ def write_ends(chute: "records.ChuteState", last: "records.Segment", stream: "st
     chute.ends[0, row], chute.ends[1, row], chute.ends[2, row] = chute.status, chute.current.velocity, chute.error
     chute.ends[3, row], chute.ends[4, row] = chute.current.distance, chute.current.x
     chute.ends[5, row], chute.ends[6, row] = chute.current.z, chute.current.slope
+    chute.ends[7, row], chute.ends[8, row] = chute.landing.x, chute.landing.z
+    chute.ends[9, row], chute.ends[10, row] = chute.landing.velocity, chute.landing.slope
     if chute.status == state.FAULT:
         chute.faults += 1
         chute.ends[4, row], chute.ends[6, row] = chute.fault_number, chute.fault_slope
@@ -66,14 +70,16 @@ def read_segments(chute: "records.ChuteState", segment: "records.Segment", numbe
         chute.inlet.x, chute.inlet.z = float(numbers[row, 4]), float(numbers[row, 5])
         chute.inlet.velocity, chute.inlet.slope = float(numbers[row, 6]), float(numbers[row, 7])
     if segment.fall:
-        segment.drop, segment.run = float(numbers[row, at]), float(numbers[row, at + 1])
-        at += 2
+        segment.drop, segment.run = float(numbers[row, at + 2]), float(numbers[row, at + 3])
     else:
-        segment.start_x, segment.start_z = float(numbers[row, at]), float(numbers[row, at + 1])
         segment.entry_slope, segment.exit_slope = float(numbers[row, at + 2]), float(numbers[row, at + 3])
         segment.radius, segment.length = float(numbers[row, at + 4]), float(numbers[row, at + 5])
-        at = read_guide(segment.stream.guide, numbers, row, at + 6)
-    if not segment.final:
+    segment.start_x, segment.start_z = float(numbers[row, at]), float(numbers[row, at + 1])
+    at = at + 4 if segment.fall else read_guide(segment.stream.guide, numbers, row, at + 6)
+    if segment.final:
+        chute.belt_x, chute.belt_z = float(numbers[row, at]), float(numbers[row, at + 1])
+        chute.belt_slope = float(numbers[row, at + 2])
+    else:
         read_segments(chute, segment.next, numbers, row, at)
 
 

@@ -18,6 +18,8 @@ def start_at_inlet(chute: "records.ChuteState") -> None:
         chute.current.slope = 0.5 * math.pi
     chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
     chute.drawn_x_error = chute.drawn_z_error = chute.error = 0.0
+    # Steel that stands still: a stream from a belt of another velocity comes to it through the air.
+    chute.airborne = chute.first.start_x == chute.first.start_x and not chute.first.fall
     chute.saved_status = state.FAULT  # until the stream gets to where designs differ
 
 

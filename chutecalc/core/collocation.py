@@ -172,8 +172,8 @@ def linearise(
 ) -> None:
     """Write the equation linearised at an iterate, and what Newton leaves of an update of 1: half of Y ∂²f/∂Y² at most.
 
-    That is at most A χ'/Y times 3/8 of gravity's load and 1/4 of the centrifugal load. On a crest and under a hood the
-    two may cancel in f, so (1 + χ) b less b, χ b, is added there.
+    That is at most A χ'/Y times 3/8 of gravity's load and 1/4 of the centrifugal load, and A_full/(A_full - A) times
+    that in a pipe. On a crest and under a hood the two may cancel in f, so (1 + χ) b less b, χ b, is added there.
     """
     for j in range(rule.count):
         guide.facets.loads.area[j] = floats.quotient(flow, floats.root(iterate.solution[j + 1]))
@@ -228,7 +228,7 @@ def insert_resistance(
             math.fabs(load_change)
             + 2.0 * math.fabs(adhesion_change)
             + centrifugal_weight * (math.fabs(drag * centrifugal) - math.fabs(centrifugal))
-        )
+        ) * at.bend[j]
 
 
 def solve_linearised(

@@ -41,8 +41,10 @@ def solve_contact(
     else:
         joint.meet_segment(chute, segment, stream.guide, known_roots)
     chute.flight_time = chute.arrival.time
-    if segment.final and chute.arrival.status == state.PASSED:  # no segment follows that could catch it
+    if chute.arrival.status > state.STALL:
         chute.arrival.status = state.MISSED
+        if segment.may_be_passed and (not segment.final or chute.belt_x == chute.belt_x):  # caught later
+            chute.arrival.status = state.PASSED
     chute.segment_status = chute.arrival.status
     if chute.arrival.status > state.STALL:
         miss_segment(chute, segment)
@@ -70,7 +72,7 @@ def solve_contact(
     records.copy_point(chute.current, chute.end)
     chute.status, chute.airborne = chute.segment_status, False
     solution_rows.write_solution(chute, segment, stream, stream.store.count - before)
-    if not segment.final and chute.segment_status == state.CONTACT_LOST:
+    if chute.segment_status == state.CONTACT_LOST and (not segment.final or chute.belt_x == chute.belt_x):
         chute.status = state.OK
         chute.airborne = True
     elif segment.plate and chute.segment_status == state.OK:

@@ -12,17 +12,25 @@ def solve_fall(chute: "records.ChuteState", segment: "records.Segment") -> None:
     joint.clear_arrival(chute)
     if chute.status != state.OK:
         solution_rows.skip_segment(chute, segment, segment.stream)
-    elif segment.drop == segment.drop or segment.run == segment.run:
-        fall_to_level(chute, segment)
-    else:
+    elif lands_on_next(segment, segment.next):
         fall_onto_next(chute, segment, segment.next, segment.next.stream.guide)
-    if segment.drop == segment.drop or segment.run == segment.run:
-        chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
-        chute.drawn_x_error, chute.drawn_z_error = chute.current.x_error, chute.current.z_error
+        return
+    else:
+        fall_to_level(chute, segment)
+    chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
+    chute.drawn_x_error, chute.drawn_z_error = chute.current.x_error, chute.current.z_error
+
+
+def lands_on_next(segment: "records.Segment", next_segment: "records.Segment") -> bool:
+    """Return whether a fall ends where the stream meets the next segment: that one stands at its own place."""
+    return not segment.final and not next_segment.fall and next_segment.start_x == next_segment.start_x
 
 
 def fall_to_level(chute: "records.ChuteState", segment: "records.Segment") -> None:
     """Solve a fall to a level or to a horizontal distance."""
+    if segment.start_x == segment.start_x:
+        chute.drawn_x, chute.drawn_z = segment.start_x, segment.start_z
+        chute.drawn_x_error = chute.drawn_z_error = 0.0
     flight.launch(chute.flight, chute.current, chute.gravity)
     if segment.drop == segment.drop:
         time = flight.time_to_drop(chute.flight, chute.current.z - chute.drawn_z + segment.drop)

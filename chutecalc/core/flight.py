@@ -56,6 +56,22 @@ def time_to_run(flight: "records.Flight", run: float) -> float:
     return run / flight.forward if flight.forward > 0.0 and run >= 0.0 else floats.NAN
 
 
+def passage(flight: "records.Flight", x: float, z: float) -> tuple[float, float]:
+    """Return when a flight passes a point, and how far from it then: at the same height, or below or above it."""
+    fall = time_to_drop(flight, flight.z - z)
+    run = time_to_run(flight, x - flight.x)
+    beside = math.fabs(x_at(flight, fall) - x)
+    above = math.fabs(z_at(flight, run) - z)
+    return (run, above) if above < beside or beside != beside else (fall, beside)
+
+
+def delay(flight: "records.Flight") -> float:
+    """Return how much later a flight with errors gets to the same height, or distance if it goes rather forward."""
+    if flight.downward_now >= flight.forward:
+        return safe_quotient(flight.z_error, flight.downward_now)
+    return safe_quotient(-flight.x_error, flight.forward)
+
+
 def path_length(flight: "records.Flight", time: float) -> float:
     """Return the length of the parabola flown in a time, m.
 

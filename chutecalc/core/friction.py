@@ -29,6 +29,7 @@ def hydrostatic_loads(facets: "section.Facets", k: int, at: "section.Loads", fir
             _, excess, excess_sensitivity, missing, missing_sensitivity = section.arc(facets, at.area[j])
             at.excess[j], at.excess_sensitivity[j] = excess, 0.5 * excess_sensitivity
             at.missing[j], at.missing_sensitivity[j] = missing, 0.5 * missing_sensitivity
+            at.bend[j] = floats.quotient(1.0, math.fabs(1.0 - at.area[j] / facets.full))
         return
     foot, foot_width, sine = facets.area[k], facets.width[k], facets.sine[k]
     two_over_sine, four_cot, apex_width_squared = (
@@ -131,7 +132,9 @@ def set_adhesion(
         depth, width = section.depth_and_width(guide.facets, facet, at.area[j])
         adhesion = floats.quotient(guide.intercepts[piece], guide.density * guide.gravity * depth)
         at.adhesion[j] = adhesion * (1.0 + at.excess[j] - at.missing[j])
-        at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
+        at.adhesion_fall[j] = 0.0
+        if at.area[j] < guide.facets.full:  # beyond, depth is that of a full pipe
+            at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
         at.adhesion_rise[j] = (at.excess_sensitivity[j] - at.missing_sensitivity[j]) * adhesion
 
 

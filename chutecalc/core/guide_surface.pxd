@@ -15,6 +15,7 @@ cdef void set_constants(Guide guide) noexcept nogil
 cdef void set_section(Guide guide, double share) noexcept nogil
 cdef double wall_height(Guide guide, double share) noexcept nogil
 cdef double choke_area(Guide guide, double share) noexcept nogil
+cdef double full_velocity(Guide guide) noexcept nogil
 cdef double flow_area(Guide guide, double y) noexcept nogil
 cdef double normal_acceleration(Guide guide, double share, double y) noexcept nogil
 cdef int piece_of(Guide guide, double pressure) noexcept nogil

@@ -18,7 +18,7 @@ class Guide:
         self.first = first
         """The section at the segment's start."""
         self.last = first if last is None else last
-        self.section_here = section.Section(first.walls, first.circle)
+        self.section_here = section.Section(first.walls, first.circle, first.closed)
         self.taper = last is not None
         self.section_share = 0.0
         self.x = self.z = 0.0
@@ -63,9 +63,14 @@ def wall_height(guide: Guide, share: float) -> float:
 
 
 def choke_area(guide: Guide, share: float) -> float:
-    """Return the flow area at the wall height, m²; infinite where none is given."""
+    """Return the flow area at the wall height, or at which a pipe runs full, m²; infinite where none is given."""
     set_section(guide, share)
     return section.area_at_depth(guide.facets, wall_height(guide, share))
+
+
+def full_velocity(guide: Guide) -> float:
+    """Return the velocity at which the pipe runs full that ``set_section`` has set; 0 in any other section."""
+    return guide.flow / guide.facets.full
 
 
 def flow_area(guide: Guide, y: float) -> float:

@@ -11,6 +11,7 @@ from chutecalc.core import flight, floats, friction, guide_surface, impact, reco
 
 TANGENT = TANGENT_ANGLE = 1e-6 * math.pi / 180.0  # the second is for Python
 """Directions closer than this are equal: the stream passes on unchanged."""
+START_TOLERANCE, START_ERRORS = 1e-11, 4.0  # m, the rounding of a place; and times the stream's own error
 PERTURBATION = 1e-6
 """Relative perturbation by which an impact is differenced."""
 
@@ -20,8 +21,7 @@ def meet_segment(
 ) -> None:
     """Find how the stream meets the segment, at its start or where a flight lands; write ``arrival`` and ``impact``.
 
-    The status is ``STALL`` where the impact leaves no velocity, ``PASSED`` where a flight finds no surface and passes
-    its end, ``MISSED`` where it does not pass it either.
+    The status is ``STALL`` where the impact leaves no velocity, and ``MISSED`` where a flight finds no surface.
 
     Args:
         chute: a stream in motion, airborne or at the segment's drawn start.
@@ -35,7 +35,11 @@ def meet_segment(
     chute.arrival.gap = floats.NAN
     chute.arrival.velocity, chute.arrival.incidence = chute.current.velocity, max(turn, 0.0)
     if chute.airborne or turn < -TANGENT:
-        time, share, slope = surface.land(guide, chute.flight, chute.clearance, known_roots if chute.airborne else 1)
+        at_start = through_start(chute, guide) if chute.airborne and known_roots == 0 else floats.NAN
+        time, share, slope = at_start, 0.0, guide.entry_slope
+        if at_start != at_start:
+            roots = known_roots if chute.airborne else 1
+            time, share, slope = surface.land(guide, chute.flight, chute.clearance, roots)
         chute.arrival.time, chute.arrival.share = time, share
         if time != time:
             miss_segment(chute, guide)
@@ -43,8 +47,9 @@ def meet_segment(
         chute.arrival.distance = flight.path_length(chute.flight, time)
         chute.arrival.velocity = flight.velocity_at(chute.flight, time)
         chute.arrival.incidence = guide.side * (flight.slope_at(chute.flight, time) - slope)
-        flight.propagate_error(chute.flight, chute.current, time)
-        chute.arrival.share_error = landing_error(chute, segment, guide, slope)
+        if at_start != at_start:
+            flight.propagate_error(chute.flight, chute.current, time)
+            chute.arrival.share_error = landing_error(chute, segment, guide, slope)
     if chute.arrival.incidence <= TANGENT:
         chute.arrival.incidence = 0.0
     impact.compute_impact(chute.impact, guide, chute.arrival.share, chute.arrival.velocity, chute.arrival.incidence)
@@ -52,10 +57,27 @@ def meet_segment(
     chute.arrival.status = state.OK if chute.impact.velocity_after > 0.0 else state.STALL
 
 
+def through_start(chute: "records.ChuteState", guide: "guide_surface.Guide") -> float:
+    """Return when a flight passes through the drawn start of a segment, into it or along it; NaN where it does not.
+
+    A surface drawn tangent to the stream at its start is a double root of the landing, which rounding may miss. So a
+    stream within its own error of the start passes through it.
+    """
+    time, distance = flight.passage(chute.flight, guide.x, guide.z)
+    if not distance < floats.INFINITY:
+        return floats.NAN
+    flight.propagate_error(chute.flight, chute.current, time)
+    flight.shift_error(chute.flight, flight.delay(chute.flight), chute.entry)
+    off = START_TOLERANCE + START_ERRORS * (math.fabs(chute.flight.x_error) + math.fabs(chute.flight.z_error))
+    turned = TANGENT + START_ERRORS * math.fabs(chute.entry.slope_error)
+    outward = guide.side * (guide.entry_slope - flight.slope_at(chute.flight, time))
+    return time if distance <= off and outward <= turned else floats.NAN
+
+
 def miss_segment(chute: "records.ChuteState", guide: "guide_surface.Guide") -> None:
     """Write the arrival of a flight that does not meet the segment."""
     chute.arrival.gap = surface.gap_at_end(guide, chute.flight)
-    chute.arrival.status = state.PASSED if chute.arrival.gap > 0.0 else state.MISSED
+    chute.arrival.status = state.MISSED
     chute.arrival.distance = chute.arrival.velocity = chute.arrival.incidence = floats.NAN
     chute.arrival.error = chute.arrival.share_error = floats.NAN
     impact.compute_impact(chute.impact, guide, 0.0, floats.NAN, 0.0)

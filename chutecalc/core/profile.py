@@ -31,7 +31,7 @@ def tabulate_stream_section(
         surfaces: entry slope, turn and length of the segment, a row each.
         shares: shares of the segment's length.
         velocities_squared: v² there, m²/s².
-        out: five tables.
+        out: seven tables.
     """
     for design in range(shares.shape[1]):
         batch.restore_guide(

@@ -23,7 +23,7 @@ cdef class Arrival:
 @cython.final
 cdef class Segment:
     cdef public int number
-    cdef public bint final, fall, plate
+    cdef public bint final, fall, plate, may_be_passed
     cdef public state.Stream stream
     cdef public Segment next
     cdef public double drop, run, start_x, start_z, entry_slope, exit_slope, radius, length
@@ -32,14 +32,14 @@ cdef class Segment:
 @cython.final
 cdef class ChuteState:
     cdef public Segment first, last, first_varied
-    cdef public Point saved, inlet, current, start, entry, end
+    cdef public Point saved, inlet, current, start, entry, end, landing
     cdef public Flight flight
     cdef public Arrival arrival
     cdef public Impact impact, perturbed
     cdef public quartic.Quartic clearance
     cdef public int saved_status, status, segment_status, strikes, fault_number, faults, row, capacity, count
     cdef public bint saved_airborne, airborne, already_landed, full
-    cdef public double error, saved_error, saved_x, saved_z, saved_x_error, saved_z_error, gravity, drawn_x, drawn_z, drawn_x_error, drawn_z_error, fault_slope, flight_time
+    cdef public double error, saved_error, saved_x, saved_z, saved_x_error, saved_z_error, gravity, drawn_x, drawn_z, drawn_x_error, drawn_z_error, fault_slope, flight_time, belt_x, belt_z, belt_slope
     cdef public double[::1] solutions
     cdef public double[:, ::1] ends
     cdef public double[:, :, ::1] stream_section, wall_loads

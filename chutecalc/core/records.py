@@ -63,10 +63,12 @@ class Segment:
         """State of the stream on it, with its numbers; a fall has another segment's and does not use it."""
         self.next = self if next_segment is None else next_segment
         self.fall = self.plate = False
+        self.may_be_passed = False
+        """Whether a stream that passes it without touching it flies on; otherwise the chute fails there."""
         self.drop = self.run = floats.NAN
-        """Drop and run of a fall, m; both NaN where it ends on the next segment."""
+        """Drop and run of a fall, m. It ends there only if the next segment has no start of its own."""
         self.start_x = self.start_z = floats.NAN
-        """Start, m; NaN where it is the end of the segment before."""
+        """Fixed start, m; NaN where it is the end of the segment before, and after a fall where the stream ends it."""
         self.entry_slope = self.exit_slope = self.radius = self.length = floats.NAN
         """NaN: the entry slope of a curve tangent to a falling stream, the radius of a straight, the length of a
         curve."""
@@ -89,6 +91,10 @@ class ChuteState:
         end."""
         self.flight, self.arrival, self.impact, self.perturbed = Flight(), Arrival(), Impact(), Impact()
         """``perturbed`` is an impact changed a little, to see how an error grows."""
+        self.landing = Point()
+        """The stream where it lands on the receiving belt."""
+        self.belt_x = self.belt_z = self.belt_slope = floats.NAN
+        """A point of the receiving belt, m, and its slope, rad; NaN for one where the last segment ends."""
         self.clearance = quartic.Quartic()
         self.gravity = 0.0
         self.status = 0
@@ -127,7 +133,10 @@ class ChuteState:
         """What is not asked for is not computed: solutions of segments, and those tables."""
 
 
-ENDS = ("status", "velocity", "error", "distance", "x", "z", "slope")
+ENDS = (
+    *("status", "velocity", "error", "distance", "x", "z", "slope"),
+    *("landing_x", "landing_z", "landing_velocity", "landing_slope"),
+)
 FIELDS = (
     *("row", "segment", "strikes", "status"),
     *(f"{at}_{name}" for at in ("start", "entry", "exit") for name in (

@@ -1,26 +1,23 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, matrix
-
-cdef int TERMS
-cdef double LARGEST_U
+from chutecalc.core cimport circle, floats, matrix
 
 @cython.final
 cdef class Section:
-    cdef public bint circle
+    cdef public bint circle, closed
     cdef public int walls
     cdef public double base, radius, wall_height
     cdef public double[::1] lengths, inclinations
 
 @cython.final
 cdef class Loads:
-    cdef public double[::1] area, excess, excess_sensitivity, missing, missing_sensitivity, adhesion, adhesion_fall, adhesion_rise
+    cdef public double[::1] area, bend, excess, excess_sensitivity, missing, missing_sensitivity, adhesion, adhesion_fall, adhesion_rise
 
 @cython.final
 cdef class Facets:
     cdef public int count
     cdef public bint circle
-    cdef public double radius, deficit
+    cdef public double radius, deficit, full
     cdef public double[::1] series
     cdef public double[::1] sine, cosine, area, width, height
     cdef public double[::1] excess, excess_rise, own_excess, shortfall, shortfall_rise, own_shortfall
@@ -37,5 +34,6 @@ cdef (double, double) depth_and_width(Facets facets, int k, double area) noexcep
 cdef double wetted_below(Section section, Facets facets, int k, double area) noexcept nogil
 cdef double floor_width(Section section) noexcept nogil
 cdef double area_at_depth(Facets facets, double depth) noexcept nogil
-cdef double angle_area(double angle) noexcept nogil
+cdef double half_angle(double depth, double radius) noexcept nogil
 cdef (double, double, double, double, double) arc(Facets facets, double area) noexcept nogil
+cdef double widest(Facets facets, double depth, double width) noexcept nogil

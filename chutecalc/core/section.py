@@ -1,24 +1,22 @@
 """Compute a cross-section at one share, and the stream in it.
 
-A section is a stack of facets from the centre outwards (see :mod:`chutecalc.physics.section`): flat walls or the arc of
-a half circle, and vertical walls above the drawn top.
+A section is a stack of facets from the centre outwards (see :mod:`chutecalc.physics.section`): flat walls, or the arc
+of a half circle, and vertical walls above the drawn top; or the one arc of a pipe, which closes.
 """
 
 import math
 from array import array
 
-from chutecalc.core import floats, matrix
-
-TERMS = 26
-LARGEST_U = 7.082731016000907
-"""(6 π)^(2/3), u of the half circle; written out, because compilers round such a power differently."""
+from chutecalc.core import circle, floats, matrix
 
 
 class Section:
     """The numbers that define a section."""
 
-    def __init__(self, walls: int, circle: bool) -> None:
+    def __init__(self, walls: int, circle: bool, closed: bool = False) -> None:
         self.circle = circle
+        self.closed = closed
+        """Whether it has a roof at its wall height: a pipe or a box."""
         self.walls = walls
         """Number of drawn facets of a polygon, on one side."""
         self.base = self.radius = self.wall_height = 0.0
@@ -32,6 +30,8 @@ class Loads:
     def __init__(self) -> None:
         self.area = floats.zeros(matrix.ROOM)
         """Flow areas, m²; all else follows from them."""
+        self.bend = floats.numbers([1.0] * matrix.ROOM)
+        """Bound on what χ and depth, by the area, bend more than on a flat facet: A_full/(A_full - A) in a pipe."""
         self.excess, self.excess_sensitivity = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
         """χ, hydrostatic or of the friction law, and half its logarithmic derivative by the area."""
         self.missing, self.missing_sensitivity = floats.zeros(matrix.ROOM), floats.zeros(matrix.ROOM)
@@ -47,8 +47,10 @@ class Facets:
         """Make room; ``series`` are the circle's, seven times 26 numbers, empty without one."""
         self.count = count
         self.circle = circle
-        """Whether the innermost facet is the arc of a half circle."""
+        """Whether the innermost facet is an arc, of a half circle or of a pipe."""
         self.radius = self.deficit = 0.0
+        self.full = floats.INFINITY
+        """Area at which the arc of a pipe closes, m²; infinite in any other section."""
         self.series = series
         self.loads = Loads()
         self.sine, self.cosine, self.area, self.width, self.height = (floats.zeros(count) for _ in range(5))
@@ -115,23 +117,27 @@ def stack_facets(section: Section, vertical_ratio: float, facets: Facets) -> Non
 
 
 def stack_circle(section: Section, vertical_ratio: float, facets: Facets) -> None:
-    """Compute the constants of the half circle and of the vertical walls above it."""
+    """Compute the constants of a pipe, or of the half circle and of the vertical walls above it."""
     r, deficit = section.radius, 1.0 - vertical_ratio
     facets.radius, facets.deficit = r, deficit
+    if section.closed:
+        facets.full = math.pi * (r * r)
     facets.area[0] = facets.height[0] = facets.excess[0] = facets.excess_rise[0] = facets.own_excess[0] = 0.0
     facets.shortfall[0] = facets.shortfall_rise[0] = facets.own_shortfall[0] = 0.0
     facets.sine[0], facets.cosine[0], facets.width[0] = 1.0, 0.0, 2.0 * r
-    full = 0.5 * math.pi
-    _, excess, _, missing, _ = arc(facets, full * r * r)
+    set_derived(facets, 0)
+    if section.closed:
+        return
+    half = 0.5 * math.pi
+    _, excess, _, missing, _ = arc(facets, half * r * r)
     facets.sine[1], facets.cosine[1], facets.width[1] = 1.0, 0.0, 2.0 * r
-    facets.area[1], facets.height[1] = full * r * r, r
+    facets.area[1], facets.height[1] = half * r * r, r
     facets.excess[1] = facets.area[1] * excess
-    facets.excess_rise[1] = 2.0 * r * (full - 1.0 - deficit * (0.25 * math.pi - 1.0 / 3.0))  # 2 r ∫ K (1 - cos ψ) dψ
+    facets.excess_rise[1] = 2.0 * r * (half - 1.0 - deficit * (0.25 * math.pi - 1.0 / 3.0))  # 2 r ∫ K (1 - cos ψ) dψ
     facets.own_excess[1] = 1.0 - deficit
     facets.shortfall[1] = facets.area[1] * missing
     facets.shortfall_rise[1] = 2.0 * r * deficit / 3.0  # 2 r ∫ (1 - K) cos ψ dψ
     facets.own_shortfall[1] = 0.0
-    set_derived(facets, 0)
     set_derived(facets, 1)
 
 
@@ -159,7 +165,8 @@ def depth_and_width(facets: Facets, k: int, area: float) -> tuple[float, float]:
         if not (angle > -4.0 and angle < 4.0):
             return floats.NAN, floats.NAN
         half = math.sin(0.5 * angle)
-        return 2.0 * facets.radius * half * half, 2.0 * facets.radius * math.sin(angle)
+        sine = math.sin(angle) if angle < math.pi else 0.0  # a full pipe has no free surface
+        return 2.0 * facets.radius * half * half, 2.0 * facets.radius * sine
     width = floats.root(facets.four_cot[k] * area + facets.apex_width_squared[k])
     wetted = floats.quotient(facets.two_over_sine[k], width + facets.width[k]) * (area - facets.area[k])
     return facets.height[k] + wetted * facets.sine[k], width
@@ -199,43 +206,27 @@ def area_at_depth(facets: Facets, depth: float) -> float:
     while k > 0 and depth < facets.height[k]:
         k -= 1
     if facets.circle and k == 0:
-        angle = 2.0 * math.asin(math.sqrt(min(max(floats.quotient(0.5 * depth, facets.radius), 0.0), 0.5)))
-        return facets.radius * facets.radius * angle_area(angle)
+        r, dry = facets.radius, 2.0 * facets.radius - depth
+        if depth > r:  # in the upper half of a pipe, what is left above the stream
+            return facets.full - r * r * circle.area_of_angle(half_angle(dry, r))
+        return r * r * circle.area_of_angle(half_angle(depth, r))
     wetted = floats.quotient(depth - facets.height[k], facets.sine[k])
     return facets.area[k] + (facets.width[k] + wetted * facets.cosine[k]) * wetted * facets.sine[k]
 
 
-def angle_area(angle: float) -> float:
-    """Return A/r² of a wetted half-angle, ψ0 - sin ψ0 cos ψ0, by its series."""
-    square = 4.0 * angle * angle
-    total = 0.0
-    for step in range(16):
-        k = 16 - step
-        total = (1.0 - total) * square / (2 * k * (2 * k + 1))
-    return total * angle
+def half_angle(depth: float, radius: float) -> float:
+    """Return the half-angle of a circle's segment of a depth up to its radius, from ψ0 = 2 asin √(depth/2 r)."""
+    return 2.0 * math.asin(math.sqrt(min(max(floats.quotient(0.5 * depth, radius), 0.0), 0.5)))
 
 
 def arc(facets: Facets, area: float) -> tuple[float, float, float, float, float]:
-    """Return angle, χ and A dχ/dA, m and A dm/dA of a stream on the arc, by :mod:`chutecalc.physics.circle`."""
+    """Return angle, χ and A dχ/dA, m and A dm/dA of a stream on the arc, by :mod:`chutecalc.core.circle`."""
     scaled_area = floats.quotient(area, facets.radius * facets.radius)
-    if not scaled_area >= 0.0:
-        return floats.NAN, floats.NAN, floats.NAN, floats.NAN, floats.NAN
-    side = (12.0 * scaled_area) ** (1.0 / 3.0)
-    u = side * side
-    t = 2.0 * u / LARGEST_U - 1.0
-    angle, level, bent, lacking, level_slope, bent_slope, lacking_slope = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    before, now = t, 1.0  # T_-1 and T_0
-    for k in range(TERMS):
-        angle += facets.series[k] * now
-        level += facets.series[TERMS + k] * now
-        bent += facets.series[2 * TERMS + k] * now
-        lacking += facets.series[3 * TERMS + k] * now
-        level_slope += facets.series[4 * TERMS + k] * now
-        bent_slope += facets.series[5 * TERMS + k] * now
-        lacking_slope += facets.series[6 * TERMS + k] * now
-        before, now = now, 2.0 * t * now - before
-    deficit, third = facets.deficit, 2.0 / 3.0  # A d/dA = (2/3) u d/du
-    excess = u * (level - deficit * u * bent)
-    excess_sensitivity = third * u * (level + u * level_slope - deficit * u * (2.0 * bent + u * bent_slope))
-    missing = deficit * u * lacking
-    return side * angle, excess, excess_sensitivity, missing, third * deficit * u * (lacking + u * lacking_slope)
+    if area > 0.5 * facets.full:
+        return circle.upper_arc(facets.series, facets.deficit, scaled_area)
+    return circle.lower_arc(facets.series, facets.deficit, scaled_area)
+
+
+def widest(facets: Facets, depth: float, width: float) -> float:
+    """Return the greatest width of a stream, m: of its free surface, but in a pipe fuller than half the diameter."""
+    return 2.0 * facets.radius if facets.full < floats.INFINITY and depth > facets.radius else width

@@ -192,8 +192,11 @@ def apply_event(stream: "state.Stream", options: "state.SolverOptions", event: i
     if event == events.CONTACT_LOSS:
         stream.status = state.CONTACT_LOST
     elif event == events.CHOKE:
+        full = guide_surface.full_velocity(stream.guide)
+        if full > 0.0 and stream.attempts > 0:  # it did not enter overfull, so that is its velocity
+            stream.y = full * full
         stream.choke_share, stream.choke_y, stream.choke_error = stream.share, stream.y, stream.error
-        if not options.dense_output:
+        if not options.dense_output or stream.guide.first.closed:  # between open walls it may rise further
             stream.status = state.CHOKED
     elif event == events.SEGMENT_END:
         stream.share = stream.breakpoint

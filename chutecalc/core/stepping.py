@@ -23,6 +23,7 @@ from chutecalc.core import (
 
 STOP_AHEAD, REST_BEHIND = 0.8, 0.02  # of what is left: rest nearer than that takes a panel in r
 STEP_DECELERATING, STEP_ACCELERATING = 0.667, 2.0  # of the distance to rest ahead or behind: longest panel in c
+NEARLY_FULL, STEP_TO_FULL = 1e-7, 1.5  # of v²: a pipe so near to full takes one panel up to it, and a little beyond
 STIFFNESS_LIMIT = -6.0  # ∂f/∂y times a panel's length below which the equation is stiff
 MAX_PANELS = 2000  # a bound, so that no input can hang
 MOST_PANELS = MAX_PANELS  # for Python; the other is a C constant if compiled
@@ -40,7 +41,9 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
         if stream.status != state.RUNNING:
             return
         change, jacobian = friction.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
-        if not (detect_stall(stream, change) or cross_event(stream, options, change)):
+        if not (
+            detect_full(stream, options, change) or detect_stall(stream, change) or cross_event(stream, options, change)
+        ):
             next_panel(stream, options, change, jacobian)
     stream.status = state.UNSOLVED
 
@@ -111,6 +114,19 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
     return False
 
 
+def detect_full(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
+    """Choke the stream where a pipe runs full within the least step; return whether it did.
+
+    No panel can resolve that, nor one that starts in a full pipe. It comes before the rest that may be as near.
+    """
+    full = guide_surface.full_velocity(stream.guide)
+    if full == 0.0 or stream.y - full * full >= 2.0 * state.LEAST_STEP * math.fabs(change):
+        return False
+    stream.error += 2.0 * state.LEAST_STEP
+    step_control.apply_event(stream, options, events.CHOKE)
+    return True
+
+
 def cross_event(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
     """Apply an event at which the stream stands if it is moving into it; return whether it did.
 
@@ -136,7 +152,9 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
     """Choose and try the next panel.
 
     It is in r towards a stop that is near or away from a start near rest, and in c otherwise. A panel that turns out
-    too long is rejected and shortened.
+    too long is rejected and shortened. In a pipe the velocity at which it runs full takes the place of rest: friction
+    has a branch point there, (v - v_full)^(2/3), which r does not remove. Panels in c shrink with the distance to it;
+    what is left of the term falls with its power 5/3, so the last few 1e-7 take one panel.
     """
     if stream.event_target == stream.event_target:
         if stream.target_in_r:
@@ -144,7 +162,14 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
         else:
             step_in_share(stream, options, stream.event_target, jacobian)
         return
-    rest, scale = stream.breakpoint - stream.share, math.fabs(floats.quotient(stream.y, change))
+    full = guide_surface.full_velocity(stream.guide)
+    above = stream.y - full * full
+    rest, scale = stream.breakpoint - stream.share, math.fabs(floats.quotient(above, change))
+    if full > 0.0:
+        longest = STEP_DECELERATING if above > NEARLY_FULL * stream.y else STEP_TO_FULL
+        step = min(stream.next_step, (longest if change < 0.0 else STEP_ACCELERATING) * scale)
+        step_in_share(stream, options, stream.share + step if step < rest else stream.breakpoint, jacobian)
+        return
     if not stream.r_rejected and change < 0.0 and scale < STOP_AHEAD * rest:
         goal = math.sqrt(slowest_on_branch(stream))
     elif not stream.r_rejected and change > 0.0 and scale < REST_BEHIND * rest:

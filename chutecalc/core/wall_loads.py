@@ -4,22 +4,23 @@ from typing import Any
 
 from chutecalc.core import floats, friction, guide_surface, section
 
-SECTION_ROWS, LOAD_ROWS = 5, 8
+SECTION_ROWS, LOAD_ROWS = 7, 8
 """Number of tables that each writes."""
 STREAM_SECTION_ROWS, WALL_LOAD_ROWS = SECTION_ROWS, LOAD_ROWS  # for Python; the others are C constants if compiled
 
 
 def write_stream_section(guide: "guide_surface.Guide", share: float, y: float, row: int, design: int, out: Any) -> None:
-    """Write depth, width of the free surface, wetted length of the drawn facets, m and height of the drawn top.
+    """Write how a stream fills its section.
 
-    The wetted length is that on one side; m is the missing load.
+    These are depth, width of the free surface, wetted length of the drawn facets on one side, missing load, height of
+    the drawn top, fill, and greatest width. The fill is the share of a closed section's area, or of the walls' height.
 
     Args:
         guide: the segment and the flow.
         share: share of its length.
         y: v² there.
         row, design: indices in the tables.
-        out: five tables; NaN for what does not exist.
+        out: seven tables; NaN for what does not exist.
     """
     for number in range(SECTION_ROWS):
         out[number, row, design] = floats.NAN
@@ -39,6 +40,12 @@ def write_stream_section(guide: "guide_surface.Guide", share: float, y: float, r
     last = guide.facets.count - 1
     if last > 0 and (guide.facets.circle or last >= guide.first.walls):
         out[4, row, design] = guide.facets.height[last]
+    height = guide_surface.wall_height(guide, share)
+    if guide.first.closed:
+        out[5, row, design] = area / section.area_at_depth(guide.facets, height)
+    elif height < floats.INFINITY:
+        out[5, row, design] = depth / height
+    out[6, row, design] = section.widest(guide.facets, depth, width)
 
 
 def write_wall_loads(guide: "guide_surface.Guide", share: float, y: float, row: int, design: int, out: Any) -> None:

@@ -58,23 +58,51 @@ class Loading(NamedTuple):
 
     velocity_along: Array
     """V_ex, velocity component along the belt, m/s."""
-    velocity_across: Array
+    velocity_into: Array
     """V_ey, velocity component normal to the belt, m/s, 0 or more."""
+    velocity_across: Array
+    """V_ez, velocity component across the belt, m/s, with the sign of the plan angle."""
     velocity_ratio: Array
     """V_ex/V_b, a ratio."""
     impact_pressure: Array
     """Impact pressure ρ V_ey², Pa."""
     wear: Array
-    """Belt wear μ_b ρ V_ey² |V_b - V_ex|, W/m²."""
+    """Belt wear μ_b ρ V_ey² √((V_b - V_ex)² + V_ez²), W/m²."""
     acceleration_length: Array
     """Distance along the belt from the impact to where the stream has the belt's velocity, m. Negative where the stream
     runs back and gets there behind the impact; infinite where it never gets there."""
     velocity_after_impact: Array
     """Velocity along the belt after the friction of the impact, m/s."""
+    wear_after_impact: Array
+    """Belt wear with that velocity along the belt, W/m²."""
     length_after_impact: Array
     """Acceleration length from that velocity on, m."""
     acceleration_power: Array
     """Power that the belt's drive puts into the stream, ṁ V_b (V_b - V_ex), W."""
+
+
+def components(velocity: Array, slope: Array, belt_slope: Array, plan_angle: Array) -> tuple[Array, Array, Array]:
+    """Return the components of a stream's velocity along, into and across a belt.
+
+    With the stream's slope a, the belt's a_b, and the plan angle ψ between their headings they are
+    v (cos a cos a_b cos ψ + sin a sin a_b), v |sin a cos a_b - cos a sin a_b cos ψ| and v cos a sin ψ; their squares
+    add up to v².
+
+    Args:
+        velocity: Stream velocity v, m/s, shape (1,) or (designs,), as for all arguments.
+        slope: Slope a of the stream, rad below horizontal.
+        belt_slope: a_b, rad below horizontal.
+        plan_angle: ψ, rad.
+
+    >>> level, one = np.zeros(1), np.ones(1)
+    >>> [float(part[0].round(3)) for part in components(5 * one, level, level, np.pi / 2 * one)]
+    [0.0, 0.0, 5.0]
+    """
+    # With cos ψ = 1 - 2 sin²(ψ/2) what is left at ψ = 0 keeps its digits.
+    turned = 2.0 * np.sin(0.5 * plan_angle) ** 2 * np.cos(slope)
+    along = np.cos(slope - belt_slope) - turned * np.cos(belt_slope)
+    into = np.sin(slope - belt_slope) + turned * np.sin(belt_slope)
+    return velocity * along, np.abs(velocity * into), velocity * np.cos(slope) * np.sin(plan_angle)
 
 
 def loading(
@@ -83,24 +111,26 @@ def loading(
     belt_velocity: Array,
     belt_slope: Array,
     friction: Array,
+    plan_angle: Array,
     density: Array,
     mass_rate: Array,
     gravity: Array,
 ) -> Loading:
     """Compute the impact of a stream on a receiving belt and the length on which the belt accelerates it.
 
-    With V_ex = v cos(a - a_b) and V_ey = |v sin(a - a_b)| the acceleration length is
+    The components of the velocity are those of :func:`components`. The acceleration length is
     (V_b² - V_ex²)/(2 g (±μ_b cos a_b + sin a_b)), + where the belt is faster than the stream. Friction drives the
     material; the slope of the belt helps or hinders. A bracket of the wrong sign never brings the stream to the belt's
-    velocity. The friction of the impact itself changes V_ex by μ_b V_ey towards V_b, and not past it; the length is
-    given without and with that change.
+    velocity. The friction of the impact itself changes V_ex by μ_b V_ey towards V_b, and not past it; wear and length
+    are given without and with that change.
 
     Args:
-        velocity: Stream velocity v at the end of the chute, m/s, shape (1,) or (designs,), as for all arguments.
+        velocity: Stream velocity v where it lands, m/s, shape (1,) or (designs,), as for all arguments.
         slope: Slope a of the stream there, rad below horizontal.
         belt_velocity: V_b, m/s, positive.
         belt_slope: a_b, rad below horizontal.
         friction: Coefficient of friction μ_b of the material on the belt.
+        plan_angle: ψ between the headings of stream and belt, rad.
         density: Bulk density ρ, kg/m³.
         mass_rate: ṁ, kg/s.
         gravity: g, m/s².
@@ -110,26 +140,36 @@ def loading(
 
     >>> one = np.ones(1)
     >>> level = loading(
-    ...     velocity=3 * one, slope=0 * one, belt_velocity=4 * one, belt_slope=0 * one,
-    ...     friction=0.5 * one, density=800 * one, mass_rate=100 * one, gravity=10 * one,
+    ...     velocity=3 * one, slope=0 * one, belt_velocity=4 * one, belt_slope=0 * one, friction=0.5 * one,
+    ...     plan_angle=0 * one, density=800 * one, mass_rate=100 * one, gravity=10 * one,
     ... )
     >>> float(level.acceleration_length[0]), float(level.acceleration_power[0])
     (0.7, 400.0)
     """
-    along, across = velocity * np.cos(slope - belt_slope), np.abs(velocity * np.sin(slope - belt_slope))
-    pressure = density * across**2
+    along, into, across = components(velocity, slope, belt_slope, plan_angle)
+    pressure = density * into**2
     difference = belt_velocity - along
-    after_impact = belt_velocity - np.sign(difference) * np.maximum(np.abs(difference) - friction * across, 0.0)
-    starts = (along, after_impact)
-    lengths = [_acceleration_length(start, belt_velocity, belt_slope, friction, gravity) for start in starts]
+    after_impact = belt_velocity - np.sign(difference) * np.maximum(np.abs(difference) - friction * into, 0.0)
+    lengths, wears = zip(
+        *(
+            (
+                _acceleration_length(start, belt_velocity, belt_slope, friction, gravity),
+                friction * pressure * np.hypot(belt_velocity - start, across),
+            )
+            for start in (along, after_impact)
+        ),
+        strict=True,
+    )
     return Loading(
         velocity_along=along,
+        velocity_into=into,
         velocity_across=across,
         velocity_ratio=along / belt_velocity,
         impact_pressure=pressure,
-        wear=friction * pressure * np.abs(difference),
+        wear=wears[0],
         acceleration_length=lengths[0],
         velocity_after_impact=after_impact,
+        wear_after_impact=wears[1],
         length_after_impact=lengths[1],
         acceleration_power=mass_rate * belt_velocity * difference,
     )

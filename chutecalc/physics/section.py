@@ -2,6 +2,7 @@
 
 Every symmetric section is a row of facets from the centre outwards: flat walls of a polygon or the arc of a circle,
 with vertical walls above the drawn top. A rectangle has no drawn facet, a chamfered section one, a vee one and no base.
+A closed section ends in a roof: a box at the height of its walls, a pipe where its arc closes.
 """
 
 from typing import NamedTuple
@@ -20,15 +21,19 @@ class Polygon(NamedTuple):
     """Inclinations of these facets to the plane of the centre section, rad, in [0, π/2], not falling."""
     wall_height: Array
     """Height of the walls above the floor, m. A deeper stream chokes the chute. Infinite where none is given."""
+    closed: bool = False
+    """Whether it has a roof at that height, parallel to the floor."""
 
 
 class Circle(NamedTuple):
-    """The lower half of a circle with vertical walls above it, arrays of shape (1,) or (designs,)."""
+    """The lower half of a circle with vertical walls above it, or a pipe, arrays of shape (1,) or (designs,)."""
 
     radius: Array
     """Radius r, m."""
     wall_height: Array
-    """Height of the walls above the floor, m, as in :class:`Polygon`."""
+    """Height of the walls above the floor, m, as in :class:`Polygon`; of a pipe its diameter."""
+    closed: bool = False
+    """Whether it is a whole pipe."""
 
 
 Section = Polygon | Circle

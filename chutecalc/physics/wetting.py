@@ -54,6 +54,7 @@ def wetting(drawn: Section, vertical_ratio: Array, area: Array, equilibrium: boo
 
     Returns:
         The flow areas in their sections. Above a drawn top the walls are vertical; wall heights limit nothing here.
+        Areas above that of a pipe are taken as a full one.
 
     >>> from chutecalc.physics.section import Polygon
     >>> endless = np.array([np.inf])
@@ -103,6 +104,8 @@ class Kind(NamedTuple):
     """Number of drawn facets of a polygon on one side."""
     facets: int
     """Number of facets with the vertical walls above a drawn top."""
+    closed: bool = False
+    """Whether it is a pipe or a box."""
 
 
 def kind_of(drawn: Section) -> Kind:
@@ -114,14 +117,14 @@ def kind_of(drawn: Section) -> Kind:
     >>> from chutecalc.physics.section import Polygon
     >>> length, angle, endless = np.array([0.2]), np.radians([45.0]), np.array([np.inf])
     >>> kind_of(Polygon(np.array([0.5]), lengths=(length,), inclinations=(angle,), wall_height=endless))
-    Kind(circle=False, walls=1, facets=2)
+    Kind(circle=False, walls=1, facets=2, closed=False)
     """
     if isinstance(drawn, Circle):
-        return Kind(True, 0, 2)
+        return Kind(True, 0, 1 if drawn.closed else 2, drawn.closed)
     walls = len(drawn.lengths)
     last = drawn.lengths[-1] if walls else np.zeros(1)
     upright = last.item() == np.inf if last.size == 1 else np.isinf(last).any()  # NumPy takes long for one number
-    return Kind(False, walls, walls if upright else walls + 1)
+    return Kind(False, walls, walls if upright else walls + 1, drawn.closed)
 
 
 def records_of(kind: Kind) -> tuple[section.Section, section.Facets]:
@@ -135,7 +138,8 @@ def records_of(kind: Kind) -> tuple[section.Section, section.Facets]:
     ('Section', 'Facets')
     """
     series = _series() if kind.circle else floats.zeros(1)
-    return section.Section(kind.walls, kind.circle), section.Facets(kind.facets, kind.circle, series)
+    own = section.Section(kind.walls, kind.circle, kind.closed)
+    return own, section.Facets(kind.facets, kind.circle, series)
 
 
 def numbers_of(drawn: Section) -> list[Array]:

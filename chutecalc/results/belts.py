@@ -6,8 +6,9 @@ import numpy as np
 
 from chutecalc.design import Design, Receiver
 from chutecalc.physics.arrays import Array, Numbers
-from chutecalc.physics.belt import Loading, discharge, loading
+from chutecalc.physics.belt import Loading, components, discharge, loading
 from chutecalc.results.column import FormulaColumn
+from chutecalc.solver.segment_solution import Ends
 
 NORMAL_COSINE = 1e-9
 """The cosine of the angle between stream and belt below which the stream has no velocity along the belt."""
@@ -42,35 +43,62 @@ def inlet_numbers(design: Design) -> Numbers:
 class Transfer:
     """A stream that lands on a belt."""
 
-    def __init__(self, design: Design, belt: Receiver, velocity: Array, slope: Array) -> None:
-        """Take the belts and the stream at the exit.
+    def __init__(self, design: Design, belt: Receiver, ends: Ends) -> None:
+        """Take the belts and the stream where it lands on them.
 
         Args:
             design: the chutes.
             belt: that receives their streams.
-            velocity: of the streams at their exits, m/s, shape (designs,).
-            slope: theirs there, below horizontal, rad, likewise.
+            ends: how the designs end.
         """
-        self.design, self.belt, self.velocity, self.slope = design, belt, velocity, slope
+        self.design, self.belt, self.ends = design, belt, ends
+        self.velocity, self.slope = ends.landing_velocity, ends.landing_slope
 
     @cached_property
     def loading(self) -> Loading:
         """What the stream does to the belt."""
-        design = self.design
-        return loading(self.velocity, self.slope, *self.belt, design.density, design.mass_rate, design.gravity)
+        design, belt = self.design, self.belt
+        return loading(
+            velocity=self.velocity,
+            slope=self.slope,
+            belt_velocity=belt.velocity,
+            belt_slope=belt.slope,
+            friction=belt.friction,
+            plan_angle=belt.plan_angle,
+            density=design.density,
+            mass_rate=design.mass_rate,
+            gravity=design.gravity,
+        )
 
     @property
     def matching_slope(self) -> Array:
-        """Exit slope next to the present one at which the stream has the belt's velocity, rad; NaN where none does."""
-        ratio = self.belt.velocity / self.velocity
-        turn = np.arccos(np.where(self.velocity >= self.belt.velocity, ratio, np.nan))
-        return self.belt.slope + np.where(self.slope >= self.belt.slope, turn, -turn)
+        """Slope next to the present one at which the stream has the belt's velocity, rad; NaN where none does.
+
+        v (cos a cos a_b cos ψ + sin a sin a_b) = v r cos(a - a_p) with r and a_p of the heading's projection.
+        """
+        forward, down = self._heading
+        ratio = self.belt.velocity / (self.velocity * np.hypot(forward, down))
+        turn = np.arccos(np.where(ratio <= 1.0, ratio, np.nan))
+        best = np.arctan2(down, forward)
+        return best + np.where(self.slope >= best, turn, -turn)
 
     @property
     def matching_velocity(self) -> Array:
-        """Exit velocity at the present slope that has the belt's velocity along it, m/s; infinite where none does."""
-        cosine = np.cos(self.slope - self.belt.slope)
+        """Velocity at the present slope that has the belt's velocity along it, m/s; infinite where none does."""
+        forward, down = self._heading
+        cosine = forward * np.cos(self.slope) + down * np.sin(self.slope)
         return np.where(cosine <= NORMAL_COSINE, np.inf, self.belt.velocity / cosine)
+
+    @property
+    def matching_velocity_into(self) -> Array:
+        """Velocity into the belt at the matching slope, m/s; NaN where there is none."""
+        belt = self.belt
+        return components(self.velocity, self.matching_slope, belt.slope, belt.plan_angle)[1]
+
+    @property
+    def _heading(self) -> tuple[Array, Array]:
+        """Components of the belt's heading in the plane of the chute, forward and down."""
+        return np.cos(self.belt.slope) * np.cos(self.belt.plan_angle), np.sin(self.belt.slope)
 
 
 # fmt: off
@@ -79,7 +107,9 @@ RECEIVER_COLUMNS = {
     for column in (
         FormulaColumn("velocity_along_m_s", "along belt", "", "velocity along the belt",
                       "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_along),
-        FormulaColumn("velocity_across_m_s", "onto belt", "", "velocity onto the belt",
+        FormulaColumn("velocity_into_m_s", "into belt", "", "velocity into the belt, normal to it",
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_into),
+        FormulaColumn("velocity_across_m_s", "across belt", "", "velocity across the belt, with the plan angle's sign",
                       "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_across),
         FormulaColumn("velocity_ratio", "belt ratio", "", "velocity along the belt over the belt's",
                       "number", "", 4, formula=lambda on: on.loading.velocity_ratio),
@@ -93,35 +123,43 @@ RECEIVER_COLUMNS = {
                       "power", "kw", 3, formula=lambda on: on.loading.acceleration_power / 1000.0),
         FormulaColumn("landed_velocity_m_s", "landed", "", "velocity along the belt after the friction of the impact",
                       "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.loading.velocity_after_impact),
+        FormulaColumn("landed_wear_w_m2", "landed wear", "", "friction power per area of the belt at that velocity",
+                      "power", "w_m2", 1, formula=lambda on: on.loading.wear_after_impact),
         FormulaColumn("landed_acceleration_length_m", "landed slip", "",
                       "distance over which the belt accelerates it from then on",
                       "length", "m", 3, "ft", 2, formula=lambda on: on.loading.length_after_impact),
         FormulaColumn("matching_slope_deg", "matching slope", "",
-                      "exit slope at which the stream has the belt's velocity",
+                      "slope at which the stream would have the belt's velocity along it",
                       "angle", "deg", 2, formula=lambda on: np.degrees(on.matching_slope)),
         FormulaColumn("matching_velocity_m_s", "matching", "",
-                      "exit velocity at which the stream has the belt's velocity",
+                      "velocity at which the stream would have the belt's velocity along it",
                       "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.matching_velocity),
+        FormulaColumn("matching_velocity_into_m_s", "matching into", "", "velocity into the belt at the matching slope",
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda on: on.matching_velocity_into),
+        FormulaColumn("landing_x_m", "landing x", "", "horizontal position where the stream lands on the belt",
+                      "length", "m", 3, "ft", 2, formula=lambda on: on.ends.landing_x),
+        FormulaColumn("landing_z_m", "landing z", "", "height where the stream lands on the belt",
+                      "length", "m", 3, "ft", 2, formula=lambda on: on.ends.landing_z),
+        FormulaColumn("landing_slope_deg", "landing slope", "", "slope of the stream where it lands on the belt",
+                      "angle", "deg", 2, formula=lambda on: np.degrees(on.ends.landing_slope)),
     )
 }
 # fmt: on
 """What a stream does to the receiving belt, by name; each formula takes a :class:`Transfer`."""
-RECEIVER_NEEDS = ("velocity_m_s", "slope_deg")
-"""Columns at the exit that the receiver columns follow from."""
 
 
-def receiver_numbers(design: Design, end: Numbers) -> Numbers:
+def receiver_numbers(design: Design, ends: Ends) -> Numbers:
     """Return the receiver columns by name.
 
     Args:
         design: the chutes.
-        end: the columns ``RECEIVER_NEEDS`` at their exits, each of shape (designs,).
+        ends: how they end.
 
     Returns:
         Arrays of shape (designs,), NaN for designs that fail; empty where the chute has no receiver.
     """
     if design.receiver is None:
         return {}
-    transfer = Transfer(design, design.receiver, end["velocity_m_s"], np.radians(end["slope_deg"]))
+    transfer = Transfer(design, design.receiver, ends)
     with np.errstate(all="ignore"):
         return {name: column.formula(transfer) for name, column in RECEIVER_COLUMNS.items()}

@@ -6,7 +6,7 @@ from typing import Any
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
-from chutecalc.results.belts import RECEIVER_NEEDS, receiver_numbers
+from chutecalc.results.belts import receiver_numbers
 from chutecalc.results.described import html_table, number, outcomes, status_text
 from chutecalc.results.part import at_exit, exit_needs
 from chutecalc.results.trajectory import Trajectory
@@ -51,16 +51,6 @@ class Exits:
         return f"Exits of {count} design{'s' if count != 1 else ''}: {outcomes(self.status)}"
 
 
-def columns_needed(design: Design, names: Sequence[str]) -> list[str]:
-    """Return columns at the exit with those that the receiver columns follow from.
-
-    Args:
-        design: the chutes.
-        names: of columns at the exit.
-    """
-    return [*dict.fromkeys([*names, *(RECEIVER_NEEDS if design.receiver else ())])]
-
-
 def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -> Exits:
     """Solve designs for their exits.
 
@@ -70,15 +60,14 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
         names: of columns at the exit, among :data:`chutecalc.results.columns.AT_EXIT`.
         count: number of designs.
     """
-    taken = columns_needed(design, names)
-    if design.segments[-1].deflects:  # where the stream is as the impact on it leaves it
+    if design.segments[-1].may_end_elsewhere:
         segment_solutions, ends = run_chain(design, rtol, dense_output=False)
         status_numbers = stretched(ends.status, (count,))
-        found = Trajectory(design, segment_solutions, status_numbers, count).exit_columns(taken)
+        found = Trajectory(design, segment_solutions, status_numbers, count).exit_columns(names)
     else:
-        ends = run_ends(layout_of(design), design_rows(design), rtol, *exit_needs(taken))
-        found = at_exit(design, ends, taken)
-    belt = receiver_numbers(design, found)
+        ends = run_ends(layout_of(design), design_rows(design), rtol, *exit_needs(names))
+        found = at_exit(design, ends, names)
+    belt = receiver_numbers(design, ends)
 
     def whole(numbers: Numbers) -> Numbers:
         return {name: stretched(values, (count,)) for name, values in numbers.items()}
@@ -88,7 +77,7 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
         status=status_text(status_numbers),
         ok=status_numbers == Status.OK,
         error_estimate=error,
-        exit=whole({name: found[name] for name in names}),
+        exit=whole(found),
         receiver=whole(belt),
     )
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
-from chutecalc.results.belts import RECEIVER_NEEDS, inlet_numbers, receiver_numbers
+from chutecalc.results.belts import inlet_numbers, receiver_numbers
 from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
 from chutecalc.results.described import status_text
 from chutecalc.results.finding import Finding
@@ -58,6 +58,7 @@ class SolvedChute:
         """Number of designs."""
         self.rtol: float = rtol
         """Relative error allowed to the velocity."""
+        self._ends = ends
         self.error_estimate: Array = stretched(ends.error, (chute.count,))
         """Estimated relative error of the last velocity, shape (designs,); after a stall that of its position, as a
         share of the segment's length."""
@@ -112,13 +113,12 @@ class SolvedChute:
     def receiver(self) -> Numbers:
         """What the stream does to the receiving belt: arrays of shape (designs,) by name; empty without a receiver.
 
-        NaN for designs that fail. ``matching_slope_deg`` is the exit slope, next to the present one, at which the
-        stream would have the belt's velocity along it, and ``matching_velocity_m_s`` the exit velocity that would
+        NaN for designs that fail. ``matching_slope_deg`` is the slope, next to the present one, at which the stream
+        would have the belt's velocity along it where it lands, and ``matching_velocity_m_s`` the velocity that would
         match at the present slope; infinite or NaN where there is none.
         """
-        if self.design.receiver is None:
-            return {}
-        return receiver_numbers(self.design, self.exit_columns(RECEIVER_NEEDS))
+        numbers = receiver_numbers(self.design, self._ends)
+        return {name: stretched(values, (self.count,)) for name, values in numbers.items()}
 
     @cached_property
     def inlet(self) -> Numbers:

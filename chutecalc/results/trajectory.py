@@ -16,7 +16,7 @@ from chutecalc.results.findings import NEEDED, find
 from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
-from chutecalc.solver.segment_solution import SegmentSolution
+from chutecalc.solver.segment_solution import Point, SegmentSolution
 
 EXTREMES = [*dict.fromkeys([*((name, sign) for name in REPORTED for sign in (LEAST, LARGEST)), *NEEDED])]
 """The extremes of each part that are reported or that criteria need."""
@@ -109,14 +109,20 @@ class Trajectory:
             Arrays of shape (designs,), NaN for designs that fail.
         """
         names = list(names)
-        last = len(self.design.segments) - 1
         found = {name: np.full(self.count, np.nan) for name in names}
-        for part in self.parts:  # of a hood that is left and struck again there are several
-            if part.solved.number == last and not part.is_flight:
-                ends = part.at(np.ones(1), names)
-                here = (part.solved.status == Status.OK) & (self.status_numbers == Status.OK)
+        open_ = self.status_numbers == Status.OK  # designs whose end is not found yet
+        for part in reversed(self.parts):  # one that was left and struck again, or may be passed, is not the only last
+            if part.is_flight:
+                continue
+            here = open_ & np.isin(part.solved.status, (Status.OK, Status.CONTACT_LOST))
+            if here.any():
+                ends, open_ = part.at(np.ones(1), names), open_ & ~here
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
-        return found
+            if not open_.any():
+                return found
+        # What is left is the inlet, for a stream that flies past all segments onto its belt.
+        inlet = _at_inlet(self.segment_solutions[0].start)
+        return found | {name: np.where(open_, inlet[name], found[name]) for name in names if name in inlet}
 
     def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """Return least or largest values of columns on all guiding surfaces together.
@@ -158,3 +164,14 @@ class Trajectory:
             duration=whole(columns["time_s"][-1] - columns["time_s"][0]),
             impact={name: whole(values) for name, values in part.impact().items()},
         )
+
+
+def _at_inlet(start: Point) -> Numbers:
+    """Return the columns of a stream that has touched nothing yet."""
+    return {
+        "s_m": start.distance,
+        "x_m": start.x,
+        "z_m": start.z,
+        "slope_deg": np.degrees(start.slope),
+        "velocity_m_s": start.velocity,
+    }

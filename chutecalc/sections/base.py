@@ -8,7 +8,7 @@ from pydantic import Field
 from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantities import Length
 from chutecalc.fields.quantity import in_si
-from chutecalc.fields.table import Table
+from chutecalc.fields.table import Table, Violation
 from chutecalc.physics import section
 from chutecalc.physics.arrays import Array, Mask
 
@@ -19,13 +19,11 @@ UNBOUNDED = np.array([np.inf])
 class Section(Table):
     """A cross-section.
 
-    A shape derives from it, with its value of ``shape`` as a ``Literal``, its keys, :attr:`example` and :meth:`build`.
+    A shape derives from :class:`OpenSection` or :class:`ClosedSection`, with its value of ``shape`` as a ``Literal``,
+    its keys, :attr:`example` and :meth:`build`.
     """
 
     shape: str
-    wall_height_m: Length = Field(
-        None, description="height of the walls above the floor; a deeper stream chokes the chute"
-    )
 
     example: ClassVar[str] = ""
     """TOML of such a section without its header, for the starter."""
@@ -61,10 +59,29 @@ class Section(Table):
         """
         raise NotImplementedError
 
+
+class OpenSection(Section):
+    """A cross-section that is open at its top."""
+
+    wall_height_m: Length = Field(
+        None, description="height of the walls above the floor; a deeper stream chokes the chute"
+    )
+
     @property
     def wall_height(self) -> Array:
         """Height of the walls above the floor, m, of length 1 or n; infinite where none is given."""
         return length_or_unbounded(self.wall_height_m)
+
+
+class ClosedSection(Section):
+    """A cross-section with a roof: the chute chokes where it runs full."""
+
+    @classmethod
+    def _unknown(cls, key: str) -> tuple[Violation, str]:
+        if key.startswith("wall_height"):
+            problem = "is only for open sections: this one is closed, and chokes where it runs full"
+            return Violation((key,), problem, "remove it"), ""
+        return super()._unknown(key)
 
 
 def length_or_unbounded(value: Any) -> Array:

@@ -10,13 +10,13 @@ from chutecalc.fields.quantities import Depth, Length
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.section import Polygon
-from chutecalc.sections.base import Section
+from chutecalc.sections.base import OpenSection
 from chutecalc.sections.flanked import ChamferAngle, flanked
 
 ROUNDING = 1e-14
 
 
-class Chamfered(Section):
+class Chamfered(OpenSection):
     """A centre section between two chamfers."""
 
     shape: Literal["chamfered"]

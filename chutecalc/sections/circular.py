@@ -8,10 +8,10 @@ from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantities import Length
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.section import Circle
-from chutecalc.sections.base import Section
+from chutecalc.sections.base import OpenSection
 
 
-class Circular(Section):
+class Circular(OpenSection):
     """The lower half of a circle, with vertical walls above it."""
 
     shape: Literal["circular"]

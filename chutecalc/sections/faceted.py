@@ -11,7 +11,7 @@ from chutecalc.fields.quantities import Length
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.fields.table import Table
 from chutecalc.physics.section import Polygon
-from chutecalc.sections.base import Section
+from chutecalc.sections.base import OpenSection, Section
 
 
 class Facet(Table):
@@ -23,7 +23,7 @@ class Facet(Table):
     )
 
 
-class Faceted(Section):
+class Faceted(OpenSection):
     """Flat walls one above the other."""
 
     shape: Literal["facets"]

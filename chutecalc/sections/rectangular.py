@@ -8,10 +8,10 @@ from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantities import Length
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.section import Polygon
-from chutecalc.sections.base import Section
+from chutecalc.sections.base import OpenSection
 
 
-class Rectangular(Section):
+class Rectangular(OpenSection):
     """A rectangle."""
 
     shape: Literal["rectangular"]

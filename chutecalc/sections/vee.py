@@ -8,11 +8,11 @@ from pydantic import Field
 from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantities import Length
 from chutecalc.physics.section import Polygon
-from chutecalc.sections.base import Section
+from chutecalc.sections.base import OpenSection
 from chutecalc.sections.flanked import ChamferAngle, flanked
 
 
-class Vee(Section):
+class Vee(OpenSection):
     """Two flanks that meet."""
 
     shape: Literal["vee"]

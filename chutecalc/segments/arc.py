@@ -36,7 +36,30 @@ class Arc(Guide):
         if entry is not None:  # what begins tangent to a falling stream is known only when it is solved
             wrong, problem, remedy = self.check_turn(entry, exit_)
             context.faults.note(wrong, (*context.location, "to_slope_deg"), self.to_slope_deg, problem, remedy)
-        return self.contact(context, side, entry, exit_, radius=in_si(self.radius_m, "length"))
+        radius = in_si(self.radius_m, "length")
+        contact = self.contact(context, side, entry, exit_, radius=radius)
+        if entry is not None:
+            wrong, problem, remedy = self.check_bend(contact, entry, radius)
+            context.faults.note(wrong, (*context.location, "radius_m"), self.radius_m, problem, remedy)
+        return contact
+
+    def check_bend(self, contact: Contact, entry: Array, radius: Array) -> tuple[Mask, str, str]:
+        """Return the mask of designs bent so tightly that the inner wall has no length, with problem and remedy.
+
+        Opposite to the guiding surface, at the height D of a closed section, a wall is 1 - κ σ D times as long.
+
+        Args:
+            contact: the arc in numbers.
+            entry: slope at its start, rad below horizontal.
+            radius: of the guiding surface, m.
+        """
+        height = np.zeros(1)
+        for section in (contact.section, contact.end_section):
+            if section is not None and section.closed:
+                height = np.maximum(height, section.wall_height)
+        inwards = contact.side * np.sign(entry - contact.exit_slope)  # the sign of κ σ
+        problem = f"leaves the inner wall of the bend no length: the section is {height.flat[0]:.6g} m high"
+        return radius <= inwards * height, problem, "give a larger radius, or a smaller section"
 
     def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
         """Return the mask of designs whose arc does not turn as it has to, with problem and remedy.

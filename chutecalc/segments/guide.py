@@ -20,6 +20,9 @@ class Guide(Segment):
     )
     liner: str | None = Field(None, description="name of its liner; needed if the spec has several")
     start_m: Position = Field(None, description="x and z of its drawn start, after a fall with onto_next")
+    may_be_passed: bool = Field(
+        False, description="true if a stream may fly past it without touching it; otherwise that is a failure"
+    )
 
     placed: ClassVar[dict[str, str]] = {"start_m": "start_m = [x, z]"}
 
@@ -57,6 +60,7 @@ class Guide(Segment):
             radius=radius,
             length=length,
             start=start,
+            may_be_passed=self.may_be_passed,
             section=context.drawn_sections[first],
             end_section=None if last is None else context.drawn_sections[last],
             wall=lining.wall,

@@ -20,6 +20,7 @@ class SegmentLayout(NamedTuple):
 
     fall: bool
     plate: bool = False
+    may_be_passed: bool = False
     side: float = 1.0
     equilibrium: bool = False
     pieces: int = 1
@@ -50,6 +51,7 @@ def _segment_layout(contact: Contact, design: Design) -> SegmentLayout:
     return SegmentLayout(
         fall=False,
         plate=contact.deflects,
+        may_be_passed=contact.may_be_passed,
         side=contact.side,
         equilibrium=design.equilibrium,
         pieces=len(contact.wall.starts),
@@ -102,6 +104,7 @@ def _make_chute_state(layout: ChuteLayout) -> records.ChuteState:
         stream = stream if segment_layout.fall else state.Stream(_make_guide(segment_layout), store)
         segment = records.Segment(number, last=next_segment is None, stream=stream, next_segment=next_segment)
         segment.fall, segment.plate = segment_layout.fall, segment_layout.plate
+        segment.may_be_passed = segment_layout.may_be_passed
         next_segment, last = segment, last or segment
     assert next_segment is not None
     assert last is not None
@@ -178,24 +181,26 @@ def row_columns(design: Design) -> tuple[list[Array | float], list[int], list[in
     wall_offsets, segment_offsets = [], []
     for segment in design.segments:
         segment_offsets.append(len(columns))
+        columns += segment.start or (np.nan, np.nan)
         if isinstance(segment, Fall):
             columns += [_or_nan(segment.drop), _or_nan(segment.run)]
             wall_offsets.append(len(columns))
             continue
-        columns += segment.start or (np.nan, np.nan)
         columns += [_or_nan(segment.entry_slope), segment.exit_slope, _or_nan(segment.radius), _or_nan(segment.length)]
         wall_offsets.append(len(columns))
         for piece in zip(*segment.wall, strict=True):
             columns += piece
         columns += section_numbers(segment.section)
         columns += [] if segment.end_section is None else section_numbers(segment.end_section)
+    belt = design.receiver
+    columns += (np.nan,) * 3 if belt is None or belt.at is None else (*belt.at, belt.slope_of_trace)
     return columns, wall_offsets, segment_offsets
 
 
 def first_varied_segment(design: Design, segment_offsets: list[int], first: int) -> int:
     """Return the number of the first segment in which designs differ.
 
-    A fall that ends on the next segment differs where that one does.
+    A fall that ends where it meets the next segment differs where that one does.
 
     Args:
         design: the chute.
@@ -203,8 +208,9 @@ def first_varied_segment(design: Design, segment_offsets: list[int], first: int)
         first: the first column that varies.
     """
     segment = max(sum(begin <= first for begin in segment_offsets) - 1, 0)
-    before = design.segments[segment - 1]
-    return segment - 1 if segment and isinstance(before, Fall) and before.onto_next else segment
+    before, here = design.segments[segment - 1], design.segments[segment]
+    lands = isinstance(before, Fall) and isinstance(here, Contact) and here.start is not None
+    return segment - 1 if segment and lands else segment
 
 
 def _or_nan(values: Array | None) -> Array | float:

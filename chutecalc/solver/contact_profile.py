@@ -107,6 +107,16 @@ class ContactProfile:
         """Height of the section's drawn top above the floor, m; NaN where it has none."""
         return self.stream_section[4]
 
+    @property
+    def fill(self) -> Array:
+        """Share of a closed section's area, or of the height of the walls, that is filled; NaN where neither exists."""
+        return self.stream_section[5]
+
+    @property
+    def greatest_width(self) -> Array:
+        """Greatest width of the stream, m."""
+        return self.stream_section[6]
+
     @cached_property
     def wall_loads(self) -> tuple[Array, ...]:
         """Tables of the loads on the walls, on a plate those of the impact.

@@ -205,8 +205,13 @@ class Ends(NamedTuple):
     x: Array
     z: Array
     slope: Array
+    landing_x: Array
+    landing_z: Array
+    landing_velocity: Array
+    landing_slope: Array
+    """The stream where it lands on the receiving belt, m, m/s and rad; at the exit if that belt has no place."""
     stream_section: Array
-    """Tables of the stream in the last section, shape (5, 1, n), see
+    """Tables of the stream in the last section, shape (7, 1, n), see
     :func:`chutecalc.core.wall_loads.write_stream_section`; empty unless asked for."""
     wall_loads: Array
     """Tables of the loads on the walls there, shape (8, 1, n), see :func:`chutecalc.core.wall_loads.write_wall_loads`;

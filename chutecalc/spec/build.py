@@ -1,7 +1,5 @@
 """Turns a checked spec into numbers: SI units, names resolved, drawn slopes from segment to segment."""
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from chutecalc.design import VERTICAL, Belt, Design, Receiver, Segment
@@ -16,18 +14,16 @@ from chutecalc.spec import chute_spec as model
 from chutecalc.spec.segment_names import segment_names
 
 
-def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None) -> Design:
+def build(spec: model.ChuteSpec) -> Design:
     """Return the numeric description of a chute.
 
     Args:
         spec: the checked spec; its numbers may be arrays of length 1 or n.
-        drawn_slopes: entry slopes, rad, by index of the segment, of arcs that begin tangent to a falling stream, where
-            another design has fixed them. Without one, such an arc follows the stream.
 
     Raises:
         GeometryError: All faults of geometry.
     """
-    geometry = _Geometry(spec, drawn_slopes or {})
+    geometry = _Geometry(spec)
     design = geometry.design()
     geometry.faults.raise_any()
     return design
@@ -36,9 +32,8 @@ def build(spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array] | None = None
 class _Geometry:
     """One pass through the spec, which collects faults of geometry."""
 
-    def __init__(self, spec: model.ChuteSpec, drawn_slopes: Mapping[int, Array]) -> None:
-        self.spec, self.drawn_slopes = spec, drawn_slopes
-        self.faults = GeometryFaults()
+    def __init__(self, spec: model.ChuteSpec) -> None:
+        self.spec, self.faults = spec, GeometryFaults()
 
     def design(self) -> Design:
         """Return the design; it is of no use if there are faults."""
@@ -83,8 +78,13 @@ class _Geometry:
         belt = self.spec.receiver
         if belt is None:
             return None
-        friction = np.tan(in_si(belt.friction_deg, "angle"))
-        return Receiver(in_si(belt.velocity_m_s, "velocity"), in_si(belt.slope_deg, "angle"), friction)
+        return Receiver(
+            velocity=in_si(belt.velocity_m_s, "velocity"),
+            slope=in_si(belt.slope_deg, "angle"),
+            friction=np.tan(in_si(belt.friction_deg, "angle")),
+            plan_angle=in_si(belt.plan_angle_deg, "angle"),
+            at=None if belt.at_m is None else (in_si(belt.at_m[0], "length"), in_si(belt.at_m[1], "length")),
+        )
 
     def segments(self, velocity: Array, inlet_slope: Array) -> tuple[Segment, ...]:
         """Return the segments, each with the slopes at which it is drawn.
@@ -105,12 +105,11 @@ class _Geometry:
         built: list[Segment] = []
         for number, (name, table) in enumerate(zip(names, tables, strict=True)):
             flies = number > 0 and not tables[number - 1].guides and not falling
-            tangent = self.drawn_slopes.get(number, None if flies else slope)
             context = Context(
                 location=("segments", number),
                 name=name,
                 slope=slope,
-                tangent=tangent,
+                tangent=None if flies else slope,
                 sections=self.spec.sections,
                 drawn_sections=sections,
                 linings=linings,

@@ -86,6 +86,12 @@ class Receiver(Table):
     velocity_m_s: BeltVelocity = Field(description="velocity of the belt")
     slope_deg: BeltSlope = Field(0.0, description="slope of the belt, positive downhill")
     friction_deg: FrictionAngle = Field(description="friction angle of the material on the belt")
+    at_m: Position = Field(
+        None, description="x and z of a point of its surface; where the last segment ends if not given"
+    )
+    plan_angle_deg: Annotated[Number, Quantity("angle", ge=-180, le=180)] = Field(
+        0.0, description="angle between the headings of stream and belt, seen from above"
+    )
 
 
 class Model(Table):
@@ -95,6 +101,11 @@ class Model(Table):
         "paper",
         description="paper: the centre section bears the load that hydrostatic wall pressures do not; equilibrium: all"
         " wall pressures are scaled until they bear it",
+    )
+    steel: Literal["fixed", "follows_stream"] = Field(
+        "fixed",
+        description="fixed: the chute is drawn at the spec as written and stands still while operating keys vary;"
+        " follows_stream: what is placed by the stream moves with it",
     )
 
 
@@ -111,6 +122,9 @@ class ChuteSpec(Table):
     model: Model = Field(Model(), description="variant of the model, optional")
     receiver: Receiver | None = Field(None, description="belt that the stream goes to, optional")
     segments: list[AnySegment] = Field(min_length=1, description="segments in the order in which the stream meets them")
+    cases: dict[Name, dict[str, Any]] = Field(
+        {}, description="operating states that the same steel has to serve, by name: key paths with their values"
+    )
     rules: ClassVar = (known_format, names, placement, known_strength)
     hints: ClassVar = dict.fromkeys(("spoon", "crest"), "use curve: a spoon or crest is a curve")
     choices: ClassVar = {"kind": tuple(KINDS), "shape": tuple(SHAPES)}

@@ -46,6 +46,23 @@ def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> lis
     return _located(found, text)
 
 
+def case_faults(faults: Iterable[Fault], name: str, text: str) -> list[Fault]:
+    """Return the faults of a case, with the line of its key.
+
+    Args:
+        faults: of the spec with the values of the case.
+        name: of the case.
+        text: TOML text of the spec, for line numbers; empty if there is none.
+    """
+    lines = key_lines(text)
+    found = []
+    for fault in faults:
+        keys = (("cases", name, fault.path), ("cases", name, *fault.path.split(".")), ("cases", name))
+        line = next((lines[location] for location in keys if location in lines), None)
+        found.append(fault._replace(path=f"cases.{name}.{fault.path}", line=line))
+    return found
+
+
 def _located(faults: Iterable[LocatedFault], text: str) -> list[Fault]:
     """Return faults with key paths, list items counted from 1, and the line of the key or of the table around it."""
     lines = key_lines(text)

@@ -8,7 +8,7 @@ from chutecalc.fields.units import same_quantity
 from chutecalc.spec.faults import value_text
 from chutecalc.spec.segment_names import segment_names
 
-OPTIONAL_TABLES = ("model", "receiver", "belt")
+OPTIONAL_TABLES = ("model", "receiver", "belt", "limits")
 """Tables that a path creates where they are missing; the check that follows refuses them in the wrong place."""
 
 

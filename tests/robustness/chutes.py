@@ -223,5 +223,18 @@ class Maker:
         segments.insert(number, {"kind": "fall", "onto_next": True})
 
 
-MAKERS = (Maker,)
+class ClosedMaker(Maker):
+    """Draws chutes of pipes and boxes."""
+
+    def section(self) -> dict[str, Any]:
+        if self.maybe(0.6):
+            return {"shape": "pipe", "radius_m": self.quantity(0.02, 3, (0.2, 1.0))}
+        return {
+            "shape": "box",
+            "width_m": self.quantity(0.01, 5, (0.3, 1.5)),
+            "height_m": self.quantity(0.01, 3, (0.2, 1.0)),
+        }
+
+
+MAKERS = (Maker, ClosedMaker)
 """All that draw chutes, each with cases of its own. For a new shape or kind add a class derived from ``Maker``."""

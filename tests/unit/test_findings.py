@@ -291,15 +291,17 @@ def test_steep_impact(off):
     assert ("steep_impact" in codes(solution)) == (off > 0)
 
 
-def test_flown_past():
-    segments = [
-        {"name": "short", "kind": "straight", "slope_deg": 60.0, "length_m": 0.05},
-        {"name": "long", "kind": "straight", "slope_deg": 60.0, "length_m": 5.0},
-    ]
-    leaves = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 20.0}, segments=segments))
-    follows = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 60.0}, segments=segments))
-    assert found(leaves, "flown_past").segment == "short"
-    assert "flown_past" not in codes(follows)
+def test_passed_by():
+    short = {"name": "short", "kind": "straight", "slope_deg": 60.0, "length_m": 0.05}
+    long = {"name": "long", "kind": "straight", "slope_deg": 60.0, "length_m": 5.0}
+    flying, along = ({"velocity_m_s": 3.0, "slope_deg": slope} for slope in (20.0, 60.0))
+    leaves = chutecalc.solve(chute(inlet=flying, segments=[short, long]))
+    follows = chutecalc.solve(chute(inlet=along, segments=[short, long]))
+    allowed = chutecalc.solve(chute(inlet=flying, segments=[short | {"may_be_passed": True}, long]))
+    assert (found(leaves, "passed_by").segment, found(leaves, "passed_by").severity) == ("short", "failure")
+    assert (leaves.status[0], [each.status[0] for each in leaves.segments]) == ("missed", ["missed", "not_reached"])
+    assert "passed_by" not in codes(follows)
+    assert (found(allowed, "passed_by").severity, allowed.status[0]) == ("note", "ok")
 
 
 @pytest.mark.parametrize("off", [-0.001, 0.001])
@@ -578,13 +580,16 @@ def test_only_a_spoon_at_the_end_has_to_clear_itself():
         assert bool(all_of(solution, "below_cut_off")) == expected, segments
 
 
+PASSABLE = {"may_be_passed": True}
+
+
 def test_a_fall_that_is_never_reached_says_so():
     solution = chutecalc.solve(
         chute(
             inlet={"velocity_m_s": 0.0, "slope_deg": 90.0},
             segments=[
                 {"kind": "fall", "onto_next": True},
-                {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0]},
+                {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0]} | PASSABLE,
                 {"name": "last", "kind": "fall", "run_m": 3.0},
             ],
         )
@@ -617,6 +622,7 @@ def test_a_fall_that_is_never_reached_says_so():
 )
 def test_a_fall_that_is_never_reached_says_why(inlet, passed, fall, reason):
     last = {"name": "last", "kind": "fall", **fall}
+    passed = passed | PASSABLE
     solution = chutecalc.solve(chute(inlet=inlet, segments=[{"kind": "fall", "onto_next": True}, passed, last]))
     (missed,) = all_of(solution, "missed")
     assert missed.message() == f"the stream never reaches the end of the fall: {reason}"
@@ -639,3 +645,36 @@ def test_a_stall_is_not_quoted_with_numbers_that_grow_without_bound():
 def test_a_code_is_registered_once():
     with pytest.raises(ValueError, match="the finding 'stall' is registered twice, the second time in tests"):
         criterion("stall", Severity.NOTE, summary="")(lambda scene: [])
+
+
+PIPE = {"body": {"shape": "pipe", "radius_m": 0.3}}
+
+
+@pytest.mark.parametrize("body", [PIPE["body"], {"shape": "box", "width_m": 0.5, "height_m": 0.4}])
+@pytest.mark.parametrize("above", [True, False])
+def test_a_closed_section_chokes_where_it_runs_full(body, above):
+    area = np.pi * 0.3**2 if body["shape"] == "pipe" else 0.2
+    rate = 3.6 * 800.0 * 4.0 * area * (1.000001 if above else 0.999999)  # full at the entry, and faster below
+    steep = {
+        "inlet": {"velocity_m_s": 4.0, "slope_deg": 70.0},
+        "segments": [{"kind": "straight", "slope_deg": 70.0, "length_m": 1.0}],
+    }
+    solution = chutecalc.solve(chute(flow={"rate_t_h": float(rate)}, sections={"body": body}, **steep))
+    assert (solution.status[0] == "choke") == ("choke" in codes(solution)) == above
+    assert "above_chamfer" not in codes(solution)
+    if above:
+        assert "fills the closed section up to its roof" in found(solution, "choke").message()
+
+
+def test_a_pipe_that_chokes_is_not_too_thick_for_its_vanishing_surface():
+    """Depth is held against the greatest width: at most 1 in a pipe, however narrow its free surface is."""
+    solution = chutecalc.solve(
+        chute(
+            sections=PIPE,
+            inlet={"velocity_m_s": 3.0, "slope_deg": 15.0},
+            segments=[{"kind": "straight", "slope_deg": 15.0, "length_m": 9.0}],
+        )
+    )
+    assert solution.status[0] == "choke"
+    assert "thick_stream" not in codes(solution)
+    assert found(solution, "slow_stream").numbers["froude"][0] == 0.0

@@ -127,6 +127,33 @@ def test_faults_name_their_lines_and_come_in_their_order():
         ({"inlet": {"velocity_m_s": 0.0}}, "inlet.velocity_m_s", "at rest"),
         ({"sections": {"body": {"shape": "vee", "chamfer_deg": 90.0}}}, "sections.body.chamfer_deg", "no width"),
         (
+            {
+                "sections": {"body": {"shape": "pipe", "radius_m": 0.3}},
+                "segments": [{"kind": "curve", "radius_m": 0.6, "to_slope_deg": 10.0}],
+            },
+            "segments.1.radius_m",
+            "inner wall",
+        ),
+        (
+            {
+                "sections": {
+                    name: {"shape": "box", "width_m": 0.5, "height_m": height}
+                    for name, height in (("a", 0.3), ("b", 0.6))
+                },
+                "segments": [
+                    {
+                        "kind": "hood",
+                        "radius_m": 0.5,
+                        "from_slope_deg": 0.0,
+                        "to_slope_deg": 60.0,
+                        "section": ["a", "b"],
+                    }
+                ],
+            },
+            "segments.1.radius_m",
+            "inner wall",
+        ),
+        (
             {"sections": {"body": {"shape": "chamfered", "base_m": 0.0, "chamfer_deg": 90.0}}},
             "sections.body.chamfer_deg",
             "no width",
@@ -282,7 +309,7 @@ def test_vary_by_name_number_and_twin():
         ({"flow.rate_t_h": [1.0, 2.0], "segments.1.drop_m": [1.0, 2.0, 3.0]}, "differ in length"),
         ({"flow.rate_t_h": [[1.0, 2.0]]}, "is an array of 2 dimensions; it must have one: a value for each design"),
         ({"flow.rate_t_h": []}, "takes numbers"),
-        ({"flow.rate_t_h": "fast"}, "takes numbers"),
+        ({"flow.rate_t_h": "fast"}, 'flow.rate_t_h = "fast" must be a number'),
         ({"segments.spoon.length_m": 1.0}, "is not a key of this table"),
     ],
 )
@@ -326,6 +353,7 @@ def test_faults_of_what_is_varied_are_told_together():
 
 def test_a_curve_tangent_to_a_slanting_stream_keeps_the_base_designs_slope_in_a_sweep():
     base = chute(
+        model={"steel": "follows_stream"},
         inlet={"velocity_m_s": 2.0, "slope_deg": 30.0},
         segments=[
             {"kind": "fall", "drop_m": 1.0},
@@ -489,19 +517,20 @@ def test_a_batch_that_nobody_carries_on():
     assert next(finding.code for finding in solution.findings()) == "stall"
 
 
-def test_a_sweep_keeps_the_slope_of_a_curve_below_a_vertical_fall():
-    base = chutecalc.parse(
-        with_tables(
-            inlet={"velocity_m_s": 2.0, "slope_deg": 90.0},
-            segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
-        )
+def test_a_curve_below_a_vertical_fall_keeps_its_slope_and_place_under_a_slanting_stream():
+    """Steel that stands still is struck further down; steel that follows the stream has its start moved under it."""
+    tables = with_tables(
+        inlet={"velocity_m_s": 2.0, "slope_deg": 90.0},
+        segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
     )
-    entry = (
-        chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]}))
-        .trajectory.segment_solutions[1]
-        .contact.surface.slope
-    )
-    assert np.degrees(np.broadcast_to(entry, 2)).tolist() == [90.0, 90.0]
+    for steel in ("fixed", "follows_stream"):
+        base = chutecalc.parse(tables | {"model": {"steel": steel}})
+        slanting = chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]}))
+        surface = slanting.trajectory.segment_solutions[1].contact.surface
+        assert np.degrees(np.broadcast_to(surface.slope, 2)).tolist() == [90.0, 90.0]
+        assert slanting.status.tolist() == ["ok", "ok"]
+        start = np.broadcast_to(surface.x, 2)
+        assert (start[1] == start[0]) == (steel == "fixed")
 
 
 @pytest.mark.parametrize(
@@ -516,3 +545,20 @@ def test_texts_that_overwhelm_a_parser_are_faults(text):
 def test_what_is_no_spec_at_all(junk):
     with pytest.raises(chutecalc.SpecError, match="Give TOML text"):
         chutecalc.parse(junk)
+
+
+@pytest.mark.parametrize(
+    "body", [{"shape": "pipe", "radius_m": 0.3}, {"shape": "box", "width_m": 0.5, "height_m": 0.4}]
+)
+def test_a_closed_section_has_no_wall_height(body):
+    (fault,) = faults(spec(sections={"body": body | {"wall_height_mm": 400.0}}))
+    assert fault.path == "sections.body.wall_height_mm"
+    assert "closed" in fault.problem
+    assert "remove" in fault.remedy
+
+
+def test_a_bend_of_a_pipe_may_be_as_tight_as_its_height_on_the_outside():
+    """On a crest the roof is the longer wall; in a spoon it is the shorter one, and has to have a length."""
+    pipe = {"body": {"shape": "pipe", "radius_m": 0.3}}
+    chutecalc.parse(spec(sections=pipe, segments=[{"kind": "curve", "radius_m": 0.5, "to_slope_deg": 60.0}]))
+    chutecalc.parse(spec(sections=pipe, segments=[{"kind": "curve", "radius_m": 0.601, "to_slope_deg": 10.0}]))

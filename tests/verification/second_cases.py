@@ -149,6 +149,13 @@ class Maker:
                 "slope_deg": self.angle(-15, 20),
                 "friction_deg": self.angle(10, 35),
             }
+            if self.maybe(0.5):
+                data["receiver"] |= {"at_m": [self.angle(-2, 4), self.angle(-15, -2)]}
+            if self.maybe(0.5):
+                data["receiver"] |= {"plan_angle_deg": self.angle(-120, 120)}
+        for segment in segments:
+            if segment["kind"] != "fall" and self.maybe(0.4):
+                segment["may_be_passed"] = True
         return data
 
     def put_anywhere(self, segments: list[dict[str, Any]]) -> None:

@@ -164,6 +164,53 @@ class Circle:
         return self.sums(2 * np.arcsin(sqrt(depth / (2 * self.radius))))[0]
 
 
+class Pipe(Circle):
+    """A whole pipe: the same sums, wetted up to any half angle. Overfull it has the loads of a full one."""
+
+    pieces = 1
+
+    def __init__(self, radius: float, ratio: float) -> None:
+        super().__init__(radius, ratio, 2 * radius)
+        self.full = pi * radius**2
+
+    def piece(self, area: float) -> int:
+        return 0
+
+    def bounds(self, piece: int) -> tuple[float, float]:
+        return 0.0, inf
+
+    def load(self, area: float, piece: int | None = None) -> Load:
+        half = self.half_angle(min(area, self.full))
+        held, bent, missing = self.sums(half)
+        over = max(area / self.full, 1.0)
+        return Load(2 * self.radius * sin(half / 2) ** 2, held * over, bent * over, missing * over)
+
+    def half_angle(self, area: float) -> float:
+        """Bisect; in the upper half for what is dry, ψ - sin ψ cos ψ of the other angle."""
+        wetted = area / self.radius**2
+        small = min(wetted, pi - wetted)
+        low, high = 0.0, pi / 2
+        while high - low > 1e-16 * high:
+            middle = (low + high) / 2
+            if middle in (low, high):
+                break
+            if _segment(middle) < small:
+                low = middle
+            else:
+                high = middle
+        return low if wetted <= pi / 2 else pi - low
+
+    def area_at(self, depth: float) -> float:
+        return self.full if depth >= 2 * self.radius else self.sums(2 * np.arcsin(sqrt(depth / (2 * self.radius))))[0]
+
+
+def _segment(half: float) -> float:
+    """Return ψ - sin ψ cos ψ, of a small ψ by its series."""
+    if half < 0.02:
+        return half**3 * (2 / 3 - 2 / 15 * half**2 + 4 / 315 * half**4)
+    return half - sin(half) * cos(half)
+
+
 Section = Polygon | Circle
 
 
@@ -173,6 +220,10 @@ def section_of(table: dict[str, Any], ratio: float) -> Section:
     shape = table["shape"]
     if shape == "circular":
         return Circle(table["radius_m"], ratio, wall)
+    if shape == "pipe":
+        return Pipe(table["radius_m"], ratio)
+    if shape == "box":
+        return Polygon([(table["width_m"] / 2, 0.0)], ratio, table["height_m"])
     if shape == "rectangular":
         return Polygon([(table["width_m"] / 2, 0.0)], ratio, wall)
     if shape == "facets":

@@ -73,7 +73,8 @@ class Setting:
         return self.friction.secant(before, blow) * (1 + load.chi(self.law))
 
     def chokes(self, u: float, v: float) -> bool:
-        return self.load(u, v).depth > self.section(u).wall
+        section = self.section(u)
+        return section.wall < inf and self.rate / v > section.area_at(section.wall)
 
 
 @dataclass

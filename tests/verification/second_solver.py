@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from math import acos, cos, degrees, inf, nan, radians, sin, sqrt, tan
 from typing import Any
 
+import numpy as np
+
 from tests.verification.second_flights import Flight, Landing, Surface, landing
 from tests.verification.second_sections import Friction, atan_slope
 from tests.verification.second_slide import Setting, UndecidedError, slide
@@ -112,10 +114,11 @@ class Solver:
                 else:
                     self.surface(table, segment, number)
             struck = tables[-1]["kind"] == "plate" and self.result.segments[-1].status == "ok"
-            if self.flight is not None and not struck:
+            self.placed = "at_m" in self.data.get("receiver", {})
+            if self.flight is not None and not struck and not self.placed:
                 self.nothing_catches()
-            self.result.exit = self.stream
             self.receive()
+            self.result.exit = self.stream
         except _FailedError as failure:
             self.result.status = str(failure)
         return self.result
@@ -220,14 +223,15 @@ class Solver:
                 if met is not None and onto is not None:
                     self.lands(onto, surface, met)
                 if met is None:
-                    if passed == inf:
-                        segment.status = segment.status if segment.status == "contact_lost" else "missed"
-                        if segment.status == "contact_lost":
+                    if segment.status == "contact_lost":
+                        if passed == inf:
                             self.beyond(number)
-                            return
+                        return
+                    last = number + 1 == len(self.result.segments)
+                    if not table.get("may_be_passed") or (last and "at_m" not in self.data.get("receiver", {})):
+                        segment.status = "missed"
                         raise _FailedError("missed")
-                    if segment.status != "contact_lost":
-                        segment.status = "passed"
+                    segment.status = "passed"
                     return
                 self.land(segment, surface, met)
                 u = met.u
@@ -270,11 +274,9 @@ class Solver:
         """The stream never comes past the surface that it left: what follows is not tried."""
         segments = self.result.segments
         if number + 1 == len(segments):
+            if "at_m" in self.data.get("receiver", {}):
+                return
             raise _FailedError("contact_lost")
-        if self.data["segments"][number + 1]["kind"] == "fall":
-            return
-        segments[number + 1].status = "missed"
-        raise _FailedError("missed")
 
     def lose(self, segment: Segment, u: float, touch: int) -> None:
         segment.exit, segment.end = self.stream, u
@@ -309,18 +311,31 @@ class Solver:
         if table is None:
             return
         belt, slope, mu = table["velocity_m_s"], radians(table["slope_deg"]), tan(radians(table["friction_deg"]))
-        turn = self.stream.slope - slope
-        along, across = self.stream.v * cos(turn), abs(self.stream.v * sin(turn))
+        plan = radians(table.get("plan_angle_deg", 0.0))
+        # x along the chute, y aside, z up; the belt's plane holds its heading and the level line across it
+        heading = np.array([cos(slope) * cos(plan), cos(slope) * sin(plan), -sin(slope)])
+        aside = np.array([-sin(plan), cos(plan), 0.0])
+        normal = np.cross(heading, aside)
+        stream = np.array([cos(self.stream.slope), 0.0, -sin(self.stream.slope)]) * self.stream.v
+        if self.placed:
+            away = np.array([self.stream.x - table["at_m"][0], 0.0, self.stream.z - table["at_m"][1]])
+            times = np.roots([-0.5 * self.g * normal[2], stream @ normal, away @ normal])
+            if away @ normal < 0:
+                raise _FailedError("missed")
+            stream = stream - np.array([0.0, 0.0, self.g * times.max()])
+        along, across, beside = (float(abs(stream @ each)) for each in (heading, normal, aside))
+        along = float(stream @ heading)
         bracket = (mu if belt > along else -mu) * cos(slope) + sin(slope)
         gain = belt**2 - along**2
         reached = (belt - along) * bracket > 0
         length = gain / (2 * self.g * bracket) if reached else (inf if gain else 0.0)
         self.result.receiver = {
             "velocity_along_m_s": along,
-            "velocity_across_m_s": across,
+            "velocity_into_m_s": across,
+            "velocity_across_m_s": beside if plan >= 0 else -beside,
             "velocity_ratio": along / belt,
             "impact_pressure_kpa": self.density * across**2 / 1e3,
-            "wear_w_m2": mu * self.density * across**2 * abs(belt - along),
+            "wear_w_m2": mu * self.density * across**2 * sqrt((belt - along) ** 2 + beside**2),
             "acceleration_length_m": length,
             "acceleration_power_kw": self.rate * self.density * belt * (belt - along) / 1e3,
             "matching_slope_deg": nan,

@@ -202,7 +202,7 @@ def test_what_falls_straight_down_never_reaches_a_distance():
         inlet={"velocity_m_s": 0.0, "slope_deg": 90.0},
         segments=[
             {"kind": "fall", "onto_next": True},
-            {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0]},
+            {"kind": "straight", "slope_deg": 30.0, "length_m": 1.0, "start_m": [-0.9, -1.0], "may_be_passed": True},
             {"kind": "fall", "run_m": 3.0},
         ],
     )

@@ -118,7 +118,7 @@ def test_a_flight_past_the_end_misses_by_the_distance_on_the_normal_through_it()
             segments=[{"kind": "straight", "slope_deg": 50.0, "length_m": length}],
         )
     )
-    (finding,) = [item for item in solution.findings() if item.code == "missed"]
+    (finding,) = [item for item in solution.findings() if item.code == "passed_by"]
 
     # along the floor: v cos(a1 - a0) t + g sin(a1) t²/2 = length; off it: v sin(a1 - a0) t - g cos(a1) t²/2
     turn = floor - slope
@@ -184,7 +184,7 @@ def test_nothing_catches_a_stream_that_loses_contact_before_another_contact_segm
     # what is lost on the crest is a warning, for something follows; that this does not catch it is the failure
     severity = {finding.code: (finding.severity, finding.segment) for finding in solution.findings()}
     assert severity["contact_lost"] == ("warning", "crest")
-    assert severity["missed"] == ("failure", "after")
+    assert severity["passed_by"] == ("failure", "after")
 
 
 def test_all_roots_at_which_a_polynomial_falls_are_found():

@@ -28,12 +28,12 @@ def test_random_chutes(first):
 def test_the_random_chutes_reach_every_outcome():
     outcomes = Counter()
     kinds = Counter()
-    for seed in range(150):
+    for seed in range(400):
         data, chute = case(seed)
         outcomes[theirs_of(chute)["status"]] += 1
         kinds.update(segment["kind"] for segment in data["segments"])
     assert set(outcomes) == {"ok", "stall", "choke", "contact_lost", "missed"}
-    assert min(outcomes.values()) >= 3
+    assert min(outcomes.values()) >= 3, outcomes
     assert set(kinds) == {"straight", "curve", "hood", "plate", "fall"}
 
 

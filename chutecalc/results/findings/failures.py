@@ -4,15 +4,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.design import Fall, Status
-from chutecalc.physics.arrays import Array, Mask
+from chutecalc.design import Status
+from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import ROOF
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
-from chutecalc.solver.segment_solution import Point
-
-LONGEST_FALL = 1e5
-"""Height below which a fall has missed its end, m; as in ``core/fall.py``."""
 
 
 @criterion(
@@ -53,9 +49,14 @@ def stall(scene: Scene) -> Iterator[Case]:
     )
 
 
-@criterion("choke", Severity.FAILURE, summary="the depth passes the height of the walls", limit="H > wall_height")
+@criterion(
+    "choke",
+    Severity.FAILURE,
+    summary="the depth passes the height of the walls, or a pipe or box runs full",
+    limit="H > wall_height, fill > 1",
+)
 def choke(scene: Scene) -> Iterator[Case]:
-    """Find depths above the height of the walls.
+    """Find depths above the height of the walls, and closed sections that run full.
 
     Args:
         scene: the segment with the stream along it.
@@ -65,8 +66,15 @@ def choke(scene: Scene) -> Iterator[Case]:
     beyond, share, end = stretch.beyond_share, stretch.share, stretch.beyond_status
     wall_height = scene.segment.wall_height(share)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": solved.exit.velocity}
-    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     s = solved.exit.distance
+    if scene.segment.section.closed:
+        template = (
+            "the chute chokes: at {velocity_m_s} the stream fills the closed section up to its roof, {wall_height_m:in}"
+            " above the floor; use a larger section, a steeper slope or a smaller rate"
+        )
+        yield Case(choked, s, template, numbers)
+        return
+    begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     further = (beyond - share) * scene.contact.surface.length
     for status, fate in (
         (Status.STALL, "higher walls alone do not help, as the stream would stop {further_m} further on"),
@@ -111,52 +119,11 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
         )
     )
     s = solved.exit.distance
-    yield Case(lost & scene.continues, s, f"{begin}; it flies on", numbers, Severity.WARNING)
+    belt = scene.design.receiver
+    flies_on = scene.continues | (belt is not None and belt.at is not None and scene.exit_distance > 0.0)
+    yield Case(lost & flies_on, s, f"{begin}; it flies on", numbers, Severity.WARNING)
     alone = f"{begin}; no later segment catches it"
-    yield Case(lost & ~scene.continues, s, alone, numbers)
-
-
-@criterion(
-    "missed",
-    Severity.FAILURE,
-    summary="a stream in flight does not meet the segment or the level that should catch it",
-    in_falls=True,
-)
-def missed(scene: Scene) -> Iterator[Case]:
-    """Find flights that do not meet the segment, and falls whose end is never reached.
-
-    Args:
-        scene: the segment with the stream along it.
-    """
-    solved = scene.solved
-    lost = solved.status == Status.MISSED
-    segment = scene.part.segment
-    if isinstance(segment, Fall):
-        yield from _never_ends(segment, solved.start, lost, scene.design.gravity)
-        return
-    gap = scene.contact.arrival.gap
-    numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
-    begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
-    s = solved.start.distance
-    beyond = f"{begin}it passes {{gap_m}} beyond its end; make the segment longer or move it"
-    yield Case(lost & (gap > 0.0), s, beyond, numbers | {"gap_m": gap})
-    short = f"{begin}it falls short and passes the end {{gap_m}} behind the surface; move it towards the stream"
-    yield Case(lost & (gap <= 0.0), s, short, numbers | {"gap_m": -gap})
-    away = f"{begin}it never reaches it; check start_m and the slopes"
-    yield Case(lost & np.isnan(gap), s, away, numbers)
-
-
-def _never_ends(fall: Fall, start: Point, lost: Mask, gravity: Array) -> Iterator[Case]:
-    """Yield the cases of falls to a level or a distance that the stream never reaches."""
-    begin = "the stream never reaches the end of the fall: it "
-    if fall.run is None:
-        yield Case(lost, start.distance, f"{begin}is already below that level; increase drop_m")
-        return
-    forward = start.velocity * np.cos(start.slope)
-    steep = (forward <= 0.0) | (0.5 * gravity * (fall.run / forward) ** 2 > LONGEST_FALL)
-    template = f"{begin}falls straight down, or too steeply to get {{run_m}} away; give drop_m instead of run_m"
-    yield Case(lost & steep, start.distance, template, {"run_m": fall.run})
-    yield Case(lost & ~steep, start.distance, f"{begin}is already past that distance; increase run_m")
+    yield Case(lost & ~flies_on, s, alone, numbers)
 
 
 def _steepest_impact(scene: Scene) -> Array:

@@ -40,18 +40,3 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
             "pressure_kpa": arrival.impact.pressure / 1000.0,
         },
     )
-
-
-@criterion("flown_past", Severity.WARNING, summary="the stream flies over a segment and lands on a later one")
-def flown_past(scene: Scene) -> Iterator[Case]:
-    """Find flights over the segment that land on a later one.
-
-    Args:
-        scene: the segment with the stream along it.
-    """
-    template = (
-        "the stream flies over the segment, {gap_m} from its end, and lands on a later one; move the segment into the"
-        " stream or leave it out"
-    )
-    mask, gap = scene.solved.status == Status.PASSED, scene.contact.arrival.gap
-    yield Case(mask, scene.solved.start.distance, template, {"gap_m": gap})

@@ -20,11 +20,11 @@ MOST_MISSING = 0.10
     "thick_stream",
     Severity.WARNING,
     summary="the stream is too deep for its width or for the radius of its surface",
-    limit=f"H > {THICKEST:g} b_s, H > {THICKEST_ON_ARC:g} R",
+    limit=f"H > {THICKEST:g} b, H > {THICKEST_ON_ARC:g} R",
     needs=[("thickness", LARGEST), ("depth_m", LARGEST)],
 )
 def thick_stream(scene: Scene) -> Iterator[Case]:
-    """Find depths above the free surface's width, or above a tenth of the radius.
+    """Find depths above the stream's greatest width b, or above a tenth of the radius.
 
     Args:
         scene: the segment with the stream along it.

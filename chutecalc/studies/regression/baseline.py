@@ -18,7 +18,10 @@ STATIONS = np.linspace(0.0, 1.0, 5)
 """Stations of each segment, as shares of its length."""
 RECEIVER = (
     "velocity_along_m_s",
+    "velocity_into_m_s",
     "velocity_across_m_s",
+    "landing_x_m",
+    "landing_z_m",
     "velocity_ratio",
     "impact_pressure_kpa",
     "wear_w_m2",
@@ -64,8 +67,23 @@ class BaselineSegment(Table):
     """Largest values of columns, where no station shows them."""
 
 
-class Baseline(Table):
-    """The results of a design, stored or computed now.
+class State(Table):
+    """The results in one operating state."""
+
+    status: str
+    """Status of the design."""
+    findings: list[BaselineFinding]
+    """Findings in the order of the flow."""
+    inlet: Row
+    """Numbers of the inlet."""
+    segments: list[BaselineSegment]
+    """Segments and flights in the order of the flow."""
+    receiver: Row = Field(default_factory=dict)
+    """Numbers of the receiver, where there is one."""
+
+
+class Baseline(State):
+    """The results of a design at its design point and in its cases, stored or computed now.
 
     >>> import chutecalc
     >>> from chutecalc.studies.regression.record import baseline_of
@@ -87,36 +105,36 @@ class Baseline(Table):
     """Relative tolerance of the solution."""
     tolerance: Annotated[Number, Quantity("number", ge=1e-13, le=0.1)]
     """Relative tolerance of the comparison."""
-    status: str
-    """Status of the design."""
-    findings: list[BaselineFinding]
-    """Findings in the order of the flow."""
-    inlet: Row
-    """Numbers of the inlet."""
-    segments: list[BaselineSegment]
-    """Segments and flights in the order of the flow."""
-    receiver: Row = Field(default_factory=dict)
-    """Numbers of the receiver, where there is one."""
+    cases: dict[str, State] = Field(default_factory=dict)
+    """Results in the operating states of the spec's cases, by name."""
+
+    def states(self) -> dict[str, State]:
+        """Return the operating states by the text that stands before the names of their segments: none at first."""
+        return {"": self} | {f"{name}: ": state for name, state in self.cases.items()}
 
     def visits(self) -> dict[tuple[str, int], BaselineSegment]:
         """Return the segments by name and number of the visit: a hood may be struck again."""
         met: dict[str, int] = {}
         found = {}
-        for segment in self.segments:
-            met[segment.name] = met.get(segment.name, 0) + 1
-            found[segment.name, met[segment.name]] = segment
+        for before, state in self.states().items():
+            for segment in state.segments:
+                name = before + segment.name
+                met[name] = met.get(name, 0) + 1
+                found[name, met[name]] = segment
         return found
 
     def rows(self) -> Iterator[tuple["RowKey", Row]]:
         """Yield all rows of numbers with their keys, in the order of the flow."""
-        yield RowKey("inlet", 1, ""), self.inlet
+        for before, state in self.states().items():
+            yield RowKey(f"{before}inlet", 1, ""), state.inlet
         for visit, segment in self.visits().items():
             yield RowKey(*visit, "impact"), segment.impact
             for number, station in enumerate(segment.stations, 1):
                 yield RowKey(*visit, f"station {number}"), station
             yield RowKey(*visit, "minimum"), segment.minimum
             yield RowKey(*visit, "maximum"), segment.maximum
-        yield RowKey("receiver", 1, ""), self.receiver
+        for before, state in self.states().items():
+            yield RowKey(f"{before}receiver", 1, ""), state.receiver
 
     def scales(self) -> dict[str, float]:
         """Return the scale of each column in this chute, its largest magnitude, by the name of the column."""
@@ -141,7 +159,9 @@ class Baseline(Table):
                 for name, value in item.items()
             }
 
-        return dict(rounded(self.model_dump(exclude_defaults=True)))
+        content = self.model_dump(exclude_defaults=True)
+        head = {name: content[name] for name in type(self).__annotations__ if name in content and name != "cases"}
+        return dict(rounded(head | content))
 
 
 class RowKey(NamedTuple):

@@ -43,10 +43,11 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
     was, changes = _stored(path, chute.source)
     try:
         solution = solve(chute, rtol)
+        cases = {name: solve(case, rtol) for name, case in chute.cases.items()}
     except SpecError as error:
         return error
     findings = solution.findings()
-    now = baseline_of(chute, solution, findings, was.tolerance if was else TOLERANCE)
+    now = baseline_of(chute, solution, findings, was.tolerance if was else TOLERANCE, cases)
     drifts: list[Drift] = []
     notes: list[str] = []
     if was:

@@ -45,15 +45,14 @@ def compare(
     if was.spec_sha256 != now.spec_sha256:
         message = "the spec has been edited since its baseline was written; if that is intended, run check --update"
         changes.append(Change("spec", "", message))
-    if was.status != now.status:
-        changes.append(Change("status", "", f"the status is {now.status}; in the baseline it is {was.status}"))
+    changes += _states(was, now)
     changes += [
         Change("segment", name, f"segment {name} is in the baseline only")
         for name, number in before
         if (name, number) not in after
     ]
     for visit, segment in after.items():
-        name, stored = segment.name, before.get(visit)
+        name, stored = visit[0], before.get(visit)
         if stored is None:
             changes.append(Change("segment", name, f"segment {name} is not in the baseline"))
         elif segment.kind != stored.kind:
@@ -66,16 +65,28 @@ def compare(
     return changes, list(_drifts(was, now, before.keys() & after.keys()))
 
 
+def _states(was: Baseline, now: Baseline) -> Iterator[Change]:
+    """Yield the statuses that differ, of the design point and of cases."""
+    before, after = was.states(), now.states()
+    for name in dict.fromkeys([*before, *after]):
+        stored, present = (states[name].status if name in states else "not there" for states in (before, after))
+        if stored != present:
+            yield Change("status", "", f"{name}the status is {present}; in the baseline it is {stored}")
+
+
 def _findings(was: Baseline, now: Baseline, messages: Mapping[BaselineFinding, str]) -> Iterator[Change]:
     """Yield findings that only one of both has."""
-    before, after = Counter(was.findings), Counter(now.findings)
-    for item in (after - before).elements():
+    before, after = (
+        Counter((name, item) for name, state in baseline.states().items() for item in state.findings)
+        for baseline in (was, now)
+    )
+    for name, item in (after - before).elements():
         text = f": {messages[item]}" if item in messages else ""
-        yield Change("finding", item.segment, f"new finding: {item.severity} {item.code} in {item.segment}{text}")
-    for item in (before - after).elements():
-        yield Change(
-            "finding", item.segment, f"finding in the baseline only: {item.severity} {item.code} in {item.segment}"
-        )
+        where = name + item.segment
+        yield Change("finding", where, f"new finding: {item.severity} {item.code} in {where}{text}")
+    for name, item in (before - after).elements():
+        where = name + item.segment
+        yield Change("finding", where, f"finding in the baseline only: {item.severity} {item.code} in {where}")
 
 
 def unknown_columns(was: Baseline, now: Baseline) -> list[str]:

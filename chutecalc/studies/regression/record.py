@@ -26,6 +26,7 @@ from chutecalc.studies.regression.baseline import (
     BaselineFinding,
     BaselineSegment,
     Row,
+    State,
 )
 
 
@@ -69,7 +70,11 @@ def spec_hash(data: Mapping[str, Any]) -> str:
 
 
 def baseline_of(
-    chute: Chute, solution: Solution, findings: Sequence[Finding], tolerance: float = TOLERANCE
+    chute: Chute,
+    solution: Solution,
+    findings: Sequence[Finding],
+    tolerance: float = TOLERANCE,
+    cases: Mapping[str, Solution] | None = None,
 ) -> Baseline:
     """Return the baseline of a solved design, unrounded.
 
@@ -78,12 +83,26 @@ def baseline_of(
         solution: Its solution.
         findings: The findings of the solution.
         tolerance: Relative tolerance of the comparison.
+        cases: Solutions of its cases by name.
 
     >>> import chutecalc
     >>> spoon = chutecalc.parse(chutecalc.STARTER)
     >>> baseline_of(spoon, chutecalc.solve(spoon), []).segments[1].stations[4]["velocity_m_s"].__round__(3)
     3.878
     """
+    return Baseline(
+        format=1,
+        chutecalc=__version__,
+        spec_sha256=spec_hash(chute.data),
+        rtol=solution.rtol,
+        tolerance=tolerance,
+        **_state(solution, findings),
+        cases={name: State(**_state(each, each.findings())) for name, each in (cases or {}).items()},
+    )
+
+
+def _state(solution: Solution, findings: Sequence[Finding]) -> dict[str, Any]:
+    """Return the results in one operating state by the names of the fields of a baseline."""
     segments = []
     for result, part in zip(solution.trajectory.results, solution.trajectory.parts, strict=True):
         columns = part.at(STATIONS, NUMERIC)
@@ -99,18 +118,15 @@ def baseline_of(
                 maximum=_beyond(result.maximum, stations, 1.0),
             )
         )
-    return Baseline(
-        format=1,
-        chutecalc=__version__,
-        spec_sha256=spec_hash(chute.data),
-        rtol=solution.rtol,
-        tolerance=tolerance,
-        status=str(solution.status[0]),
-        findings=[BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings],
-        inlet=_finite(solution.inlet),
-        segments=segments,
-        receiver=_finite({name: values for name, values in solution.receiver.items() if name in RECEIVER}),
-    )
+    return {
+        "status": str(solution.status[0]),
+        "findings": [
+            BaselineFinding(severity=item.severity, code=item.code, segment=item.segment) for item in findings
+        ],
+        "inlet": _finite(solution.inlet),
+        "segments": segments,
+        "receiver": _finite({name: values for name, values in solution.receiver.items() if name in RECEIVER}),
+    }
 
 
 def _finite(numbers: Mapping[str, Any]) -> Row:

@@ -1,0 +1,27 @@
+"""``chutecalc freeze``: write a spec with every place and slope of its steel explicit."""
+
+import typer
+
+from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
+
+EXAMPLES = ("chutecalc freeze chute.toml -o frozen.toml", "chutecalc freeze chute.toml")
+
+
+def freeze(
+    spec: str = typer.Argument(..., metavar="SPEC", help="TOML file; - for standard input."),
+    output: str = typer.Option(STANDARD_STREAM, "--output", "-o", metavar="FILE", help="File to write. Default: -."),
+) -> int:
+    """Write a spec in which the steel no longer depends on the stream.
+
+    What the stream places, start_m after a fall and from_slope_deg of a curve, is written as it is drawn at the design
+    point. Comments stay. The chute remains the same; from then on, edits of the flow leave its steel where it is.
+    """
+    from chutecalc.api.freeze import freeze as frozen
+    from chutecalc.cli.specs import read_chute
+
+    check_targets({"--output": output}, [spec])
+    check_openable(output)
+    text = frozen(read_chute(spec))
+    with open_whole(output) as stream:
+        stream.write(text)
+    return 0

@@ -1,0 +1,44 @@
+"""Land the stream on the receiving belt."""
+
+import math
+
+from chutecalc.core import fall, flight, floats, joint, records, state
+
+
+def land_on_belt(chute: "records.ChuteState") -> None:
+    """Write the stream where it lands on the receiving belt; a stream that never meets its line has missed it.
+
+    A belt without a place is where the last segment ends.
+    """
+    records.copy_point(chute.landing, chute.current)
+    if chute.status != state.OK:
+        records.clear_point(chute.landing)
+    elif chute.belt_x == chute.belt_x:
+        flight.launch(chute.flight, chute.current, chute.gravity)
+        time = time_to_line(chute.flight, chute.belt_x, chute.belt_z, chute.belt_slope)
+        if chute.flight.z - flight.z_at(chute.flight, time) <= fall.MAX_FALL:
+            chute.landing.x, chute.landing.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
+            chute.landing.velocity = flight.velocity_at(chute.flight, time)
+            chute.landing.slope = flight.slope_at(chute.flight, time)
+        else:
+            records.clear_point(chute.landing)
+            chute.status = state.MISSED
+
+
+def time_to_line(path: "records.Flight", x: float, z: float, slope: float) -> float:
+    """Return when a flight meets a line from above, s; NaN for one that begins below it.
+
+    The height above the line is h + w t - (g/2) cos b t², and the root is taken in the form that does not cancel. A
+    stream that begins on the line, but for rounding, lands there.
+    """
+    sine, cosine = math.sin(slope), math.cos(slope)
+    height = (path.x - x) * sine + (path.z - z) * cosine
+    rise = path.forward * sine - path.downward * cosine
+    if math.fabs(height) <= joint.START_TOLERANCE:
+        height = 0.0
+    root = floats.root(rise * rise + 2.0 * path.gravity * cosine * height)
+    if height < 0.0:
+        return floats.NAN
+    if rise < 0.0:
+        return 2.0 * height / (root - rise)
+    return (rise + root) / (path.gravity * cosine)

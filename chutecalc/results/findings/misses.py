@@ -1,0 +1,111 @@
+"""What a stream in flight does not meet."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.design import Fall, Status
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.finding import Severity
+from chutecalc.solver.segment_solution import Point
+
+LONGEST_FALL = 1e5
+"""Height below which a fall has missed its end, m; as in ``core/fall.py``."""
+
+
+@criterion(
+    "passed_by",
+    Severity.FAILURE,
+    Severity.NOTE,
+    summary="the stream flies past a segment without touching it; a note where it may_be_passed",
+)
+def passed_by(scene: Scene) -> Iterator[Case]:
+    """Find flights past the drawn end of a segment on the stream's side, and any past one that may be passed.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    solved, gap = scene.solved, scene.contact.arrival.gap
+    numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope), "gap_m": gap}
+    s = solved.start.distance
+    template = (
+        "the stream comes at {velocity_m_s} and a slope of {slope_deg} and flies past the segment, {gap_m} from its"
+        " end, without touching it; move it into the stream or make it longer, or say may_be_passed = true"
+    )
+    yield Case((solved.status == Status.MISSED) & (gap > 0.0), s, template, numbers)
+    template = "the stream comes at {velocity_m_s} and a slope of {slope_deg} and flies past the segment, as it may"
+    yield Case(solved.status == Status.PASSED, s, template, numbers, Severity.NOTE)
+
+
+@criterion(
+    "missed",
+    Severity.FAILURE,
+    summary="a stream in flight does not meet the segment or the level that should catch it",
+    in_falls=True,
+)
+def missed(scene: Scene) -> Iterator[Case]:
+    """Find flights that fall short of the segment, and falls whose end is never reached.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    solved = scene.solved
+    lost = solved.status == Status.MISSED
+    segment = scene.part.segment
+    yield from _below_belt(scene)
+    if isinstance(segment, Fall):
+        yield from _never_ends(segment, solved.start, lost, scene.design.gravity)
+        return
+    lost = lost & ~(scene.contact.arrival.gap > 0.0)
+    before, gap = _before_start(scene), -scene.contact.arrival.gap
+    numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
+    begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
+    s = solved.start.distance
+    short = (
+        f"{begin}it falls short and passes {{before_m}} before its start; let the segment begin further upstream, or"
+        " keep the stream faster"
+    )
+    is_short = before > 0.0
+    yield Case(lost & is_short, s, short, numbers | {"before_m": before})
+    behind = f"{begin}it passes {{gap_m}} behind its end; move it towards the stream"
+    yield Case(lost & ~is_short & np.isfinite(gap), s, behind, numbers | {"gap_m": gap})
+    away = f"{begin}it never reaches it; check start_m and the slopes"
+    yield Case(lost & ~is_short & np.isnan(gap), s, away, numbers)
+
+
+def _below_belt(scene: Scene) -> Iterator[Case]:
+    """Yield the case of streams that leave the chute below the line of the receiving belt."""
+    belt, end = scene.design.receiver, scene.solved.exit
+    if not scene.received or belt is None or belt.at is None:
+        return
+    lost = (scene.solved.status == Status.OK) & np.isnan(scene.received["landing_x_m"])
+    below = (belt.at[1] - end.z) * np.cos(belt.slope) + (belt.at[0] - end.x) * np.sin(belt.slope)
+    template = (
+        "the stream leaves the chute {below_m} below the line of the receiving belt and never lands on it; end the"
+        " chute above the belt, or correct receiver.at_m"
+    )
+    yield Case(lost, end.distance, template, {"below_m": below})
+
+
+def _before_start(scene: Scene) -> Array:
+    """Return how far before the drawn start of a segment the stream falls through its height, m; NaN if it does not."""
+    x, z, forward, downward, gravity = scene.solved.path
+    surface = scene.contact.surface
+    drop = z - surface.z
+    time = (np.sqrt(np.where(drop >= 0.0, downward**2 + 2.0 * gravity * drop, np.nan)) - downward) / gravity
+    before: Array = surface.x - (x + forward * time)
+    return before
+
+
+def _never_ends(fall: Fall, start: Point, lost: Mask, gravity: Array) -> Iterator[Case]:
+    """Yield the cases of falls to a level or a distance that the stream never reaches."""
+    begin = "the stream never reaches the end of the fall: it "
+    if fall.run is None:
+        yield Case(lost, start.distance, f"{begin}is already below that level; increase drop_m")
+        return
+    forward = start.velocity * np.cos(start.slope)
+    steep = (forward <= 0.0) | (0.5 * gravity * (fall.run / forward) ** 2 > LONGEST_FALL)
+    template = f"{begin}falls straight down, or too steeply to get {{run_m}} away; give drop_m instead of run_m"
+    yield Case(lost & steep, start.distance, template, {"run_m": fall.run})
+    yield Case(lost & ~steep, start.distance, f"{begin}is already past that distance; increase run_m")

@@ -1,0 +1,68 @@
+"""Writes into the text of a spec where its segments are drawn, with all comments kept."""
+
+from collections.abc import Collection, Mapping
+from typing import Any, NamedTuple
+
+import tomlkit
+from tomlkit.items import InlineTable
+
+from chutecalc.fields.units import same_quantity
+
+FALL_ENDS = (*same_quantity("drop_m"), *same_quantity("run_m"))
+"""Keys of a fall that say where it ends."""
+FROM_SLOPE = same_quantity("from_slope_deg")
+
+
+class Drawn(NamedTuple):
+    """Where a segment is drawn, as a spec says it."""
+
+    start_m: tuple[float, ...] | None
+    """x and z of its start, m; None if that is the drawn end of the segment before it."""
+    from_slope_deg: float | None
+    """Slope at the start of an arc, below horizontal; None for others."""
+
+
+def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
+    """Return a spec with every place and slope explicit.
+
+    A segment with a place of its own stands after a fall with ``onto_next``; one is added where there is none.
+
+    Args:
+        text: TOML of the spec.
+        drawn: segments that guide the stream, by number from 0.
+    """
+    document: Any = tomlkit.parse(text)
+    tables = document["segments"]
+    for number, segment in drawn.items():
+        added: dict[str, Any] = {}
+        if segment.start_m is not None:
+            added["start_m"] = list(segment.start_m)
+            if number:
+                tables[number - 1] = _with(tables[number - 1], {"onto_next": True}, FALL_ENDS)
+        if segment.from_slope_deg is not None and not any(key in tables[number] for key in FROM_SLOPE):
+            added["from_slope_deg"] = segment.from_slope_deg
+        tables[number] = _with(tables[number], added)
+    if 0 in drawn and drawn[0].start_m is not None:
+        fall = _with(tomlkit.table(), {"kind": "fall", "onto_next": True})
+        fall.append(None, tomlkit.nl())
+        tables.insert(0, fall)
+    return tomlkit.dumps(document)
+
+
+def _with(table: Any, added: Mapping[str, Any], removed: Collection[str] = ()) -> Any:
+    """Return a table with keys below its own ones, before the blank lines and comments that lead to the next table."""
+    if isinstance(table, InlineTable):
+        for key in removed:
+            table.pop(key, None)
+        table.update(added)
+        return table
+    entries = [(key, item) for key, item in table.value.body if key is None or key.key not in removed]
+    own = max((number for number, (key, _) in enumerate(entries, 1) if key is not None), default=0)
+    found = tomlkit.table()
+    for key, item in entries[:own]:
+        found.append(key, item)
+    for name, value in added.items():
+        found.append(name, value)
+    for key, item in entries[own:]:
+        found.append(key, item)
+    return found
