@@ -88,7 +88,7 @@ def test_a_stream_from_a_belt_has_three_edges_and_its_path_is_the_middle_one():
 def test_edges_end_on_the_surface_that_the_stream_lands_on():
     drawn, _ = seen("short_ledge")
     flight = next(trace for trace in drawn.stream if trace.kind == "flight")
-    floor = next(steel.line for steel in drawn.surfaces if steel.name == "chute")
+    floor = next(steel.path for steel in drawn.surfaces if steel.name == "chute")
     along = floor[:, -1] - floor[:, 0]
     for edge in flight.edges:
         off = edge[:, -1] - floor[:, 0]

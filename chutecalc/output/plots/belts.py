@@ -37,7 +37,7 @@ def feed_lines(solution: SolvedChute) -> list[Line]:
 
 
 def receiver_lines(solution: SolvedChute, size: float) -> list[Line]:
-    """Return the belt that the stream lands on, in its direction; empty without one, or where nothing lands.
+    """Return the belt that the stream lands on, in its direction; empty without one, or where it has no place.
 
     Args:
         solution: solution of one design.
@@ -46,9 +46,12 @@ def receiver_lines(solution: SolvedChute, size: float) -> list[Line]:
     receiver = solution.design.receiver
     if receiver is None:
         return []
-    landing = np.array([solution.receiver.get(f"landing_{name}", solution.exit[name])[0] for name in ("x_m", "z_m")])
-    along = np.array([np.cos(receiver.slope[0]), -np.sin(receiver.slope[0])])
-    line: Line = landing[:, None] + size * np.array([-BEHIND, AHEAD]) * along[:, None]
+    place = np.array([solution.receiver[name][0] for name in ("landing_x_m", "landing_z_m")])
+    if receiver.at is not None and not np.isfinite(place).all():
+        place = np.array([receiver.at[0][0], receiver.at[1][0]])
+    slope, forward = receiver.slope_of_trace[0], np.sign(np.cos(receiver.plan_angle[0]))
+    along = forward * np.array([np.cos(slope), -np.sin(slope)])
+    line: Line = place[:, None] + size * np.array([-BEHIND, AHEAD]) * along[:, None]
     return [line] if np.isfinite(line).all() else []
 
 

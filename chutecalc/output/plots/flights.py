@@ -13,6 +13,8 @@ Line = Array
 """Horizontal position and height along a line, m, of shape (2, stations)."""
 STATIONS = 101
 """Number of stations along each segment or flight."""
+SHARES = np.linspace(0.0, 1.0, STATIONS)
+"""Their shares of the length of a surface."""
 LATEST = 1.5
 """An edge is followed to this multiple of the stream's time of flight, to find where it lands."""
 
@@ -120,11 +122,13 @@ def belt_edges(belt: Belt, gravity: Array) -> list[Throw]:
     return throws
 
 
-def surface_line(surface: Surface) -> Line:
-    """Return the line of a surface; NaN where it has no place.
+def surface_line(surface: Surface, height: Array | float = 0.0) -> Line:
+    """Return the line of a surface, or one at a height above it; NaN where it has no place.
 
     Args:
         surface: of one design.
+        height: normal to it, on the side of the stream, m, of shape (stations,) or one for all.
     """
-    x, z, _ = point(surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
-    return np.stack([x[:, 0], z[:, 0]])
+    x, z, slope = (each[:, 0] for each in point(surface, SHARES[:, None]))
+    above = surface.side * height
+    return np.stack([x + above * np.sin(slope), z + above * np.cos(slope)])

@@ -8,7 +8,7 @@ import numpy as np
 from chutecalc.design import Contact
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.labels import Label
-from chutecalc.output.plots.traces import Steel, Trace, View
+from chutecalc.output.plots.traces import Trace, View
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.impacts import IMPACT_COLUMNS
@@ -39,8 +39,8 @@ def names(seen: View, units: str) -> list[Label]:
         seen: the chute.
         units: ``metric`` or ``us``.
     """
-    falls = [Steel(trace.name, -1.0, trace.path) for trace in seen.stream if trace.kind == FALL]
-    named = [*seen.surfaces, *falls]
+    falls = [(trace.name, -1.0, trace.path) for trace in seen.stream if trace.kind == FALL]
+    named = [*((steel.name, steel.side, steel.path) for steel in seen.surfaces), *falls]
     found = []
     for name, side, line in named if len(named) <= MOST_NAMED else ():
         middle = line.shape[1] // 2
@@ -95,17 +95,20 @@ def mark_labels(stream: Sequence[Trace], marks: Sequence[Mark], size: float, uni
     return found
 
 
-def belt_label(line: Line, velocity: Array, share: float, units: str) -> Label:
+def belt_label(line: Line, velocity: Array, share: float, plan_angle: Array | None, units: str) -> Label:
     """Return the label of a belt: its velocity. It is best below.
 
     Args:
         line: of the belt, in the units of the axes.
         velocity: of the belt, m/s, shape (1,).
         share: of the belt's length at which it is.
+        plan_angle: between the headings of stream and belt, rad, shape (1,); None if it is 0.
         units: ``metric`` or ``us``.
     """
     column = COLUMNS["velocity_m_s"]
     text = f"belt, {float(column.converted(velocity[0], units)):.3g} {column.unit_text(units)}"
+    if plan_angle is not None and plan_angle[0]:
+        text += f", {np.degrees(plan_angle[0]):.3g}° in plan"
     x, z = line[:, 0] + share * (line[:, -1] - line[:, 0])
     return Label(text, float(x), float(z), (0.0, -1.0))
 

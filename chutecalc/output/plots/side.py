@@ -29,6 +29,9 @@ SURFACE: dict[str, Any] = {
     "zorder": 0.9,  # below the stream, which hides its inner half
     "gid": "surface",
 }
+ROOF: dict[str, Any] = {"color": STEEL, "linewidth": 1.4, "zorder": 0.9, "gid": "roof"}
+WALLS: dict[str, Any] = {"color": PALE, "linewidth": 0.7, "linestyle": (0, (8, 2)), "zorder": 0.7, "gid": "walls"}
+"""Looks of what is above a floor: the roof of a closed section, and the top of the walls of an open one."""
 END: dict[str, Any] = {"marker": "X", "color": INK, "markersize": 8, "linestyle": "", "clip_on": False, "gid": "end"}
 """Look of the point where a stream ends before the chute does."""
 STRUCK: dict[str, Any] = {
@@ -64,8 +67,11 @@ class SideView:
         """What the legend explains, by its text."""
         self.shades = self._shades()
         for steel in seen.surfaces:
-            axes.plot(*self._long(steel.line), **SURFACE)
+            axes.plot(*self._long(steel.path), **SURFACE)
             self._explain("surface", Line2D([], [], color=STEEL, linewidth=2.2))
+            if np.isfinite(steel.top).any():
+                (top,) = axes.plot(*self._long(steel.top), **ROOF if steel.closed else WALLS)
+                self._explain("roof" if steel.closed else "top of the walls", top)
         for trace in seen.stream:
             if np.ptp(trace.path, axis=1).any():  # not on a plate
                 self._draw_trace(trace)
@@ -89,11 +95,11 @@ class SideView:
         stream, size = self.seen.stream, self.seen.size
         struck = [label for label in impact_labels(self.solution, self.units) if label.text]
         labels: list[Label] = [*names(self.seen, self.units), *struck]
-        for lines, share, belt in (
-            (self.feed, 0.2, self.solution.design.belt),
-            (self.received, 0.6, self.solution.design.receiver),
-        ):
-            labels += [belt_label(line, belt.velocity, share, self.units) for line in lines[:1] if belt is not None]
+        belt, receiver = self.solution.design.belt, self.solution.design.receiver
+        if belt is not None:
+            labels.append(belt_label(self.feed[0], belt.velocity, 0.2, None, self.units))
+        if receiver is not None and self.received:
+            labels.append(belt_label(self.received[0], receiver.velocity, 0.6, receiver.plan_angle, self.units))
         labels += mark_labels(stream, marks, size, self.units)
         place_labels(self.axes, labels, [self._long(line) for line in (*self.seen.lines, *self._inside())])
 

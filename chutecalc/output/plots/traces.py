@@ -8,16 +8,18 @@ import numpy as np
 
 from chutecalc.design import Contact, Status
 from chutecalc.output.plots.belts import feed_lines, receiver_lines
-from chutecalc.output.plots.flights import STATIONS, Line, Throw, belt_edges, surface_line
+from chutecalc.output.plots.flights import SHARES, STATIONS, Line, Throw, belt_edges, surface_line
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
-from chutecalc.results.part import Part
+from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.solved import SolvedChute
 
 DEEPEST = 0.25
 """Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
 FURTHER = 0.2
 """A stream that is lost is drawn to this far below everything else, over the height of the chute."""
+FAR = 100.0
+"""A belt is so many times longer than it is drawn."""
 LOST = "lost"
 """Kind of the trace of a stream that nothing catches."""
 FLIES_ON = ("x_m", "z_m", "slope_deg", "velocity_m_s")
@@ -49,7 +51,11 @@ class Steel(NamedTuple):
     name: str
     side: float
     """1 for a floor, -1 for a roof."""
-    line: Line
+    path: Line
+    top: Line
+    """Where its walls end, or its roof; NaN where no height is given."""
+    closed: bool
+    """Whether it has a roof there."""
 
 
 class View(NamedTuple):
@@ -78,7 +84,10 @@ class View(NamedTuple):
     @property
     def lines(self) -> list[Line]:
         """All lines."""
-        edges, steel = (edge for trace in self.traces for edge in trace.edges), (each.line for each in self.surfaces)
+        edges, steel = (
+            (edge for trace in self.traces for edge in trace.edges),
+            (line for each in self.surfaces for line in (each.path, each.top)),
+        )
         return [*edges, *steel, *self.feed, *self.received]
 
 
@@ -92,7 +101,7 @@ def view(solution: SolvedChute) -> View:
     reached = _reached(solution)
     inlet = np.stack([solution.inlet[name][:1] for name in ("x_m", "z_m")])
     paths = [np.stack([at["x_m"], at["z_m"]]) for _, at in reached]
-    size = float(extent([inlet, *(steel.line for steel in surfaces), *paths]).max())
+    size = float(extent([inlet, *(steel.path for steel in surfaces), *paths]).max())
     belt = solution.design.belt
     throws = belt_edges(belt, solution.design.gravity) if belt else []
     stream: list[Trace] = []
@@ -108,8 +117,17 @@ def view(solution: SolvedChute) -> View:
             edges, throws = _guided(at, side, DEEPEST * size, float(solution.design.gravity[0]))
         stream.append(Trace(part.name, part.kind, side, at, edges))
     stream = stream or [_at_inlet(solution)]
-    lost = _lost(solution, stream, throws, surfaces)
-    return View(stream, lost, surfaces, feed_lines(solution), receiver_lines(solution, size), size)
+    received = receiver_lines(solution, size)
+    landing = float(solution.receiver["landing_z_m"][0]) if received else np.nan
+    path = _flies_on(stream[-1].columns, float(solution.design.gravity[0]))
+    lost = None
+    if solution.trajectory.status_numbers[0] in (Status.MISSED, Status.CONTACT_LOST):
+        lost = _onwards(stream[-1], path, throws, LOST, path.time_to(_below([*surfaces, *stream])), None)
+    elif landing < path.z:
+        belt_line = np.stack([received[0][:, 0], received[0][:, -1]], axis=1)
+        long = belt_line.mean(axis=1)[:, None] + FAR * (belt_line - belt_line.mean(axis=1)[:, None])
+        stream.append(_onwards(stream[-1], path, throws, FLIGHT, path.time_to(landing), long))
+    return View(stream, lost, surfaces, feed_lines(solution), received, size)
 
 
 def _surfaces(solution: SolvedChute) -> list[Steel]:
@@ -118,8 +136,11 @@ def _surfaces(solution: SolvedChute) -> list[Steel]:
     found = []
     for _, solved in sorted(visits.items()):
         if solved.contact is not None:
-            steel = Steel(solved.segment.name, solved.contact.segment.side, surface_line(solved.contact.surface))
-            found += [steel] if np.isfinite(steel.line).all() else []
+            segment, surface = solved.contact.segment, solved.contact.surface
+            high = np.broadcast_to(segment.wall_height(SHARES), SHARES.shape)
+            top = surface_line(surface, np.where(np.isfinite(high), high, np.nan))
+            steel = Steel(segment.name, segment.side, surface_line(surface), top, segment.section.closed)
+            found += [steel] if np.isfinite(steel.path).all() else []
     return found
 
 
@@ -171,21 +192,27 @@ def _flown(throws: list[Throw], at: Lines, landed: Line | None) -> tuple[list[Li
     return edges, [throw.after(usual) for throw in throws]
 
 
-def _lost(solution: SolvedChute, stream: list[Trace], throws: list[Throw], surfaces: list[Steel]) -> Trace | None:
-    """Return the flight of a stream that nothing catches, until it is below everything drawn; else None."""
-    if solution.trajectory.status_numbers[0] not in (Status.MISSED, Status.CONTACT_LOST):
-        return None
-    x, z, slope, velocity = (float(stream[-1].columns[name][-1]) for name in FLIES_ON)
-    forward, downward = velocity * np.cos(np.radians(slope)), velocity * np.sin(np.radians(slope))
-    path = Throw(x, z, forward, downward, float(solution.design.gravity[0]))
-    everything = np.concatenate([*(steel.line for steel in surfaces), *(trace.path for trace in stream)], axis=1)
-    level = min(float(everything[1].min()), path.z) - FURTHER * max(float(np.ptp(everything[1])), 1.0)
-    time = np.linspace(0.0, path.time_to(level), STATIONS)
-    line = path.at(time)
-    flown = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line)))])
-    columns = {name: np.full(STATIONS, np.nan) for name in COLUMNS} | dict(zip(("x_m", "z_m"), line, strict=True))
-    columns |= {"s_m": stream[-1].columns["s_m"][-1] + flown, "velocity_m_s": path.velocity(time)}
-    return Trace(LOST, LOST, 0.0, columns, [throw.at(time) for throw in throws or [path]])
+def _flies_on(at: Lines, gravity: float) -> Throw:
+    """Return the flight that begins where a stream ends."""
+    x, z, slope, velocity = (float(at[name][-1]) for name in FLIES_ON)
+    return Throw(x, z, velocity * np.cos(np.radians(slope)), velocity * np.sin(np.radians(slope)), gravity)
+
+
+def _below(seen: Sequence[Steel | Trace]) -> float:
+    """Return a height below all that is drawn, m."""
+    heights = np.concatenate([each.path[1] for each in seen])
+    return float(np.nanmin(heights) - FURTHER * max(np.nanmax(heights) - np.nanmin(heights), 1.0))
+
+
+def _onwards(last: Trace, path: Throw, throws: list[Throw], kind: str, until: float, landed: Line | None) -> Trace:
+    """Return the flight from the end of the chute, to the belt or to nowhere."""
+    time = np.linspace(0.0, until, STATIONS)
+    x, z = path.at(time)
+    flown = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(z)))])
+    columns = {name: np.full(STATIONS, np.nan) for name in COLUMNS}
+    columns |= {"s_m": last.columns["s_m"][-1] + flown, "x_m": x, "z_m": z, "velocity_m_s": path.velocity(time)}
+    columns |= {"time_s": time, "slope_deg": np.degrees(np.arctan2(path.downward + path.gravity * time, path.forward))}
+    return Trace(kind, kind, 0.0, columns, _flown(throws or [path], columns, landed)[0])
 
 
 def _at_inlet(solution: SolvedChute) -> Trace:
