@@ -86,9 +86,9 @@ def test_a_stream_from_a_belt_has_three_edges_and_its_path_is_the_middle_one():
 
 
 def test_edges_end_on_the_surface_that_the_stream_lands_on():
-    drawn, _ = seen("short_ledge")
+    drawn, _ = seen("crest_flight")
     flight = next(trace for trace in drawn.stream if trace.kind == "flight")
-    floor = next(steel.path for steel in drawn.surfaces if steel.name == "chute")
+    floor = next(steel.path for steel in drawn.surfaces if steel.name == "lower")
     along = floor[:, -1] - floor[:, 0]
     for edge in flight.edges:
         off = edge[:, -1] - floor[:, 0]

@@ -111,7 +111,8 @@ def test_a_flight_off_a_surface_is_a_band_that_keeps_its_width():
     off = -at["depth_m"][0, -1] * np.array([np.sin(slope), np.cos(slope)])  # the hood's stream hangs below it
     assert np.allclose(corners[0, 3] - corners[0, 0], off, rtol=0, atol=1e-12)
     assert len(by_name(axes["side"], "edge")) == 2
-    assert explained(axes) == {"surface", "stream", "in flight", "impact and its incidence"}
+    assert explained(axes) >= {"surface", "stream", "in flight", "impact and its incidence"}
+    assert "in flight, path only" not in explained(axes)
 
 
 def test_a_fall_from_the_inlet_is_its_path():
@@ -134,6 +135,44 @@ def test_the_receiving_belt_is_an_arrow_through_the_end_of_the_chute():
     assert (z - z0) / (x - x0) == pytest.approx((z1 - z0) / (x1 - x0), rel=1e-9)
     assert "belt, 4 m/s" in written(axes["side"])
     assert not [patch for patch in drawn(FAILING["stall"])[1]["side"].patches if patch.get_gid() == "receiver"]
+
+
+def with_belt_at(**receiver):
+    data = tomllib.loads((ROOT / "specs" / "belt_hood_spoon.toml").read_text(encoding="utf-8"))
+    return chutecalc.parse(data | {"receiver": data["receiver"] | receiver})
+
+
+@pytest.mark.parametrize(("plan", "heading"), [(0.0, 1.0), (120.0, -1.0)])
+def test_a_stream_flies_on_to_a_belt_that_has_a_place(plan, heading):
+    _, axes, (solution,) = drawn(with_belt_at(at_m=[3.0, -3.6], slope_deg=0.0, plan_angle_deg=plan))
+    landing = [solution.receiver[f"landing_{name}_m"][0] for name in "xz"]
+    *_, last = by_name(axes["side"], "flight")
+    corners = np.array([path.vertices[:4] for path in last.get_paths()])
+    assert np.allclose(corners[0, 0], [solution.exit["x_m"][0], solution.exit["z_m"][0]], rtol=0, atol=1e-12)
+    assert np.allclose(corners[-1, 1], landing, rtol=0, atol=1e-9)
+    assert corners[-1, 2, 1] == pytest.approx(-3.6, abs=1e-3)  # the other edge lands there too
+    (arrow,) = [patch for patch in axes["side"].patches if patch.get_gid() == "receiver"]
+    (x0, z0), (x1, z1) = arrow._posA_posB
+    assert np.sign(x1 - x0) == heading
+    assert (z0, z1) == pytest.approx((-3.6, -3.6), abs=1e-9)
+    assert any(text.endswith("° in plan") for text in written(axes["side"])) == (plan != 0.0)
+
+
+def test_a_belt_that_nothing_meets_is_drawn_where_it_is():
+    _, axes, (solution,) = drawn(with_belt_at(at_m=[3.0, -2.6]))
+    assert solution.status[0] == "missed"
+    assert [patch for patch in axes["side"].patches if patch.get_gid() == "receiver"]
+    assert len(by_name(axes["side"], "missed")) == 2
+
+
+@pytest.mark.parametrize(("name", "gid", "height"), [("clinker_box", "roof", 0.3), ("fails/choke", "walls", 0.35)])
+def test_roofs_and_tops_of_walls_are_parallel_to_the_floor(name, gid, height):
+    _, axes, _ = drawn(load(name))
+    floor, top = by_name(axes["side"], "surface")[0], by_name(axes["side"], gid)[0]
+    off = np.stack([top.get_xdata() - floor.get_xdata(), top.get_ydata() - floor.get_ydata()])
+    assert np.allclose(np.hypot(*off), height, rtol=1e-12)
+    assert (off[1] > 0.0).all()
+    assert explained(axes) & {"roof", "top of the walls"} == {{"roof": "roof", "walls": "top of the walls"}[gid]}
 
 
 def test_impacts_are_marked_with_their_incidence():
