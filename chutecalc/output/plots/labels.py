@@ -91,7 +91,7 @@ class Taken:
         Args:
             place: the place.
             point: what the label is about, points.
-            away: direction in which it is best.
+            away: direction in which it is best, a vector of length 1, dimensionless.
         """
         box, leader = self._box(place), self._at(place.leader[2:])
         covers, crosses = int(self.drawing[box].sum()), int(self.drawing[leader].sum())

@@ -68,7 +68,7 @@ def limit(panel: Axes, values: Array) -> None:
 
     Args:
         panel: the panel.
-        values: all that it shows; NaN where there is none.
+        values: all that it shows, in the unit of the panel; NaN where there is none.
     """
     values = values[np.isfinite(values) & (values > 0.0)]
     top = min(1.06 * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0

@@ -77,7 +77,7 @@ class SideView:
                 self._draw_trace(trace)
         for edge in seen.lost.edges if seen.lost else ():
             (drawn,) = axes.plot(*self._long(edge), **MISSED)
-            self._explain("lost in flight", drawn)
+            self._explain("flies on, not solved", drawn)
         self.feed, self.received = ([self._long(line) for line in lines] for lines in (seen.feed, seen.received))
         draw_feed(axes, self.feed)
         draw_receiver(axes, self.received)

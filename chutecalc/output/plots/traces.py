@@ -8,7 +8,7 @@ import numpy as np
 
 from chutecalc.design import Contact, Status
 from chutecalc.output.plots.belts import feed_lines, receiver_lines
-from chutecalc.output.plots.flights import SHARES, STATIONS, Line, Throw, belt_edges, surface_line
+from chutecalc.output.plots.flights import SHARES, STATIONS, Line, Throw, belt_edges, crossings, surface_line
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.part import FLIGHT, Part
@@ -122,7 +122,7 @@ def view(solution: SolvedChute) -> View:
     path = _flies_on(stream[-1].columns, float(solution.design.gravity[0]))
     lost = None
     if solution.trajectory.status_numbers[0] in (Status.MISSED, Status.CONTACT_LOST):
-        lost = _onwards(stream[-1], path, throws, LOST, path.time_to(_below([*surfaces, *stream])), None)
+        lost = _onwards(stream[-1], path, throws, LOST, *_caught(path, surfaces, _below([*surfaces, *stream])))
     elif landing < path.z:
         belt_line = np.stack([received[0][:, 0], received[0][:, -1]], axis=1)
         long = belt_line.mean(axis=1)[:, None] + FAR * (belt_line - belt_line.mean(axis=1)[:, None])
@@ -202,6 +202,20 @@ def _below(seen: Sequence[Steel | Trace]) -> float:
     """Return a height below all that is drawn, m."""
     heights = np.concatenate([each.path[1] for each in seen])
     return float(np.nanmin(heights) - FURTHER * max(np.nanmax(heights) - np.nanmin(heights), 1.0))
+
+
+def _caught(path: Throw, surfaces: Sequence[Steel], level: float) -> tuple[float, Line | None]:
+    """Return the time until a path meets a surface, and that surface; else until it is down at a level, and None."""
+    time = np.linspace(0.0, path.time_to(level), STATIONS)
+    flown = path.at(time)
+    found = [(meets[0], steel.path) for steel in surfaces if (meets := _after_start(crossings(flown, steel.path))).size]
+    piece, landed = min(found, key=lambda each: each[0], default=(STATIONS - 1.0, None))
+    return float(time[-1] * piece / (STATIONS - 1)), landed
+
+
+def _after_start(pieces: Array) -> Array:
+    """Return the crossings of a path behind its first piece, which begins on the surface that it leaves."""
+    return pieces[pieces > 1.0]
 
 
 def _onwards(last: Trace, path: Throw, throws: list[Throw], kind: str, until: float, landed: Line | None) -> Trace:
