@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from chutecalc.api.solution import Solution
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
     from chutecalc.results.cases import Cases
+    from chutecalc.results.edges import Edge
     from chutecalc.results.exits import Exits
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
@@ -37,6 +38,7 @@ __all__ = [
     "Cases",
     "Chute",
     "ChutecalcError",
+    "Edge",
     "Exits",
     "ExtraMissingError",
     "Fault",
@@ -61,6 +63,7 @@ _MODULES = {
     "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
+    "Edge": "chutecalc.results.edges",
     "Exits": "chutecalc.results.exits",
     "ExtraMissingError": "chutecalc.errors",
     "Fault": "chutecalc.errors",

@@ -10,6 +10,7 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.physics.section import Section
+from chutecalc.physics.troughed_belt import BeltLoad
 from chutecalc.physics.wall import Wall
 
 VERTICAL = np.array([np.pi / 2])
@@ -122,7 +123,7 @@ class Fall(NamedTuple):
 
 
 class Belt(NamedTuple):
-    """The belt that the stream comes from; see :func:`chutecalc.physics.belt.discharge`."""
+    """The belt that the stream comes from; see :func:`chutecalc.physics.head_pulley.discharge`."""
 
     centre: tuple[Array, Array]
     """x and z of the centre of its head pulley, m."""
@@ -134,6 +135,16 @@ class Belt(NamedTuple):
     """Radius of the stream's lower edge on the pulley, m."""
     middle_radius: Array
     """Radius of the stream's centre line on the pulley, m."""
+    friction: Array | None
+    """Friction angle of the material on the belt, rad; None where none is given, and the belt holds the stream."""
+    load: BeltLoad | None
+    """The load on a belt whose width is given; else None."""
+
+    @property
+    def edge_radii(self) -> dict[str, Array]:
+        """Radius on the pulley of the stream's lower edge, centre line and upper edge, m, by their names."""
+        upper = 2.0 * self.middle_radius - self.lower_radius
+        return {"lower": self.lower_radius, "middle": self.middle_radius, "upper": upper}
 
 
 class Receiver(NamedTuple):

@@ -242,6 +242,7 @@ _OPERATIONS: dict[Any, Callable[..., Slot]] = {
     np.cos: _plain("cosine"),
     np.tan: _plain("tangent"),
     np.arccos: _plain("arccosine"),
+    np.exp: _plain("exponential"),
     np.negative: _negative,
     np.absolute: _absolute,
     np.minimum: _least,

@@ -51,7 +51,6 @@ def run(
     JSON has all other results as well. `chutecalc columns` lists the columns that there are.
     """
     from chutecalc.api.chute import solve
-    from chutecalc.output.run import needed, run_dataset
     from chutecalc.results.columns import COLUMNS, check_columns
 
     names = names_of(columns)
@@ -61,11 +60,15 @@ def run(
     solutions = [solve(chute, rtol) for chute in chutes]
     tables = None
     if stations.given:
+        from chutecalc.output.run import needed
+
         tables = [
             solution.stations(stations.points, stations.stations, needed(names or list(COLUMNS)))
             for solution in solutions
         ]
     if outputs.files:
+        from chutecalc.output.run import run_dataset
+
         outputs.write(run_dataset(solutions, tables, names or list(COLUMNS)))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run

@@ -86,8 +86,8 @@ def sweep(
     arguments: list[str] = typer.Argument(
         ...,
         metavar="PARAMETER... [SPEC]",
-        help="Parameters, such as beta, radius=1:4:0.5, rate=500,1000 or segments.1.drop_m=1:3:#21, and a spec (.toml,"
-        " or - for standard input).",
+        help="Parameters, such as beta, radius=1:4:0.5, rate=500,1000, segments.1.drop_m=1:3:#21 or"
+        " segments.2.liner=steel,ceramic, and a spec (.toml, or - for standard input).",
     ),
     keep: Keep = typer.Option(Keep.BASE, help="What stays constant in a section while beta varies."),
     parallel: bool = typer.Option(False, "--zip", help="Pair the lists element by element instead of combining them."),
@@ -95,7 +95,8 @@ def sweep(
         None,
         metavar="NAMES",
         help="Columns, separated by commas: a name from chutecalc columns after exit_, max_ or min_; receiver_"
-        " and a column of the receiving belt; error_estimate; or findings.",
+        " and a column of the receiving belt; segments.NAME. and a column of that segment; error_estimate; or"
+        " findings.",
     ),
     *,
     best: BestOptions,

@@ -2,7 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats
 
-cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK, STEP
+cdef int ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE, ROOT, SINE, COSINE, TANGENT, ARCCOSINE, EXPONENTIAL, CHECK, STEP
 
 @cython.final
 cdef class Recipe:

@@ -10,10 +10,10 @@ from typing import Any
 from chutecalc.core import floats
 
 ADD, SUBTRACT, MULTIPLY, DIVIDE, LESS, LESS_EQUAL, EQUAL, AND, OR, NOT, CHOOSE = range(11)
-ROOT, SINE, COSINE, TANGENT, ARCCOSINE, CHECK = range(11, 17)
+ROOT, SINE, COSINE, TANGENT, ARCCOSINE, EXPONENTIAL, CHECK = range(11, 18)
 NAMES = (
     *("add", "subtract", "multiply", "divide", "less", "less_equal", "equal", "and", "or", "not", "choose"),
-    *("root", "sine", "cosine", "tangent", "arccosine", "check"),
+    *("root", "sine", "cosine", "tangent", "arccosine", "exponential", "check"),
 )
 """Names of operations, by their number."""
 STEP = 5
@@ -121,9 +121,11 @@ def truth(code: int, first_operand: float, second_operand: float) -> float:
 
 
 def function(code: int, operand: float) -> float:
-    """Return a square root, a trigonometric function, or an arc cosine."""
+    """Return a square root, an exponential, a trigonometric function, or an arc cosine."""
     if code == ROOT:
         return floats.root(operand)
+    if code == EXPONENTIAL:
+        return floats.power(operand)
     if not math.fabs(operand) < floats.INFINITY or (code == ARCCOSINE and math.fabs(operand) > 1.0):
         return floats.NAN
     if code == SINE:

@@ -12,5 +12,7 @@ Depth = Annotated[Number, Quantity("length", ge=0, le=1e5)]
 Position = Annotated[Any, Quantity("length", ge=-1e5, le=1e5, shape=(2,))]
 """A point of the chute's side view, x and z."""
 Slope = Annotated[Number, Quantity("angle", gt=-90, le=90)]
+BeltVelocity = Annotated[Number, Quantity("velocity", gt=0, le=1e4)]
+BeltSlope = Annotated[Number, Quantity("angle", gt=-90, lt=90)]
 FrictionAngle = Annotated[Number, Quantity("angle", ge=0, lt=90)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_-]*$")]

@@ -85,7 +85,7 @@ def run_document(
         "tolerance": solution.rtol,
         "error_estimate": number(solution.error_estimate[0]),
         "status": str(solution.status[0]),
-        "inlet": first(solution.inlet),
+        "inlet": first(solution.inlet) | ({"edges": _edges(solution)} if solution.edges else {}),
         "exit": first(solution.exit),
         "segments": segments,
         "receiver": first(solution.receiver) or None,
@@ -101,6 +101,11 @@ def run_document(
             for finding in solution.findings()
         ],
     }
+
+
+def _edges(solution: SolvedChute) -> list[dict[str, Any]]:
+    """Return the edges of a stream that comes from a belt."""
+    return [{"name": edge.name, "segment": edge.segment[0] or None, **first(edge.numbers)} for edge in solution.edges]
 
 
 def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, Any]:

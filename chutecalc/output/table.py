@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from chutecalc.fields.units import convert
 from chutecalc.output.grid import Grid
+from chutecalc.output.inlet import inlet_lines
 from chutecalc.results.column import Column, Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
@@ -78,8 +79,10 @@ class Printer:
 
             line = Text(text, style=style).append(plain, style="none")
             if line.cell_len > self.width:
-                begin, *rest = line.wrap(self.console, self.width - len(HANGING))
-                line = Text("\n").join([begin, *(Text(HANGING).append_text(each) for each in rest)])
+                lines = line.wrap(self.console, self.width - len(HANGING))
+                for each in lines:
+                    each.rstrip()
+                line = Text(f"\n{HANGING}").join(lines)
             self.console.print(line, no_wrap=True, overflow="ignore", crop=False)
         else:
             self.stream.write(f"{text}{plain}\n")
@@ -220,20 +223,13 @@ class Printer:
         def text(numbers: Mapping[str, Any], name: str) -> str:
             return quantity_text(name, float(numbers[name][0]), self.units)
 
-        inlet = solution.inlet
-        if "discharge_froude" in inlet:
-            x, z, low_x, low_z = (text(inlet, name) for name in ("x_m", "z_m", "lower_edge_x_m", "lower_edge_z_m"))
-            yield (
-                f"inlet  the stream leaves the belt at {text(inlet, 'slope_deg')} (V²/(g r)"
-                f" {text(inlet, 'discharge_froude')}); centre line from x {x}, z {z}, lower edge from x {low_x},"
-                f" z {low_z}"
-            )
+        yield from inlet_lines(solution, self.units)
         belt = solution.receiver
         if not belt or belt["velocity_ratio"][0] != belt["velocity_ratio"][0]:
             return
         yield (
             f"receiver  {text(belt, 'velocity_along_m_s')} along the belt, {text(belt, 'velocity_ratio')} times its"
-            f" speed; {text(belt, 'velocity_across_m_s')} onto it ({text(belt, 'impact_pressure_kpa')}); belt wear"
+            f" speed; {text(belt, 'velocity_into_m_s')} into it ({text(belt, 'impact_pressure_kpa')}); belt wear"
             f" {text(belt, 'wear_w_m2')}"
         )
         yield (

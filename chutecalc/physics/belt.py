@@ -1,56 +1,10 @@
-"""The belts at both ends of a chute: how a stream leaves one over its head pulley, and how it loads the other."""
+"""How a stream loads the belt that receives it."""
 
 from typing import NamedTuple
 
 import numpy as np
 
 from chutecalc.physics.arrays import Array
-
-
-class Discharge(NamedTuple):
-    """The stream where it leaves a head pulley, arrays of shape (1,) or (designs,)."""
-
-    velocity: Array
-    """Velocity, m/s: the belt's where the stream leaves at once, V r/r_b where it turns with the pulley."""
-    froude: Array
-    """Froude number v²/(g r) at that velocity, dimensionless."""
-    slope: Array
-    """Slope, rad below horizontal: -ε where the stream leaves tangent to the belt, else the discharge angle α_d."""
-    x: Array
-    """Horizontal distance from the pulley's centre, m, positive in the direction of flow."""
-    z: Array
-    """Height above the pulley's centre, m."""
-
-
-def discharge(velocity: Array, incline: Array, belt_radius: Array, radius: Array, gravity: Array) -> Discharge:
-    """Compute where and how a stream leaves a belt over its head pulley.
-
-    With V²/(g r) ≥ cos ε the stream leaves tangent to the belt, where the belt meets the pulley. Otherwise it turns
-    with the pulley at v = V r/r_b and leaves at the angle cos α_d = v²/(g r), where its weight no longer holds it on
-    the pulley; at once where that ratio is cos ε or more. It starts at r (sin α, cos α) from the pulley's centre.
-
-    Args:
-        velocity: Belt velocity V, m/s, positive, shape (1,) or (designs,), as for all arguments.
-        incline: Incline ε of the belt, rad, positive uphill.
-        belt_radius: Radius r_b of the belt's surface on the pulley, m.
-        radius: Radius r of the line followed, m: r_b, or for the centre line r_b plus half the depth of material.
-        gravity: g, m/s².
-
-    Returns:
-        The stream at discharge. Adhesion, air drag and the spread of the stream are neglected.
-
-    >>> one = np.ones(1)
-    >>> slow = discharge(velocity=one, incline=0 * one, belt_radius=0.4 * one, radius=0.44 * one, gravity=9.81 * one)
-    >>> bool(abs(slow.velocity[0] - 1.1) < 1e-15), bool(abs(np.cos(slow.slope[0]) - 1.1**2 / (9.81 * 0.44)) < 1e-15)
-    (True, True)
-    """
-    level = np.cos(incline)
-    held = velocity**2 / (gravity * radius) < level
-    own = np.where(held, velocity * radius / belt_radius, velocity)
-    froude = own**2 / (gravity * radius)
-    carried = froude < level
-    slope = np.where(carried, np.arccos(np.where(carried, froude, 1.0)), -incline)
-    return Discharge(velocity=own, froude=froude, slope=slope, x=radius * np.sin(slope), z=radius * np.cos(slope))
 
 
 class Loading(NamedTuple):

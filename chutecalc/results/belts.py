@@ -1,4 +1,4 @@
-"""The stream at the inlet, and what it does to the receiving belt."""
+"""What the stream does to the receiving belt."""
 
 from functools import cached_property
 
@@ -6,38 +6,12 @@ import numpy as np
 
 from chutecalc.design import Design, Receiver
 from chutecalc.physics.arrays import Array, Numbers
-from chutecalc.physics.belt import Loading, components, discharge, loading
+from chutecalc.physics.belt import Loading, components, loading
 from chutecalc.results.column import FormulaColumn
 from chutecalc.solver.segment_solution import Ends
 
 NORMAL_COSINE = 1e-9
 """The cosine of the angle between stream and belt below which the stream has no velocity along the belt."""
-
-
-def inlet_numbers(design: Design) -> Numbers:
-    """Return the stream at the inlet by column name.
-
-    Args:
-        design: the chutes.
-
-    Returns:
-        Arrays of length 1 or n; from a belt also v²/(g r) and the position of the stream's lower edge.
-    """
-    x, z = design.inlet_position
-    numbers = {
-        "x_m": x,
-        "z_m": z,
-        "slope_deg": np.degrees(design.inlet_slope),
-        "velocity_m_s": design.inlet_velocity,
-    }
-    if design.belt is not None:
-        belt = design.belt
-        middle = discharge(belt.velocity, belt.incline, belt.lower_radius, belt.middle_radius, design.gravity)
-        reach = belt.lower_radius / belt.middle_radius
-        numbers["discharge_froude"] = middle.froude
-        numbers["lower_edge_x_m"] = belt.centre[0] + middle.x * reach
-        numbers["lower_edge_z_m"] = belt.centre[1] + middle.z * reach
-    return numbers
 
 
 class Transfer:

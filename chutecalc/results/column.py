@@ -117,7 +117,12 @@ class FormulaColumn(Column):
     formula: Callable[..., Array]
 
 
-_US_UNITS = {"m": ("length", "ft"), "m_s": ("velocity", "fpm"), "kpa": ("pressure", "psf")}
+_US_UNITS = {
+    "m": ("length", "ft"),
+    "m2": ("area", "ft2"),
+    "m_s": ("velocity", "fpm"),
+    "kpa": ("pressure", "psf"),
+}
 """Units that messages convert to US units, by their dimension."""
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from chutecalc.design import Contact, Design
 from chutecalc.physics.arrays import Array, Mask, Numbers
+from chutecalc.results.edges import Edge
 from chutecalc.results.extremes import Extreme, ExtremeOf
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part
@@ -26,6 +27,10 @@ class Scene(NamedTuple):
     """Receiver columns, at the end of a chute that loads a belt; else empty."""
     exit_distance: Array
     """Distance from the inlet at the exit, m; there too."""
+    inlet: Numbers
+    """Numbers of the inlet, at the first segment; else empty."""
+    edges: Sequence[Edge]
+    """Edges of a stream that comes from a belt; none where it is on the segment again."""
     designs: int
     """Number of designs."""
 

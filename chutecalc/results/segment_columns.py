@@ -26,13 +26,22 @@ class ColumnGroup:
     prefix: str
     """Before the name of a column, with an underscore between; empty for none."""
     meaning: str
+    """What the columns say; empty where each says that itself."""
     columns: Sequence[Column]
     of: Callable[[SegmentResult], Mapping[str, Any]]
     """Returns their values by name."""
 
+    def named(self, name: str) -> str:
+        """Return a name with the prefix.
+
+        Args:
+            name: of a column.
+        """
+        return f"{self.prefix}_{name}" if self.prefix else name
+
     def members(self) -> dict[str, SegmentColumn]:
         """Return the columns by name, that with the prefix."""
-        return {f"{self.prefix}_{column.name}".lstrip("_"): self._member(column) for column in self.columns}
+        return {self.named(column.name): self._member(column) for column in self.columns}
 
     def _member(self, column: Column) -> SegmentColumn:
         """Return a column of the results."""
@@ -42,7 +51,11 @@ class ColumnGroup:
             return numbers[column.name] if column.name in numbers else result.duration * float("nan")
 
         shared = {field.name: getattr(column, field.name) for field in fields(Column)}
-        named = {"heading": f"{self.prefix} {column.heading}".strip(), "symbol": "", "meaning": self.meaning}
+        named = {
+            "heading": f"{self.prefix} {column.heading}".strip(),
+            "symbol": "",
+            "meaning": self.meaning or column.meaning,
+        }
         return SegmentColumn(**shared | named, of=values)
 
 

@@ -155,5 +155,12 @@ def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         minimum={name: np.fmin(again.minimum[name], values) for name, values in first.minimum.items()},
         maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
         duration=first.duration + np.where(there, again.duration, 0.0),
-        impact=first.impact or again.impact,
+        impact=_either(first.impact, again.impact),
     )
+
+
+def _either(first: Numbers, again: Numbers) -> Numbers:
+    """Return the numbers of the first impact; of designs that it lacks those of the next one."""
+    if not (first and again):
+        return first or again
+    return {name: np.where(np.isnan(values), again[name], values) for name, values in first.items()}

@@ -8,10 +8,12 @@ import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
-from chutecalc.results.belts import inlet_numbers, receiver_numbers
+from chutecalc.results.belts import receiver_numbers
 from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
 from chutecalc.results.described import status_text
+from chutecalc.results.edges import Edge, stream_edges
 from chutecalc.results.finding import Finding
+from chutecalc.results.inlet import inlet_numbers
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
 from chutecalc.results.trajectory import Trajectory
@@ -122,8 +124,17 @@ class SolvedChute:
 
     @cached_property
     def inlet(self) -> Numbers:
-        """The stream at the inlet: arrays of shape (designs,) by name; from a belt also v²/(g r) and its lower edge."""
+        """The stream at the inlet: arrays of shape (designs,) by name.
+
+        From a belt also v²/(g r), its lower edge, the load on a belt whose width is given, and the bounds of a stream
+        that goes round the pulley.
+        """
         return {name: np.broadcast_to(values, self.count) for name, values in inlet_numbers(self.design).items()}
+
+    @cached_property
+    def edges(self) -> list[Edge]:
+        """Lower edge, middle and upper edge of a stream from a belt, and where they land; empty without a depth."""
+        return stream_edges(self.design, self.trajectory.segment_solutions, self.rtol, self.count)
 
     @property
     def segments(self) -> Segments:
@@ -137,7 +148,7 @@ class SolvedChute:
 
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
-        return self.trajectory.findings(self.receiver)
+        return self.trajectory.findings(self.receiver, self.inlet, self.edges)
 
     def stations(
         self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()

@@ -10,6 +10,7 @@ from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
 from chutecalc.results.described import status_text
+from chutecalc.results.edges import Edge
 from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
@@ -91,13 +92,23 @@ class Trajectory:
             for number in range(len(self.design.segments))
         ]
 
-    def findings(self, received: Numbers) -> list[Finding]:
+    def findings(self, received: Numbers, inlet: Numbers, edges: Sequence[Edge]) -> list[Finding]:
         """Return all findings.
 
         Args:
             received: receiver columns at the exit; empty where the chute loads no belt.
+            inlet: numbers of the inlet, see :func:`chutecalc.results.inlet.inlet_numbers`.
+            edges: of a stream that comes from a belt.
         """
-        return find(self.sampled, received, self.exit_columns(("s_m",))["s_m"], self.count)
+        exit_distance = self.exit_columns(("s_m",))["s_m"]
+        return find(
+            self.sampled,
+            received=received,
+            exit_distance=exit_distance,
+            inlet=inlet,
+            edges=edges,
+            designs=self.count,
+        )
 
     def exit_columns(self, names: Iterable[str]) -> Numbers:
         """Return columns at the end of the chute.

@@ -6,7 +6,7 @@ from chutecalc.design import VERTICAL, Belt, Design, Receiver, Segment
 from chutecalc.fields.faults import GeometryFaults
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array, shared
-from chutecalc.physics.belt import discharge
+from chutecalc.physics.head_pulley import discharge
 from chutecalc.physics.pressure import vertical_pressure_ratio
 from chutecalc.physics.wall import constant_wall, yield_locus
 from chutecalc.segments.base import Context, Lining
@@ -66,11 +66,17 @@ class _Geometry:
         x, z = (in_si(item, "length") for item in inlet.at_m)
         if inlet.belt is None:
             return in_si(inlet.velocity_m_s, "velocity"), in_si(inlet.slope_deg, "angle"), (x, z), None
-        velocity, incline = in_si(inlet.belt.velocity_m_s, "velocity"), in_si(inlet.belt.incline_deg, "angle")
-        lower = in_si(inlet.belt.pulley_radius_m, "length") + in_si(inlet.belt.belt_thickness_m, "length")
-        middle = lower + 0.5 * in_si(inlet.belt.material_depth_m, "length")
-        leaves = discharge(velocity, incline, lower, middle, in_si(self.spec.flow.gravity_m_s2, "acceleration"))
-        belt = Belt((x, z), velocity, incline, lower, middle)
+        flow = self.spec.flow
+        volume_rate = in_si(flow.rate_t_h, "mass rate") / in_si(self.spec.material.density_kg_m3, "density")
+        belt = inlet.belt.build((x, z), volume_rate, self.faults)
+        leaves = discharge(
+            velocity=belt.velocity,
+            incline=belt.incline,
+            belt_radius=belt.lower_radius,
+            radius=belt.middle_radius,
+            gravity=in_si(flow.gravity_m_s2, "acceleration"),
+            friction=belt.friction,
+        )
         return leaves.velocity, leaves.slope, (x + leaves.x, z + leaves.z), belt
 
     def receiver(self) -> Receiver | None:

@@ -4,16 +4,14 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from chutecalc.fields.quantities import Depth, FrictionAngle, Length, Name, Position, Slope
+from chutecalc.fields.quantities import BeltSlope, BeltVelocity, FrictionAngle, Name, Position, Slope
 from chutecalc.fields.quantity import Number, Quantity
 from chutecalc.fields.rules import one_of
 from chutecalc.fields.table import Table
 from chutecalc.sections.registry import SHAPES, AnySection
 from chutecalc.segments.registry import KINDS, AnySegment
+from chutecalc.spec.inlet_belt import Belt
 from chutecalc.spec.rules import known_format, known_strength, locus_rows, names, one_inlet, placement, some_friction
-
-BeltVelocity = Annotated[Number, Quantity("velocity", gt=0, le=1e4)]
-BeltSlope = Annotated[Number, Quantity("angle", gt=-90, lt=90)]
 
 
 class Flow(Table):
@@ -54,16 +52,6 @@ class Liner(Table):
         1.0, description="slip velocity at the wall over mean velocity, for wear"
     )
     rules: ClassVar = (one_of("friction_deg", "yield_locus_kpa", "own_material"), locus_rows)
-
-
-class Belt(Table):
-    """The belt that the stream comes from."""
-
-    velocity_m_s: BeltVelocity = Field(description="velocity of the belt")
-    incline_deg: BeltSlope = Field(0.0, description="incline of the belt, positive uphill")
-    pulley_radius_m: Length = Field(description="radius of the head pulley")
-    belt_thickness_m: Depth = Field(0.0, description="thickness of the belt")
-    material_depth_m: Depth = Field(0.0, description="depth of the stream on the belt; the path is that of its middle")
 
 
 class Inlet(Table):

@@ -52,7 +52,10 @@ _FURTHER = """
 # incline_deg = 8               # uphill
 # pulley_radius_m = 0.45
 # belt_thickness_m = 0.015
-# material_depth_m = 0.2        # of the stream on the belt; its middle is followed
+# width_m = 1.0                 # of the belt: the depth of the stream follows the rate; or material_depth_m instead
+# trough_deg = 35               # of the side rolls; 0 is a flat belt
+# surcharge_deg = 15            # of the material on the running belt
+# friction_deg = 25             # of the material on the belt, for one so slow that it does not throw the stream
 
 # The belt that the stream goes to:
 

@@ -317,3 +317,88 @@ def test_help_loads_no_numpy():
     code = "import sys\nfrom chutecalc.cli import main\nmain(['--help'])\nprint('numpy' in sys.modules)\n"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.splitlines()[-1] == "False"
+
+
+def test_the_belt_and_the_edges_of_its_stream_are_told(capsys):
+    assert main(["run", str(ROOT / "specs/troughed_belt_hood.toml")]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (load,) = [line for line in lines if line.startswith("belt  ")]
+    assert load.startswith(
+        "belt  a load of 0.1471 m² covers 1.004 m of the belt and is 0.1465 m deep on the pulley; fill"
+    )
+    assert load.endswith("middle roll taken as 0.41 m, a third of the width and 10 mm")
+    edges = [line for line in lines if line.startswith("edge  ")]
+    assert [line.split(":")[0] for line in edges] == ["edge  lower", "edge  middle", "edge  upper"]
+    assert all("leaves at -8° and 4 m/s, lands on hood " in line for line in edges)
+    assert main(["run", str(ROOT / "specs/surge_on_belt.toml"), "--set", "inlet.belt.roll_m=0.5"]) == 0
+    surge = capsys.readouterr().out
+    assert "edge  upper: leaves at -8° and 4 m/s and lands nowhere\n" in surge
+    assert "middle roll taken as" not in surge
+
+
+def test_edges_in_json(capsys):
+    assert main(["run", str(ROOT / "specs/surge_on_belt.toml"), "--json", "-"]) == 0
+    inlet = json.loads(capsys.readouterr().out)["inlet"]
+    assert inlet["belt_fill"] > 1.0
+    assert [(edge["name"], edge["segment"]) for edge in inlet["edges"]] == [
+        ("lower", "hood"),
+        ("middle", "hood"),
+        ("upper", None),
+    ]
+    assert inlet["edges"][2]["landing_x_m"] is None
+    assert inlet["edges"][2]["gap_m"] < 0.0
+    assert inlet["edges"][0]["gap_m"] is None
+    assert main(["run", str(ROOT / "specs/vee.toml"), "--json", "-"]) == 0
+    assert "edges" not in json.loads(capsys.readouterr().out)["inlet"]
+
+
+def test_columns_of_tables_and_files(capsys, tmp_path, starter):
+    chosen = ["--columns", "wear_number,velocity_m_s,chamfer_wetted_m"]
+    assert main(["run", str(starter), str(starter), "--points", "3", *chosen]) == 0
+    out = capsys.readouterr().out
+    headings = [line.split() for line in out.splitlines() if line.lstrip().startswith(("N_WR", "segment ", "spec "))]
+    for line in out.splitlines():
+        assert "pressure" not in line or line.startswith(("warning", "note"))
+    assert headings.count(["N_WR", "velocity", "chamfer"]) >= 4  # segments and stations of both
+    solution = chutecalc.solve(chutecalc.load(starter))
+    assert f"{solution.segments['spoon'].maximum['velocity_m_s'][0]:.3f}" in out
+    assert f"{solution.exit['wear_number'][0]:.3f}" in out
+
+    file = tmp_path / "rows.csv"
+    assert main(["run", str(starter), "--csv", str(file), *chosen]) == 0
+    rows = list(csv.DictReader(io.StringIO(file.read_text())))
+    stations = solution.stations()
+    assert list(rows[0]) == ["wear_number", "velocity_m_s", "chamfer_wetted_m"]
+    assert [float(row["velocity_m_s"]) for row in rows] == stations["velocity_m_s"][0].tolist()
+
+    capsys.readouterr()
+    assert main(["run", str(starter), "--json", "-", "--points", "2", "--columns", "segment, s_m ,depth_m"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert [list(row) for row in document["segments"][1]["stations"]] == [["s_m", "depth_m"]] * 2
+    assert set(document["segments"][1]["exit"]) == set(solution.exit)
+
+
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [
+        ("depth", "there is no column depth. Did you mean depth_m?"),
+        ("thickness", "there is no column thickness."),  # findings alone ask for it
+        ("depth_m,,s_m", "there is no column"),
+    ],
+)
+def test_unknown_columns_are_refused(names, words, capsys, starter, monkeypatch):
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    assert main(["run", str(starter), "--columns", names]) == 2
+    shown = capsys.readouterr()
+    assert words in shown.err
+    assert shown.out == ""
+
+
+def test_tables_show_the_place(capsys):
+    path = ROOT / "specs/belt_hood_spoon.toml"
+    assert main(["run", str(path), "--points", "2", "--columns", "x_m,z_m"]) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    for result in chutecalc.solve(chutecalc.load(path)).segments:
+        for end in (result.entry, result.exit):
+            place = [f"{end[name][0]:z.3f}" for name in ("x_m", "z_m")]
+            assert sum(line[-2:] == place for line in lines) >= 2  # of segments, and of stations

@@ -17,10 +17,14 @@ import tomli_w
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.fields.ranges import read_values
+from chutecalc.results.segment_columns import segment_columns
 from chutecalc.studies.sweep import sweep as rows_of
-from chutecalc.studies.sweep.checks import DEFAULT
+from chutecalc.studies.sweep.checks import DEFAULT, DEFAULT_ON_BELT
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter, read_parameters
+from chutecalc.studies.sweep.plot import draw_sweep
+from chutecalc.studies.sweep.table import column_of
+from chutecalc.studies.sweep.text_parameter import TextParameter
 from tests.conftest import ROOT, spec
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
@@ -611,3 +615,193 @@ def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
     assert "11 designs" in asked[0]
     assert main(["sweep", "phi=20:30:1", SPOON, "--yes"]) == 0
     assert len(asked) == 1
+
+
+BELT = str(ROOT / "specs/belt_hood_spoon.toml")
+ALL_OF_SPOON = ",".join(f"segments.spoon.{name}" for name in segment_columns())
+
+
+def test_columns_of_a_segment_are_its_results(capsys):
+    rows = swept(capsys, "rate=1500,1800", BELT, "--columns", ALL_OF_SPOON)
+    for row in rows:
+        assert main(["run", BELT, "--set", f"flow.rate_t_h={row['rate_t_h']}", "--json", "-"]) == 0
+        spoon = json.loads(capsys.readouterr().out)["segments"][-1]
+        found = {"status": spoon["status"], "duration_s": spoon["duration_s"]}
+        for prefix, part in (("entry", "entry"), ("exit", "exit"), ("min", "minimum"), ("max", "maximum")):
+            found |= {f"{prefix}_{name}": value for name, value in spoon[part].items()}
+        found |= {f"impact_{name}": value for name, value in spoon["impact"].items()} | spoon.get("loads", {})
+        shown = {name: "" if value is None else str(value) for name, value in found.items()}
+        assert {name.removeprefix("segments.spoon."): value for name, value in row.items() if "spoon" in name} == shown
+
+
+def test_a_segment_goes_by_name_or_by_number_and_need_not_be_struck(capsys):
+    names = "segments.spoon.max_wear_w_m2,segments.4.max_wear_w_m2,segments.throw.impact_incidence_deg"
+    (row,) = swept(capsys, "rate=1500", BELT, "--columns", names)
+    assert row["segments.spoon.max_wear_w_m2"] == row["segments.4.max_wear_w_m2"] != ""
+    assert row["segments.throw.impact_incidence_deg"] == ""
+
+
+def test_where_a_design_fails_its_segments_say(capsys):
+    names = "segments.spoon.status,segments.fall.status,segments.spoon.max_depth_m"
+    rows = swept(capsys, "phi=20,40,44", SPOON, "--columns", names)
+    assert [row["segments.spoon.status"] for row in rows] == [row["status"] for row in rows] == ["ok", "stall", "stall"]
+    assert {row["segments.fall.status"] for row in rows} == {"ok"}
+    assert [bool(row["segments.spoon.max_depth_m"]) for row in rows] == [True, False, False]
+    best = ["--columns", names, "--top", "2", "--by", "segments.spoon.max_depth_m:min"]
+    assert [row["friction_deg"] for row in swept(capsys, "phi=20,25,44", SPOON, *best)] == ["20.0", "25.0"]
+
+
+def test_columns_of_segments_do_not_depend_on_blocks(capsys, monkeypatch):
+    names = "segments.spoon.max_wear_w_m2,segments.spoon.status"
+    arguments = ("radius=1:4:#9", "phi=20:40:#5", SPOON, "--columns", names)
+    whole = swept(capsys, *arguments)
+    monkeypatch.setattr(rows_of, "WITH_FINDINGS", 4)
+    assert swept(capsys, *arguments) == whole
+
+
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [
+        ("segments.spon.max_depth_m", "there is no segment spon. Did you mean spoon? Use 1 (fall), 2 (spoon)."),
+        ("segments.3.max_depth_m", "there is no segment 3."),
+        ("segments.0.max_depth_m", "there is no segment 0."),
+        ("segments.spoon.max_depth", "a segment has no column max_depth. Did you mean max_depth_m? Use entry_"),
+        ("segments.spoon", "write segments.SEGMENT.COLUMN, such as segments.spoon.exit_velocity_m_s."),
+    ],
+)
+def test_unknown_columns_of_segments(names, words, capsys):
+    assert words in refused(capsys, "radius=1,2", SPOON, "--columns", names)
+    assert "--by needs a column of numbers" in refused(
+        capsys, "radius=1,2", SPOON, "--top", "1", "--by", "segments.spoon.status:max"
+    )
+    assert "unknown column segments.spoon.max_depth_m" in refused(
+        capsys, "radius=1,2", SPOON, "--points", "3", "--columns", "segments.spoon.max_depth_m"
+    )
+
+
+def test_what_the_belt_gets_is_shown_by_default(capsys):
+    (row,) = swept(capsys, "rate=1800", BELT)
+    assert list(row) == ["rate_t_h", "status", *DEFAULT, *DEFAULT_ON_BELT]
+    run = chutecalc.solve(chutecalc.load(BELT))
+    for name in DEFAULT_ON_BELT:
+        assert float(row[name]) == run.receiver[name.removeprefix("receiver_")][0]
+
+
+LINERS = ("segments.spoon.liner=steel,ceramic", "segments.hood.liner=ceramic,steel")
+
+
+def test_a_grid_of_names_and_numbers_is_its_rows_one_by_one(capsys):
+    rows = swept(capsys, LINERS[0], "rate=1000,1500", LINERS[1], HOOD)
+    assert [tuple(row.values())[:3] for row in rows] == [
+        (spoon, rate, hood)
+        for spoon in ("steel", "ceramic")
+        for rate in ("1000.0", "1500.0")
+        for hood in ("ceramic", "steel")
+    ]
+    for row in rows:
+        changes = {path: float(row[path]) if path == "rate_t_h" else row[path] for path in list(row)[:3]}
+        changes["flow.rate_t_h"] = changes.pop("rate_t_h")
+        alone = chutecalc.solve(chutecalc.load(HOOD, changes))
+        assert float(row["exit_velocity_m_s"]) == alone.exit_velocity[0]
+    assert len({row["exit_velocity_m_s"] for row in rows}) == 8
+
+
+def test_names_side_by_side(capsys):
+    grid = {tuple(row.values())[:3]: row for row in swept(capsys, *LINERS, "rate=1000,1500", HOOD)}
+    rows = swept(capsys, "--zip", *LINERS, "rate=1500", HOOD)
+    assert [tuple(row.values())[:3] for row in rows] == [("steel", "ceramic", "1500.0"), ("ceramic", "steel", "1500.0")]
+    assert all(row == grid[tuple(row.values())[:3]] for row in rows)
+    assert "equal length" in refused(capsys, "--zip", LINERS[0], "rate=1,2,3", HOOD)
+
+
+def test_names_of_laws_sections_and_kinds(capsys):
+    for argument in ("model.friction_law=paper,equilibrium", "segments.spoon.section=hood,spoon"):
+        rows = swept(capsys, argument, HOOD)
+        path, names = argument.split("=")
+        for row, name in zip(rows, names.split(","), strict=True):
+            alone = chutecalc.solve(chutecalc.load(HOOD, {path: name}))
+            assert (row[path], float(row["exit_velocity_m_s"])) == (name, alone.exit_velocity[0])
+    kinds = swept(capsys, "segments.spoon.kind=curve,hood", HOOD)  # it flattens, which a hood cannot
+    assert [row["status"] for row in kinds] == ["ok", "impossible"]
+
+
+def test_wrong_names_stop_a_sweep_before_it_starts(capsys, monkeypatch):
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    message = refused(capsys, "segments.spoon.liner=steel,cermic", "model.friction_law=papr", "rate=-1,2", HOOD)
+    assert 'segments.3.liner = "cermic" names cermic, which is not defined' in message
+    assert "model.friction_law" in message
+    message = refused(capsys, "segments.spoon.liner=steel,cermic", "rate=-1,2", HOOD)
+    for words in ("cermic", "flow.rate_t_h = -1 to 2 must be greater than 0"):
+        assert words in message
+    assert "is not a number" in refused(capsys, "segments.spoon.radius_m=two", HOOD)
+    assert "is not a number" in refused(capsys, "segments.spoon.radius_m=1,steel", HOOD)
+    assert "has no item" in refused(capsys, "segments.spon.liner=steel", HOOD)
+    twice = refused(capsys, "segments.spoon.liner=steel,ceramic", "segments.3.liner=steel", HOOD)
+    assert "is given twice, also as segments.spoon.liner" in twice
+    assert "width_m = 1.0 is not a key of this table" in refused(capsys, "sections.hood.shape=rectangular,vee", HOOD)
+
+
+def test_names_with_a_chamfer_that_is_adjusted(capsys):
+    arguments = ("beta=30,45", "--keep", "width", HOOD)
+    rows = swept(capsys, "segments.hood.liner=steel,ceramic", *arguments)
+    for liner in ("steel", "ceramic"):
+        own = [row for row in rows if row["segments.hood.liner"] == liner]
+        alone = swept(capsys, f"segments.hood.liner={liner}", *arguments)
+        assert own == alone
+    assert len({row["exit_velocity_m_s"] for row in rows}) == 4
+
+
+def test_names_in_every_format_and_resumed(capsys, tmp_path, monkeypatch):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    arguments = [LINERS[0], "rate=1000,1500", HOOD]
+    files = {kind: tmp_path / f"rows.{kind}" for kind in ("csv", "parquet", "json")}
+    outputs = [word for kind, file in files.items() for word in (f"--{kind}", str(file))]
+    monkeypatch.setattr("chutecalc.studies.sweep.block_store.BlockStore.remove", lambda self: None)
+    assert main(["sweep", *arguments, *outputs]) == 0
+    document = json.loads(files["json"].read_text(encoding="utf-8"))
+    assert [row["segments.spoon.liner"] for row in document["rows"]] == ["steel", "steel", "ceramic", "ceramic"]
+    assert document["parameters"][0] == {"name": "segments.spoon.liner", "paths": ["segments.spoon.liner"], "values": 2}
+    assert document["rows"] == parquet.read_table(files["parquet"]).to_pylist()
+    first = files["csv"].read_bytes()
+    capsys.readouterr()
+    other = ["segments.spoon.liner=ceramic,steel", *arguments[1:]]
+    assert "differs in the parameters" in refused(capsys, *other, "--csv", str(files["csv"]), "--resume")
+    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)  # all blocks are there
+    assert main(["sweep", *arguments, "--csv", str(files["csv"]), "--resume"]) == 0
+    assert files["csv"].read_bytes() == first
+
+
+def drawn(*arguments):
+    """Return the picture of a sweep."""
+    chute = chutecalc.load(HOOD)
+    sweep = rows_of.Sweep(chute, read_parameters(list(arguments), chute))
+    return draw_sweep(sweep, sweep.block(0)), sweep.block(0)
+
+
+def test_names_in_pictures_and_charts(capsys):
+    figure, block = drawn(LINERS[0])
+    axes = figure.axes[0]
+    (line,) = (line for line in axes.lines if line.get_gid() == "line")
+    assert [label.get_text() for label in axes.get_xticklabels()] == ["steel", "ceramic"]
+    assert (line.get_xdata().tolist(), line.get_ydata().tolist()) == ([0, 1], block["exit_velocity_m_s"].tolist())
+    figure, block = drawn(LINERS[0], "rate=1000:1500:#3")
+    lines = [line for line in figure.axes[0].lines if line.get_gid() == "line"]
+    assert [line.get_label() for line in lines] == ["spoon liner = steel", "spoon liner = ceramic"]
+    for line, name in zip(lines, ("steel", "ceramic"), strict=True):
+        own = block["segments.spoon.liner"] == name
+        assert line.get_ydata().tolist() == block["exit_velocity_m_s"][own].tolist()
+    assert main(["sweep", LINERS[0], HOOD, "--chart"]) == 0
+    assert "(spoon liner: 0 steel, 1 ceramic)" in capsys.readouterr().out
+
+
+def test_names_may_stand_for_several_keys_at_once():
+    states = {"dry": {"flow.rate_t_h": 1000.0}, "wet": {"flow.rate_t_h": 1200.0, "liners.steel.friction_deg": 30.0}}
+    case = TextParameter("case", np.array(list(states)), lambda chute, name: chute.put(states[name]))
+    (radius,) = read_parameters(["segments.spoon.radius_m=2,3"], chute := chutecalc.load(HOOD))
+    sweep = rows_of.Sweep(chute, [radius, case])
+    block = sweep.block(0)
+    assert block["case"].tolist() == ["dry", "wet", "dry", "wet"]
+    for k, name in enumerate(block["case"].tolist()):
+        alone = chutecalc.solve(chute.put(states[name] | {"segments.spoon.radius_m": [2.0, 3.0][k // 2]}))
+        assert block["exit_velocity_m_s"][k] == alone.exit_velocity[0]
+    assert column_of(sweep, "case").heading == "case"

@@ -236,5 +236,23 @@ class ClosedMaker(Maker):
         }
 
 
-MAKERS = (Maker, ClosedMaker)
+class BeltMaker(Maker):
+    """Draws chutes that a belt feeds: one whose width is given, and on which a slow stream may slide."""
+
+    def chute(self) -> dict[str, Any]:
+        data = super().chute()
+        belt: dict[str, Any] = {
+            "velocity_m_s": self.quantity(0.05, 8, (0.3, 5.0)),
+            "incline_deg": float(self.random.uniform(-40, 25)),
+            "pulley_radius_m": self.quantity(0.1, 1, (0.2, 0.6)),
+            "width_m": self.quantity(0.1, 4, (0.6, 2.4)),
+            "trough_deg": 0.0 if self.maybe(0.2) else float(self.random.uniform(0, 60)),
+            "surcharge_deg": 0.0 if self.maybe(0.05) else float(self.random.uniform(0.1, 40)),
+        }
+        belt |= self.perhaps(0.3, roll_m=(0.05, 1)) | self.perhaps(0.5, friction_deg=(1e-6, 89))
+        data["inlet"] = {"belt": belt} | {key: data["inlet"][key] for key in ("at_m",) if key in data["inlet"]}
+        return data
+
+
+MAKERS = (Maker, ClosedMaker, BeltMaker)
 """All that draw chutes, each with cases of its own. For a new shape or kind add a class derived from ``Maker``."""

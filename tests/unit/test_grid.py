@@ -31,3 +31,62 @@ def test_as_rich_draws_it(seed):
 
 def test_how_wide_letters_are():
     assert [width(text) for text in WORDS] == [0, 1, 8, 8, 7, 4, 5, 1, 2, 3, 7]
+
+
+def cells(parts):
+    """Return the cells beside the labels, column by column."""
+    return [
+        [row[k] for row in part.rows if row[k]]
+        for part in parts
+        for k, column in enumerate(part.columns)
+        if not column.label
+    ]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_wide_table_becomes_several_that_fit_and_lose_nothing(seed):
+    random = np.random.default_rng(seed)
+    grid = Grid(indent=GAP if seed % 2 else "")
+    labels = int(random.integers(0, 3))
+    for k in range(labels + int(random.integers(1, 12))):
+        grid.column("x" * int(random.integers(1, 9)) + "\nm", left=k < labels, label=k < labels)
+    for _ in range(random.integers(1, 6)):
+        grid.row("" if random.random() < 0.2 else f"{random.normal():.{random.integers(0, 6)}f}" for _ in grid.columns)
+    whole = grid.fitted(10_000)
+    assert [list(part.lines()) for part in whole] == [list(grid.lines())]
+    parts = grid.fitted(40)
+    assert cells(parts) == cells(whole)
+    assert all(sum(column.label for column in part.columns) == labels for part in parts)
+    for part in parts:
+        alone = len(part.columns) == labels + 1  # a column that does not fit beside the labels stands alone
+        assert alone or max(map(width, part.lines())) <= 40
+    wide = max(map(width, grid.lines()))
+    assert (len(parts) == 1) == (wide <= 40 or len(grid.columns) == labels + 1)
+
+
+def test_words_are_broken_where_they_must_and_numbers_never():
+    grid = Grid()
+    grid.column("name", left=True, label=True)
+    grid.column("meaning", left=True, words=True)
+    grid.column("m")
+    grid.row(["depth", "flow depth normal to the centre section of the chute", "0.1399"])
+    (part,) = grid.fitted(40)
+    assert list(part.lines()) == [
+        "name   meaning                        m",
+        "depth  flow depth normal to the  0.1399",
+        "       centre section of the",
+        "       chute",
+    ]
+    narrow = [line for part in grid.fitted(10) for line in part.lines()]
+    assert any(line.endswith("0.1399") for line in narrow)
+    broken = " ".join(line.split()[-1] for line in narrow[1:11])
+    assert broken == "flow depth normal to the centre section of the chute"
+
+
+def test_a_row_of_labels_alone_is_in_the_first_table_only():
+    grid = Grid()
+    for k, heading in enumerate(("segment", "velocity", "depth")):
+        grid.column(heading, left=k == 0, label=k == 0)
+    grid.row(["fall", "4.0", ""])
+    grid.row(["spoon", "3.878", "0.1399"])
+    assert [[row[0] for row in part.rows] for part in grid.fitted(20)] == [["fall", "spoon"], ["spoon"]]

@@ -9,6 +9,7 @@ from chutecalc.design import Status
 from chutecalc.solver import chain, contact_profile
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.panels import Panels
+from tests.conftest import ROOT
 
 CHAIN = {
     "flow": {"rate_t_h": 1000.0},
@@ -128,3 +129,23 @@ def test_an_unknown_column_is_refused_in_the_same_words_everywhere():
         )
     with pytest.raises(chutecalc.UsageError, match="there is no column segment at the exit"):
         solution.exit_columns("segment")
+
+
+def test_edges_are_flown_for_those_who_ask(monkeypatch):
+    """The inlet, exits and columns of sweeps do without; findings and edges solve each edge once."""
+    solved = []
+
+    def counting(*arguments, **options):
+        solved.append(arguments)
+        return run_chain(*arguments, **options)
+
+    monkeypatch.setattr("chutecalc.results.edges.run_chain", counting)
+    chute = chutecalc.load(ROOT / "specs" / "troughed_belt_hood.toml")
+    chutecalc.exits(chute)
+    solution = chutecalc.solve(chute)
+    assert solution.inlet["material_depth_m"][0] > 0.0
+    assert np.isfinite(solution.exit_velocity).all()
+    assert not solved
+    solution.findings()
+    assert len(solution.edges) == 3
+    assert len(solved) == 2

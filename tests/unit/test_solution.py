@@ -7,6 +7,7 @@ import chutecalc
 from chutecalc.fields.units import UNITS, convert, unit_keys
 from chutecalc.results.column import quantity_text
 from chutecalc.results.columns import AT_EXIT, COLUMNS
+from chutecalc.results.segments import SegmentResult, joined
 from tests.conftest import chute
 
 FALL_AND_SPOON = [
@@ -168,3 +169,18 @@ def test_numbers_of_messages_carry_their_units():
     assert quantity_text("velocity_m_s", 0.00508, "us") == "1 fpm"
     assert quantity_text("wall_height_m", 0.3048, "us") == "1 ft"
     assert quantity_text("wall_height_m", 0.3048, "us", "in") == "12 in"
+
+
+def test_an_impact_on_a_later_visit_counts_whatever_the_batch():
+    def visit(*incidence):
+        end = {"velocity_m_s": np.ones(len(incidence))}
+        struck = {"incidence_deg": np.array(incidence)} if np.isfinite(incidence).any() else {}
+        reached = np.full(len(incidence), "ok")
+        return SegmentResult("hood", "hood", reached, end, end, end, end, np.zeros(len(incidence)), struck)
+
+    nan = np.nan
+    together = joined(visit(5.0, nan, nan), visit(7.0, 9.0, nan)).impact["incidence_deg"]
+    np.testing.assert_array_equal(together, [5.0, 9.0, nan])
+    for first, again, both in ((5.0, 7.0, 5.0), (nan, 9.0, 9.0), (5.0, nan, 5.0)):
+        assert joined(visit(first), visit(again)).impact["incidence_deg"] == both
+    assert joined(visit(nan), visit(nan)).impact == {}

@@ -381,6 +381,10 @@ def with_tables(**tables):
     return data | tables
 
 
+def belt(**keys):
+    return {"inlet": {"belt": {"velocity_m_s": 3.0, "pulley_radius_m": 0.4} | keys}}
+
+
 @pytest.mark.parametrize(
     ("tables", "path", "words"),
     [
@@ -411,6 +415,19 @@ def with_tables(**tables):
             "no width",
         ),
         ({"inlet": {"belt": {"velocity_m_s": 3, "pulley_radius_m": 0.4}, "slope_deg": 3}}, "inlet.slope_deg", "belt"),
+        (belt(trough_deg=30), "inlet.belt.trough_deg", "only for a belt with width_m"),
+        (belt(roll_mm=300), "inlet.belt.roll_mm", "only for a belt with width_m"),
+        (belt(width_m=1, trough_deg=30), "inlet.belt.surcharge_deg", "is missing"),
+        (belt(width_m=1, surcharge_deg=20), "inlet.belt.trough_deg", "needed with width_m"),
+        (
+            belt(width_m=1, trough_deg=30, surcharge_deg=20, material_depth_mm=100),
+            "inlet.belt.material_depth_mm",
+            "follows from width_m",
+        ),
+        (belt(width_m=1, trough_deg=0, surcharge_deg=0), "inlet.belt.surcharge_deg", "no load on a flat belt"),
+        (belt(width_m=1, trough_deg=9, surcharge_deg=9, roll_m=1), "inlet.belt.roll_m", "not shorter than"),
+        (belt(width_m=0.09, trough_deg=9, surcharge_deg=9), "inlet.belt.width_m", "at least 0.1 m"),
+        (belt(friction_deg=90), "inlet.belt.friction_deg", "less than 90°"),
         ({"inlet": {"velocity_m_s": 3}}, "inlet.slope_deg", "is missing"),
         ({"inlet": {"velocity_m_s": 3, "slope_deg": 9, "at_m": [1]}}, "inlet.at_m", "two numbers"),
         ({"model": {"friction_law": "mine"}}, "model.friction_law", "'paper' or 'equilibrium'"),

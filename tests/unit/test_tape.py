@@ -10,6 +10,7 @@ PROGRAMS = {
     "arithmetic": lambda x, y: (x + y) * x - y / x + 2.0 * -x,
     "a square": lambda x, y: x**2 + np.square(y),
     "angles": lambda x, y: np.sin(x) + np.cos(y) * np.tan(x) + np.arccos(x * 0.5),
+    "an exponential": lambda x, y: np.exp(x - y),
     "a root": lambda x, y: np.sqrt(x * x + y * y),
     "size": lambda x, y: np.abs(y) + np.minimum(x, y) - np.maximum(x, 0.5 * y),
     "a choice": lambda x, y: np.where(x < y, x, np.where((y <= 0.0) & ~(x == 0.0), 2.0 * x, y)),

@@ -12,6 +12,7 @@ from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.registry import load_modules
 from chutecalc.results.criterion import CRITERIA, Scene
+from chutecalc.results.edges import Edge
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.sampled import SampledPart
 
@@ -22,13 +23,23 @@ NEEDED = tuple(dict.fromkeys(needed for criterion in CRITERIA for needed in crit
 _RANK = {severity: rank for rank, severity in enumerate(Severity)}
 
 
-def find(parts: Sequence[SampledPart], received: Numbers, exit_distance: Array, designs: int) -> list[Finding]:
+def find(
+    parts: Sequence[SampledPart],
+    *,
+    received: Numbers,
+    exit_distance: Array,
+    inlet: Numbers,
+    edges: Sequence[Edge],
+    designs: int,
+) -> list[Finding]:
     """Return all findings of a solution: failures, then warnings, then notes, each along the stream.
 
     Args:
         parts: of the trajectory, with ``NEEDED`` among their extremes.
         received: receiver columns at the exit; empty where the chute loads no belt.
         exit_distance: distance from the inlet at the exit, m, shape (designs,).
+        inlet: numbers of the inlet.
+        edges: of a stream that comes from a belt.
         designs: number of designs.
     """
     found: list[Finding] = []
@@ -43,12 +54,16 @@ def find(parts: Sequence[SampledPart], received: Numbers, exit_distance: Array, 
                 continues = continues | (solved.status != Status.NOT_REACHED) & (solved is not sampled.part.solved)
             last = bool(surfaces) and sampled.part is surfaces[-1]
             at_end = received if number == len(parts) - 1 else {}
+            first = next(part for part in parts if part.part.solved.number == sampled.part.solved.number)
+            visited = first.part.solved is not sampled.part.solved
             scene = Scene(
                 sampled,
                 continues=continues,
                 last_surface=last,
                 received=at_end,
                 exit_distance=exit_distance,
+                inlet=inlet if sampled.part.solved is parts[0].part.solved else {},
+                edges=() if visited else edges,
                 designs=designs,
             )
             found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]

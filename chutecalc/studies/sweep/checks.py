@@ -9,13 +9,14 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.results.columns import AT_STATION, closest
+from chutecalc.spec.paths import with_values
 from chutecalc.studies.sweep.columns import own_columns, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
 """Columns of a sweep of designs where none are asked for."""
-DEFAULT_ON_BELT = ("receiver_velocity_ratio", "receiver_velocity_across_m_s")
+DEFAULT_ON_BELT = ("receiver_velocity_ratio", "receiver_velocity_into_m_s")
 """Those beside, where there is a receiving belt."""
 
 
@@ -76,6 +77,8 @@ def chutes_by_names(chute: Chute, grid: Grid) -> dict[tuple[str, ...], Chute]:
             faults += error.faults if error.designs is None else ()
     if faults:
         raise SpecError(list(dict.fromkeys(faults)), chute.source)
+    whole = {path: each.values[0] for each in grid.parameters for path in each.paths}
+    with_values(chute.data, whole, chute.source)  # where names and numbers meet at a key, it is given twice
     return found
 
 

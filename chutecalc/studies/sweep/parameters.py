@@ -10,7 +10,7 @@ from chutecalc.fields.ranges import read_values
 from chutecalc.fields.units import UNITS, same_quantity, unit_keys
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.paths import item_names
-from chutecalc.studies.sweep.text_parameter import TextParameter, takes_names, text_parameter
+from chutecalc.studies.sweep.text_parameter import CASE, TextParameter, case_parameter, takes_names, text_parameter
 
 SHORT = {
     "beta": ("sections", "chamfer_deg"),
@@ -93,6 +93,9 @@ def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]
 
 def _parameter(argument: str, chute: Chute) -> AnyParameter:
     """Return the parameter that an argument stands for."""
+    first, _, rest = (part.strip() for part in argument.partition("="))
+    if first == CASE:
+        return case_parameter(rest, chute)
     try:
         name, values = split_argument(argument, DEFAULT_VALUES)
     except UsageError:

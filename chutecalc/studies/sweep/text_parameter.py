@@ -6,8 +6,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from chutecalc.api.chute import Chute
+from chutecalc.errors import UsageError
 from chutecalc.fields.units import same_quantity
+from chutecalc.results.cases import DESIGN_POINT
 from chutecalc.spec.paths import value_at
+
+CASE = "case"
+"""Name of the parameter that goes through the cases of a spec."""
 
 
 class TextParameter(NamedTuple):
@@ -36,7 +41,36 @@ def text_parameter(path: str, text: str) -> TextParameter:
     'equilibrium'
     """
     names = np.array([name.strip() for name in text.split(",")])
-    return TextParameter(path, names, lambda chute, name: chute.put({path: name}), (path,))
+    return TextParameter(path, names, lambda chute, name: chute.vary({path: name}), (path,))
+
+
+def case_parameter(text: str, chute: Chute) -> TextParameter:
+    r"""Return the parameter that goes through operating states of the spec.
+
+    Args:
+        text: names of cases with commas between, ``design`` for the spec as written; empty for all of them.
+        chute: whose spec has the cases.
+
+    Raises:
+        UsageError: the spec has no such case.
+
+    >>> import chutecalc
+    >>> spoon = chutecalc.parse(chutecalc.STARTER + '[cases.surge]\n"flow.rate_t_h" = 1500')
+    >>> case_parameter("", spoon).values.tolist()
+    ['design', 'surge']
+    """
+    known = [DESIGN_POINT, *chute.cases]
+    if len(known) == 1:
+        raise UsageError('case: the spec has no cases. Add a table [cases.NAME] with keys such as "flow.rate_t_h".')
+    names = [name.strip() for name in text.split(",")] if text else known
+    if unknown := [name for name in names if name not in known]:
+        raise UsageError(f"case: there is no case {', '.join(unknown)}. Use some of {', '.join(known)}.")
+    return TextParameter(CASE, np.array(names), _state)
+
+
+def _state(chute: Chute, name: str) -> Chute:
+    """Return a chute in one of its operating states."""
+    return chute if name == DESIGN_POINT else chute.cases[name]
 
 
 def takes_names(path: str, data: dict[str, Any]) -> bool:

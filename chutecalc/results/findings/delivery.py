@@ -1,0 +1,99 @@
+"""What the belt that the stream comes from makes of it."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.finding import Severity
+
+FULLEST_BELT = 1.0
+"""Area of the load over that which the belt can carry by ISO 5048."""
+
+_ON_PULLEY = (
+    *("discharge_froude", "slope_deg", "velocity_m_s", "slide_start_deg", "held_slope_deg", "held_velocity_m_s"),
+    *("frictionless_slope_deg", "frictionless_velocity_m_s"),
+)
+
+
+@criterion(
+    "slides_on_pulley",
+    Severity.WARNING,
+    Severity.NOTE,
+    summary="the belt is too slow to throw the stream, which slides on the pulley, or may do so",
+    limit="Fr < cos ε",
+    in_falls=True,
+)
+def slides_on_pulley(scene: Scene) -> Iterator[Case]:
+    """Find streams that go round the pulley: they slide, or without a friction angle may do so.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    inlet = scene.inlet
+    if "held_slope_deg" not in inlet:
+        return
+    carried = np.isfinite(inlet["held_slope_deg"])
+    numbers = {name: inlet[name] for name in _ON_PULLEY if name in inlet}
+    begin = "the belt is too slow to throw the stream (V²/(g r) is {discharge_froude}): "
+    held = "at {held_slope_deg} and {held_velocity_m_s}"
+    if "slide_start_deg" in inlet:
+        slides = (
+            "it slides on the pulley from {slide_start_deg} on and leaves at {slope_deg} and {velocity_m_s}, and not"
+            f" {held} as one that is held; a faster belt or a smaller pulley throws it"
+        )
+        yield Case(carried, np.zeros(1), begin + slides, numbers)
+        return
+    bounds = (
+        f"it leaves {held} if the belt holds it to the end, as is solved here, and at {{frictionless_slope_deg}} and"
+        " {frictionless_velocity_m_s} if it slides without friction; give friction_deg of the belt"
+    )
+    yield Case(carried, np.zeros(1), begin + bounds, numbers, Severity.NOTE)
+
+
+@criterion(
+    "belt_overfull",
+    Severity.WARNING,
+    summary="the belt brings more than it can carry",
+    limit=f"A_b > {FULLEST_BELT:g} S",
+    source="ISO 5048",
+    in_falls=True,
+)
+def belt_overfull(scene: Scene) -> Iterator[Case]:
+    """Find loads larger than the area that the belt can carry.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    if "belt_fill" not in scene.inlet:
+        return
+    numbers = {name: scene.inlet[name] for name in ("belt_fill", "load_width_m", "load_area_m2")}
+    template = (
+        "the load of {load_area_m2} fills the belt that brings it to {belt_fill} (limit 1) and spills; it would cover"
+        " {load_width_m:in} of belt: use a wider or faster belt"
+    )
+    yield Case(numbers["belt_fill"] > FULLEST_BELT, np.zeros(1), template, numbers)
+
+
+@criterion(
+    "edge_misses", Severity.WARNING, summary="an edge of the stream misses the segment on which its middle lands"
+)
+def edge_misses(scene: Scene) -> Iterator[Case]:
+    """Find edges of a stream from a belt that do not land on the segment on which the middle does.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    s = scene.solved.entry.distance
+    for edge in scene.edges:
+        misses = edge.misses & (edge.target == scene.solved.number)
+        begin = f"the {edge.name} edge of the stream misses the segment on which its middle lands: it "
+        gap = edge.numbers["gap_m"]
+        elsewhere = edge.segment != ""
+        for mask, fate, numbers in (
+            (gap > 0.0, "passes {gap_m} beyond its end; make the segment longer or move it", {"gap_m": gap}),
+            (gap <= 0.0, "passes {gap_m} behind its end; begin the segment earlier or move it", {"gap_m": -gap}),
+            (elsewhere, "lands on another one; move that out of its way", {}),
+            (~elsewhere & np.isnan(gap), "never reaches it; move it towards the stream", {}),
+        ):
+            yield Case(misses & mask, s, begin + fate, numbers)
