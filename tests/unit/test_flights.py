@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.output.plots.flights import Throw, belt_edges, crossings
-from chutecalc.output.plots.traces import view
+from chutecalc.output.plots.flights import Throw, belt_throws, crossings
+from chutecalc.output.plots.view import view
 from tests.conftest import ROOT, spec
 
 GRAVITY = 9.80665
@@ -65,7 +65,7 @@ def test_crossings_of_paths_at_random():
 def test_the_edges_of_a_feeding_belt_leave_at_their_own_radius(velocity):
     data = spec(segments=[{"kind": "fall", "drop_m": 2.0}])
     design = chutecalc.parse(data | {"inlet": {"belt": BELT | {"velocity_m_s": velocity}}}).design
-    lower, middle, upper = belt_edges(design.belt, design.gravity)
+    lower, middle, upper = belt_throws(design.belt, design.gravity)
     for edge, radius in zip((lower, middle, upper), (0.52, 0.62, 0.72), strict=True):
         assert np.hypot(edge.x, edge.z) == pytest.approx(radius, rel=1e-12)
         assert edge.x * edge.forward - edge.z * edge.downward == pytest.approx(0.0, abs=1e-12)  # along the pulley

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle, FancyArrowPatch
 
 from chutecalc.design import Belt
-from chutecalc.output.plots.flights import Line, belt_edges
+from chutecalc.output.plots.flights import Line, belt_throws
 from chutecalc.output.plots.style import LOAD, STEEL
 from chutecalc.results.solved import SolvedChute
 
@@ -28,11 +28,13 @@ def feed_lines(solution: SolvedChute) -> list[Line]:
     belt = solution.design.belt
     if belt is None:
         return []
-    lower, _, upper = belt_edges(belt, solution.design.gravity)
-    radii = (belt.lower_radius[0], 2.0 * belt.middle_radius[0] - belt.lower_radius[0])
-    edges = [_around(belt, float(r), (edge.x, edge.z)) for r, edge in zip(radii, (lower, upper), strict=True)]
+    throws = belt_throws(belt, solution.design.gravity)
+    ends = ((belt.edge_radii["lower"], throws[0]), (belt.edge_radii["upper"], throws[-1]))
+    edges = [_around(belt, float(radius[0]), (edge.x, edge.z)) for radius, edge in ends]
     around = np.linspace(0.0, 2.0 * np.pi, 4 * ON_PULLEY, endpoint=False)
-    pulley = np.stack([belt.centre[0] + radii[0] * np.sin(around), belt.centre[1] + radii[0] * np.cos(around)])
+    pulley = np.stack(
+        [belt.centre[0] + belt.lower_radius * np.sin(around), belt.centre[1] + belt.lower_radius * np.cos(around)]
+    )
     return [*edges, pulley]
 
 

@@ -11,7 +11,8 @@ from chutecalc.output.plots.panels import along, limit
 from chutecalc.output.plots.side import MISSED
 from chutecalc.output.plots.style import labels_of, looks
 from chutecalc.output.plots.text import fitted, legend_columns, legend_rows
-from chutecalc.output.plots.traces import extent, view
+from chutecalc.output.plots.traces import extent
+from chutecalc.output.plots.view import view
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from chutecalc.design import Belt
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.belt import discharge
 from chutecalc.physics.surface import Surface, point
+from chutecalc.results.inlet import leaves_belt
 
 Line = Array
 """Horizontal position and height along a line, m, of shape (2, stations)."""
@@ -15,6 +15,8 @@ STATIONS = 101
 """Number of stations along each segment or flight."""
 SHARES = np.linspace(0.0, 1.0, STATIONS)
 """Their shares of the length of a surface."""
+LEAVES = ("x_m", "z_m", "slope_deg", "velocity_m_s")
+"""Columns that a flight follows from."""
 LATEST = 1.5
 """An edge is followed to this multiple of the stream's time of flight, to find where it lands."""
 
@@ -104,22 +106,32 @@ def crossings(path: Line, other: Line) -> Array:
     return np.sort((np.arange(hit.shape[0])[:, None] + share)[hit])
 
 
-def belt_edges(belt: Belt, gravity: Array) -> list[Throw]:
-    """Return how the lower edge, the middle and the upper edge of a stream leave the belt that it comes from.
-
-    Each leaves at its own radius, see :func:`chutecalc.physics.belt.discharge`.
+def belt_throws(belt: Belt, gravity: Array) -> list[Throw]:
+    """Return how the edges of a stream leave the belt that it comes from: lower edge, middle, upper edge.
 
     Args:
-        belt: the belt.
+        belt: the belt. A stream without depth has one edge only.
         gravity: m/s², shape (1,).
     """
     throws = []
-    for radius in (belt.lower_radius, belt.middle_radius, 2.0 * belt.middle_radius - belt.lower_radius):
-        edge = discharge(belt.velocity, belt.incline, belt.lower_radius, radius, gravity)
-        forward, downward = edge.velocity * np.cos(edge.slope), edge.velocity * np.sin(edge.slope)
-        numbers = (belt.centre[0] + edge.x, belt.centre[1] + edge.z, forward, downward, gravity)
-        throws.append(Throw(*(float(each[0]) for each in numbers)))
-    return throws
+    for radius in belt.edge_radii.values():
+        edge = leaves_belt(belt, radius, gravity, belt.friction)
+        numbers = (belt.centre[0] + edge.x, belt.centre[1] + edge.z, np.degrees(edge.slope), edge.velocity, gravity)
+        throws.append(thrown(*(float(each[0]) for each in numbers)))
+    return list(dict.fromkeys(throws))
+
+
+def thrown(x: float, z: float, slope_deg: float, velocity: float, gravity: float) -> Throw:
+    """Return the throw of what leaves a place at a slope.
+
+    Args:
+        x, z: the place, m.
+        slope_deg: below horizontal, degrees.
+        velocity: m/s.
+        gravity: m/s².
+    """
+    slope = np.radians(slope_deg)
+    return Throw(x, z, float(velocity * np.cos(slope)), float(velocity * np.sin(slope)), gravity)
 
 
 def surface_line(surface: Surface, height: Array | float = 0.0) -> Line:

@@ -11,7 +11,8 @@ from chutecalc.output.plots.notes import notes
 from chutecalc.output.plots.panels import draw_panels, mark_ends
 from chutecalc.output.plots.side import SideView
 from chutecalc.output.plots.style import SMALL, lay_out, styled
-from chutecalc.output.plots.traces import extent, view
+from chutecalc.output.plots.traces import extent
+from chutecalc.output.plots.view import view
 from chutecalc.results.solved import SolvedChute
 
 KEY: dict[str, Any] = {"handlelength": 2.2, "columnspacing": 1.4, "borderaxespad": 0.0, "borderpad": 0.0}
