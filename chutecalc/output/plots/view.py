@@ -41,9 +41,26 @@ def view(solution: SolvedChute) -> View:
     inlet = np.stack([solution.inlet[name][:1] for name in ("x_m", "z_m")])
     paths = [np.stack([at["x_m"], at["z_m"]]) for _, at in reached]
     size = float(extent([inlet, *(steel.path for steel in surfaces), *paths]).max())
+    stream, throws = _stream(solution, reached, DEEPEST * size)
+    received = receiver_lines(solution, size)
+    x, z, slope, velocity = (float(stream[-1].columns[name][-1]) for name in LEAVES)
+    path = thrown(x, z, slope, velocity, float(solution.design.gravity[0]))
+    landing = float(solution.receiver["landing_z_m"][0]) if received else np.nan
+    lost = None
+    if solution.trajectory.status_numbers[0] in (Status.MISSED, Status.CONTACT_LOST):
+        lost = _onwards(stream[-1], path, throws, LOST, *_caught(path, surfaces, _below([*surfaces, *stream])))
+    elif landing < path.z:
+        stream.append(_onwards(stream[-1], path, throws, FLIGHT, path.time_to(landing), _lengthened(received[0])))
+    return View(stream, lost, surfaces, feed_lines(solution), received, size)
+
+
+def _stream(
+    solution: SolvedChute, reached: Sequence[tuple[Part, Lines]], deepest: float
+) -> tuple[list[Trace], list[Throw]]:
+    """Return the traces of the stream, and how its edges would fly on from the last."""
     design = solution.design
     throws = belt_throws(design.belt, design.gravity) if design.belt else []
-    stream: list[Trace] = []
+    stream = []
     for (part, at), following in zip_longest(reached, reached[1:]):
         if part.contact is None:
             throws = throws or [Throw(*part.solved.path[:, 0].tolist())]
@@ -53,21 +70,15 @@ def view(solution: SolvedChute) -> View:
         else:
             assert isinstance(part.segment, Contact)
             side = part.segment.side
-            edges, throws = _guided(at, side, DEEPEST * size, float(solution.design.gravity[0]))
+            edges, throws = _guided(at, side, deepest, float(design.gravity[0]))
         stream.append(Trace(part.name, part.kind, side, at, edges))
-    stream = stream or [_at_inlet(solution)]
-    received = receiver_lines(solution, size)
-    landing = float(solution.receiver["landing_z_m"][0]) if received else np.nan
-    x, z, slope, velocity = (float(stream[-1].columns[name][-1]) for name in LEAVES)
-    path = thrown(x, z, slope, velocity, float(design.gravity[0]))
-    lost = None
-    if solution.trajectory.status_numbers[0] in (Status.MISSED, Status.CONTACT_LOST):
-        lost = _onwards(stream[-1], path, throws, LOST, *_caught(path, surfaces, _below([*surfaces, *stream])))
-    elif landing < path.z:
-        belt_line = np.stack([received[0][:, 0], received[0][:, -1]], axis=1)
-        long = belt_line.mean(axis=1)[:, None] + FAR * (belt_line - belt_line.mean(axis=1)[:, None])
-        stream.append(_onwards(stream[-1], path, throws, FLIGHT, path.time_to(landing), long))
-    return View(stream, lost, surfaces, feed_lines(solution), received, size)
+    return stream or [_at_inlet(solution)], throws
+
+
+def _lengthened(line: Line) -> Line:
+    """Return a belt at its whole length."""
+    middle: Line = line.mean(axis=1)[:, None]
+    return middle + FAR * (line - middle)
 
 
 def _surfaces(solution: SolvedChute) -> list[Steel]:
