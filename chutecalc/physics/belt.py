@@ -6,7 +6,6 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array
 
-
 ROUNDING = 4e-16
 """Share of a velocity below which a component of it is rounding."""
 

@@ -57,7 +57,7 @@ class Arc(Guide):
         for section in (contact.section, contact.end_section):
             if section is not None and section.closed:
                 height = np.maximum(height, section.wall_height)
-        inwards = contact.side * np.sign(entry - contact.exit_slope)  # the sign of κ σ
+        inwards = np.where(entry > contact.exit_slope, contact.side, -contact.side)  # the sign of κ σ
         problem = f"leaves the inner wall of the bend no length: the section is {height.flat[0]:.6g} m high"
         return radius <= inwards * height, problem, "give a larger radius, or a smaller section"
 

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.output.plots.run import PANELS, draw_run
+from chutecalc.output.plots.flights import STATIONS
+from chutecalc.output.plots.layout import PANELS
+from chutecalc.output.plots.run import draw_run
 from chutecalc.output.plots.save import PICTURE_FORMATS, save
 from chutecalc.output.plots.style import colours
-from chutecalc.output.plots.traces import STATIONS
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.friction.plot import draw_study
 from chutecalc.studies.friction.study import FrictionStudy
@@ -29,6 +30,14 @@ def drawn(*chutes, units="metric"):
 
 def by_name(axes, gid):
     return [artist for artist in (*axes.lines, *axes.collections) if artist.get_gid() == gid]
+
+
+def explained(axes):
+    return {text.get_text() for text in axes["key"].get_legend().get_texts()}
+
+
+def written(axes):
+    return {text.get_text() for text in axes.texts}
 
 
 def load(name):
@@ -67,9 +76,10 @@ def test_panels_show_the_solutions_numbers_in_their_units(name, units):
         assert np.array_equal(line.get_xdata(), x)
         assert np.array_equal(line.get_ydata(), y, equal_nan=True)
         unit = COLUMNS[column].unit_text(units)
-        assert axes[column].get_ylabel() == f"{COLUMNS[column].heading} {COLUMNS[column].symbol}, {unit}"
+        name = f"{COLUMNS[column].heading} {COLUMNS[column].symbol}".strip()
+        assert axes[column].get_ylabel() == f"{name}, {unit}"
     long = "ft" if units == "us" else "m"
-    assert axes["pressure_kpa"].get_xlabel().endswith(f"s, {long}")
+    assert axes["wear_w_m2"].get_xlabel().endswith(f"s, {long}")
     assert axes["side"].get_xlabel().endswith(f"x, {long}")
     assert axes["side"].get_ylabel() == f"height z, {long}"
 
@@ -91,16 +101,120 @@ def test_the_stream_stands_on_its_surface_at_its_depth_and_hangs_below_a_hood():
         assert np.allclose(band.get_array(), 0.5 * (at["velocity_m_s"][1:] + at["velocity_m_s"][:-1]), rtol=1e-14)
 
 
-def test_a_flight_is_a_path_and_no_band():
+def test_a_flight_off_a_surface_is_a_band_that_keeps_its_width():
     _, axes, (solution,) = drawn(load("coal_hood_spoon"))
     (flight,) = by_name(axes["side"], "flight")
-    middle = solution.stations(points=STATIONS)
-    falls = middle["kind"][0] == "fall"
-    path = np.stack([middle["x_m"][0], middle["z_m"][0]], axis=1)[falls]
+    at = {name: values[0].reshape(-1, STATIONS) for name, values in solution.stations(points=STATIONS).items()}
+    corners = np.array([path.vertices[:4] for path in flight.get_paths()])
+    assert np.allclose(corners[:, 0], np.stack([at["x_m"][1], at["z_m"][1]], axis=1)[:-1], rtol=0, atol=1e-12)
+    slope = np.radians(at["slope_deg"][0, -1])
+    off = -at["depth_m"][0, -1] * np.array([np.sin(slope), np.cos(slope)])  # the hood's stream hangs below it
+    assert np.allclose(corners[0, 3] - corners[0, 0], off, rtol=0, atol=1e-12)
+    assert len(by_name(axes["side"], "edge")) == 2
+    assert explained(axes) >= {"surface", "stream", "in flight", "impact and its incidence"}
+    assert "in flight, path only" not in explained(axes)
+
+
+def test_a_fall_from_the_inlet_is_its_path():
+    _, axes, (solution,) = drawn(load("decline_belt"))
+    (flight,) = by_name(axes["side"], "flight")
+    stations = solution.stations(points=STATIONS)
+    falls = stations["kind"][0] == "fall"
+    path = np.stack([stations["x_m"][0], stations["z_m"][0]], axis=1)[falls]
     assert np.allclose([segment[0] for segment in flight.get_segments()], path[:-1], rtol=0, atol=1e-12)
-    assert len(by_name(axes["side"], "stream")) == 2
-    legend = [text.get_text() for text in axes["side"].get_legend().get_texts()]
-    assert "in flight (path only)" in legend
+    assert "in flight, path only" in explained(axes)
+
+
+def test_the_receiving_belt_is_an_arrow_through_the_end_of_the_chute():
+    _, axes, (solution,) = drawn(load("decline_belt"))
+    (arrow,) = [patch for patch in axes["side"].patches if patch.get_gid() == "receiver"]
+    (x0, z0), (x1, z1) = arrow._posA_posB
+    assert np.degrees(np.arctan2(z0 - z1, x1 - x0)) == pytest.approx(18.0, rel=1e-12)
+    x, z = solution.exit["x_m"][0], solution.exit["z_m"][0]
+    assert x0 < x < x1
+    assert (z - z0) / (x - x0) == pytest.approx((z1 - z0) / (x1 - x0), rel=1e-9)
+    assert "belt, 4 m/s" in written(axes["side"])
+    assert not [patch for patch in drawn(FAILING["stall"])[1]["side"].patches if patch.get_gid() == "receiver"]
+
+
+def with_belt_at(**receiver):
+    data = tomllib.loads((ROOT / "specs" / "belt_hood_spoon.toml").read_text(encoding="utf-8"))
+    return chutecalc.parse(data | {"receiver": data["receiver"] | receiver})
+
+
+@pytest.mark.parametrize(("plan", "heading"), [(0.0, 1.0), (120.0, -1.0)])
+def test_a_stream_flies_on_to_a_belt_that_has_a_place(plan, heading):
+    _, axes, (solution,) = drawn(with_belt_at(at_m=[3.0, -3.6], slope_deg=0.0, plan_angle_deg=plan))
+    landing = [solution.receiver[f"landing_{name}_m"][0] for name in "xz"]
+    *_, last = by_name(axes["side"], "flight")
+    corners = np.array([path.vertices[:4] for path in last.get_paths()])
+    assert np.allclose(corners[0, 0], [solution.exit["x_m"][0], solution.exit["z_m"][0]], rtol=0, atol=1e-12)
+    assert np.allclose(corners[-1, 1], landing, rtol=0, atol=1e-9)
+    assert corners[-1, 2, 1] == pytest.approx(-3.6, abs=1e-3)  # the other edge lands there too
+    (arrow,) = [patch for patch in axes["side"].patches if patch.get_gid() == "receiver"]
+    (x0, z0), (x1, z1) = arrow._posA_posB
+    assert np.sign(x1 - x0) == heading
+    assert (z0, z1) == pytest.approx((-3.6, -3.6), abs=1e-9)
+    assert any(text.endswith("° in plan") for text in written(axes["side"])) == (plan != 0.0)
+
+
+def test_a_belt_that_nothing_meets_is_drawn_where_it_is():
+    _, axes, (solution,) = drawn(with_belt_at(at_m=[3.0, -2.6]))
+    assert solution.status[0] == "missed"
+    assert [patch for patch in axes["side"].patches if patch.get_gid() == "receiver"]
+    assert len(by_name(axes["side"], "missed")) == 2
+
+
+@pytest.mark.parametrize(("name", "gid", "height"), [("clinker_box", "roof", 0.3), ("fails/choke", "walls", 0.35)])
+def test_roofs_and_tops_of_walls_are_parallel_to_the_floor(name, gid, height):
+    _, axes, _ = drawn(load(name))
+    floor, top = by_name(axes["side"], "surface")[0], by_name(axes["side"], gid)[0]
+    off = np.stack([top.get_xdata() - floor.get_xdata(), top.get_ydata() - floor.get_ydata()])
+    assert np.allclose(np.hypot(*off), height, rtol=1e-12)
+    assert (off[1] > 0.0).all()
+    assert explained(axes) & {"roof", "top of the walls"} == {{"roof": "roof", "walls": "top of the walls"}[gid]}
+
+
+def test_impacts_are_marked_with_their_incidence():
+    _, axes, (solution,) = drawn(load("impact_plate"))
+    (marks,) = by_name(axes["side"], "impact")
+    struck = [result for result in solution.segments if result.impact]
+    assert [result.name for result in struck] == ["plate", "spoon"]
+    assert np.array_equal(marks.get_xdata(), [result.entry["x_m"][0] for result in struck])
+    assert {f"{result.impact['incidence_deg'][0]:.3g}°" for result in struck} <= written(axes["side"])
+    assert len(by_name(axes["side"], "surface")) == 2  # the plate is drawn
+
+
+def test_a_plate_is_a_point_in_the_panels():
+    _, axes, (solution,) = drawn(load("impact_plate"))
+    (point,) = by_name(axes["pressure_kpa"], "impact")
+    assert point.get_ydata()[0] == pytest.approx(solution.segments["plate"].impact["pressure_kpa"][0], rel=1e-12)
+
+
+def test_flights_are_shaded_in_every_panel_and_said_where_nothing_else_is():
+    _, axes, (solution,) = drawn(load("belt_hood_spoon"))
+    for name in PANELS:
+        spans = [patch for patch in axes[name].patches if patch.get_gid() == "in flight"]
+        flown = [solution.segments[each] for each in ("throw", "drop")]
+        for span, flight in zip(spans, flown, strict=True):
+            assert span.get_x() == pytest.approx(flight.entry["s_m"][0], abs=1e-12)
+            assert span.get_width() == pytest.approx(flight.exit["s_m"][0] - flight.entry["s_m"][0], rel=1e-12)
+        assert ("in flight" in written(axes[name])) == (name != "velocity_m_s")
+
+
+@pytest.mark.parametrize("status", ["missed", "contact_lost"])
+def test_a_stream_that_nothing_catches_is_followed_in_the_side_view_and_in_the_velocity(status):
+    _, axes, (solution,) = drawn(FAILING[status])
+    (line,) = by_name(axes["velocity_m_s"], "missed")
+    begin = solution.stations(points=STATIONS)
+    last = np.flatnonzero(np.isfinite(begin["s_m"][0]))
+    velocity = begin["velocity_m_s"][0, last[-1]] if last.size else solution.inlet["velocity_m_s"][0]
+    level = begin["z_m"][0, last[-1]] if last.size else solution.inlet["z_m"][0]
+    path = by_name(axes["side"], "missed")[0]
+    fallen = level - path.get_ydata()
+    assert line.get_ydata()[0] == pytest.approx(velocity, rel=1e-12)
+    assert np.allclose(line.get_ydata() ** 2, velocity**2 + 2 * 9.80665 * fallen, rtol=1e-12)  # energy
+    assert path.get_ydata()[-1] < min(surface.get_ydata().min() for surface in by_name(axes["side"], "surface"))
 
 
 def test_one_scale_both_ways_and_one_scale_of_colour():
@@ -131,7 +245,7 @@ def test_a_failing_chute_shows_where_it_ends(status):
     assert (end.get_xdata()[0], end.get_ydata()[0]) == at
     notes = axes["notes"].texts[0].get_text()
     assert notes.startswith(f"status {status}\n1  failure {status}")
-    assert bool(by_name(axes["side"], "missed")) == (status == "missed")
+    assert bool(by_name(axes["side"], "missed")) == (status in ("missed", "contact_lost"))
     save(figure, io.BytesIO(), "svg")
 
 
@@ -172,12 +286,18 @@ def test_many_segments_are_told_once_and_not_named():
     assert re.search(r"and \d+ more", axes["notes"].texts[0].get_text())
 
 
-def test_a_wide_chute_has_its_panels_below():
-    figure, axes, _ = drawn(FAILING["choke"])
+@pytest.mark.parametrize(
+    ("length", "slope", "where"), [(3.0, 85.0, "beside"), (3.0, 40.0, "around"), (6.0, 12.0, "below")]
+)
+def test_the_panels_stand_where_the_chute_leaves_room(length, slope, where):
+    straight = {"kind": "straight", "slope_deg": slope, "length_m": length}
+    inlet = {"velocity_m_s": 5.0, "slope_deg": slope}
+    figure, axes, _ = drawn(chute(inlet=inlet, segments=[straight]))
     figure.canvas.draw()
-    side, velocity, depth = (axes[name].get_position() for name in ("side", "velocity_m_s", "depth_m"))
-    assert side.y0 > velocity.y1
-    assert velocity.x1 < depth.x0
+    side, *panels = (axes[name].get_position() for name in ("side", *PANELS))
+    beside = "".join("B" if panel.x0 > side.x1 else "." for panel in panels)
+    under = "".join("U" if panel.y1 < side.y0 else "." for panel in panels)
+    assert (beside, under) == {"beside": ("BBBB", "...."), "around": ("BB.B", "..UU"), "below": ("....", "UUUU")}[where]
 
 
 def test_several_chutes_are_lines_to_compare():

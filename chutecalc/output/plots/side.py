@@ -1,24 +1,26 @@
-"""A chute from the side, to scale: its surfaces, and the stream at its depth, coloured by velocity."""
+"""A chute from the side, to scale: surfaces, belts, and the stream between its edges, coloured by velocity."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import Collection, LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
-from matplotlib.patches import Circle, Patch
+from matplotlib.patches import Patch
 
+from chutecalc.output.plots.belts import draw_feed, draw_receiver
+from chutecalc.output.plots.flights import Line
+from chutecalc.output.plots.labels import Label, place_labels
+from chutecalc.output.plots.marks import Mark, belt_label, impact_labels, mark_labels, names
 from chutecalc.output.plots.style import INK, MAP, PALE, SMALL, STEEL
-from chutecalc.output.plots.traces import Lines, Trace, deepest, extent, lost_flights, surfaces
+from chutecalc.output.plots.traces import Trace, View
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
 
-SHORT = 0.08
-"""Share of the picture below which a segment has no name in it. Marks closer than half of it are drawn together."""
-ROOM = 0.09
+ROOM = 0.06
 """Margin for names and numbers, over the greater side of the picture."""
 SURFACE: dict[str, Any] = {
     "color": STEEL,
@@ -27,154 +29,147 @@ SURFACE: dict[str, Any] = {
     "zorder": 0.9,  # below the stream, which hides its inner half
     "gid": "surface",
 }
+ROOF: dict[str, Any] = {"color": STEEL, "linewidth": 1.4, "zorder": 0.9, "gid": "roof"}
+WALLS: dict[str, Any] = {"color": PALE, "linewidth": 0.7, "linestyle": (0, (8, 2)), "zorder": 0.7, "gid": "walls"}
+"""Looks of what is above a floor: the roof of a closed section, and the top of the walls of an open one."""
 END: dict[str, Any] = {"marker": "X", "color": INK, "markersize": 8, "linestyle": "", "clip_on": False, "gid": "end"}
 """Look of the point where a stream ends before the chute does."""
+STRUCK: dict[str, Any] = {
+    "marker": "o",
+    "color": "white",
+    "markeredgecolor": INK,
+    "markersize": 4.5,
+    "linestyle": "",
+    "zorder": 3.0,
+    "gid": "impact",
+}
+"""Look of a point where the stream strikes a surface."""
+MISSED: dict[str, Any] = {"color": INK, "linestyle": ":", "linewidth": 1.2, "gid": "missed"}
+EDGE: dict[str, Any] = {"color": INK, "linewidth": 0.5}
+FILLED_BETWEEN = np.linspace(0.0, 1.0, 5)
+"""Shares of its depth at which lines stand for a stream where labels are placed."""
 
 
-class Mark(NamedTuple):
-    """A number at a distance along the stream."""
+class SideView:
+    """A chute with its stream, drawn on axes."""
 
-    number: str
-    s: float
+    def __init__(self, axes: Axes, solution: SolvedChute, seen: View, units: str) -> None:
+        """Draw all but the labels, and set the scale.
 
+        Args:
+            axes: axes to draw on.
+            solution: solution of one design.
+            seen: its lines.
+            units: ``metric`` or ``us``.
+        """
+        self.axes, self.solution, self.seen, self.units = axes, solution, seen, units
+        self.handles: dict[str, Any] = {}
+        """What the legend explains, by its text."""
+        self.shades = self._shades()
+        for steel in seen.surfaces:
+            axes.plot(*self._long(steel.path), **SURFACE)
+            self._explain("surface", Line2D([], [], color=STEEL, linewidth=2.2))
+            if np.isfinite(steel.top).any():
+                (top,) = axes.plot(*self._long(steel.top), **ROOF if steel.closed else WALLS)
+                self._explain("roof" if steel.closed else "top of the walls", top)
+        for trace in seen.stream:
+            if np.ptp(trace.path, axis=1).any():  # not on a plate
+                self._draw_trace(trace)
+        for edge in seen.lost.edges if seen.lost else ():
+            (drawn,) = axes.plot(*self._long(edge), **MISSED)
+            self._explain("flies on, not solved", drawn)
+        self.feed, self.received = ([self._long(line) for line in lines] for lines in (seen.feed, seen.received))
+        draw_feed(axes, self.feed)
+        draw_receiver(axes, self.received)
+        if not solution.ok[0]:
+            (drawn,) = axes.plot(*self._long(seen.stream[-1].path[:, -1:]), **END)
+            self._explain("end", drawn)
+        self._frame()
 
-def draw_stream(axes: Axes, solution: SolvedChute, stream: Sequence[Trace], marks: Sequence[Mark], units: str) -> None:
-    """Draw the chute and the stream of its first design.
+    def label(self, marks: Sequence[Mark]) -> None:
+        """Write names, incidences and numbers. Call it when all else of the figure is there.
 
-    Args:
-        axes: axes to draw on.
-        solution: solution of one design.
-        stream: traces of its stream.
-        marks: numbers to set beside the stream.
-        units: ``metric`` or ``us``.
-    """
-    velocity = np.concatenate([part.columns["velocity_m_s"] for part in stream])
-    column = COLUMNS["velocity_m_s"]
-    shades = Normalize(*column.converted(np.array([velocity.min(), velocity.max()]), units))
-    drawn = list(surfaces(solution))
-    for part in stream:
-        values = column.converted(part.columns["velocity_m_s"], units)
-        draw = _draw_flight if part.side == 0.0 else _draw_band
-        draw(axes, part, deepest(solution, stream), units).set(
-            array=0.5 * (values[1:] + values[:-1]), cmap=MAP, norm=shades
-        )
-    for x, z in drawn:
-        axes.plot(_long(x, units), _long(z, units), **SURFACE)
-    for x, z in lost_flights(solution, drawn):
-        axes.plot(_long(x, units), _long(z, units), color=INK, linestyle=":", gid="missed")
-    _draw_pulley(axes, solution, units)
-    size = float(extent(solution, stream).max())
-    _name_segments(axes, stream, SHORT * size, units)
-    _draw_marks(axes, stream, marks, SHORT * size, units)
-    if not solution.ok[0]:
-        end = stream[-1].columns
-        axes.plot(_long(end["x_m"][-1:], units), _long(end["z_m"][-1:], units), **END)
-    _frame(axes, shades, any(part.side == 0.0 for part in stream), units)
+        Args:
+            marks: numbers to set beside the stream.
+        """
+        stream, size = self.seen.stream, self.seen.size
+        struck = [label for label in impact_labels(self.solution, self.units) if label.text]
+        labels: list[Label] = [*names(self.seen, self.units), *struck]
+        belt, receiver = self.solution.design.belt, self.solution.design.receiver
+        if belt is not None:
+            labels.append(belt_label(self.feed[0], belt.velocity, 0.2, None, self.units))
+        if receiver is not None and self.received:
+            labels.append(belt_label(self.received[0], receiver.velocity, 0.6, receiver.plan_angle, self.units))
+        labels += mark_labels(stream, marks, size, self.units)
+        place_labels(self.axes, labels, [self._long(line) for line in (*self.seen.lines, *self._inside())])
 
+    def _inside(self) -> list[Line]:
+        """Return lines that stand for the stream between its edges, and for a pulley inside its rim."""
+        rims = [(pulley, pulley.mean(axis=1)[:, None]) for pulley in self.seen.feed[2:]]
+        bands = [(trace.edges[0], trace.edges[-1]) for trace in self.seen.stream if len(trace.edges) > 1]
+        return [one + share * (other - one) for one, other in (*bands, *rims) for share in FILLED_BETWEEN]
 
-def _long(metres: Array, units: str) -> Array:
-    """Return lengths in the unit of the picture."""
-    converted: Array = COLUMNS["x_m"].converted(metres, units)
-    return converted
+    def _long(self, metres: Array) -> Array:
+        """Return lengths in the unit of the picture."""
+        lengths: Array = COLUMNS["x_m"].converted(metres, self.units)
+        return lengths
 
+    def _explain(self, name: str, handle: Any) -> None:
+        """Give the legend an entry, once."""
+        self.handles.setdefault(name, handle)
 
-def _draw_band(axes: Axes, part: Trace, depth: float, units: str) -> PolyCollection:
-    """Draw the stream on a surface, with its depth normal to it."""
-    at = part.columns
-    height = np.minimum(at["depth_m"], depth)  # none where the stream has come to rest
-    slope = np.radians(at["slope_deg"])
-    foot = np.stack([at["x_m"], at["z_m"]], axis=1)
-    normal = np.stack([np.sin(slope), np.cos(slope)], axis=1)
-    top = foot + part.side * height[:, None] * normal
-    foot, top = _long(foot, units), _long(top, units)
-    cells = np.stack([foot[:-1], foot[1:], top[1:], top[:-1]], axis=1)
-    band = PolyCollection(list(cells), edgecolors="face", linewidths=0.4, gid="stream")
-    axes.add_collection(band)
-    axes.plot(*top.T, color=INK, linewidth=0.4, gid="free surface")
-    return band
+    def _shades(self) -> Normalize:
+        """Return the scale of colours."""
+        velocity = np.concatenate([trace.columns["velocity_m_s"] for trace in self.seen.stream])
+        return Normalize(*COLUMNS["velocity_m_s"].converted(np.array([velocity.min(), velocity.max()]), self.units))
 
-
-def _draw_flight(axes: Axes, part: Trace, depth: float, units: str) -> LineCollection:
-    """Draw the path of a stream in flight. The model has no depth there."""
-    path = _long(np.stack([part.columns["x_m"], part.columns["z_m"]], axis=1), units)
-    axes.plot(*path.T, color=INK, linewidth=3.0, solid_capstyle="butt", gid="path")
-    line = LineCollection(
-        list(np.stack([path[:-1], path[1:]], axis=1)), linewidths=1.8, capstyle="projecting", gid="flight"
-    )
-    axes.add_collection(line)
-    return line
-
-
-def _draw_pulley(axes: Axes, solution: SolvedChute, units: str) -> None:
-    """Draw the head pulley and a piece of its belt."""
-    belt = solution.design.belt
-    if belt is None:
-        return
-    radius, incline = belt.lower_radius[0], belt.incline[0]
-    centre = np.array([belt.centre[0][0], belt.centre[1][0]])
-    top = centre + radius * np.array([-np.sin(incline), np.cos(incline)])
-    back = top - 3.0 * radius * np.array([np.cos(incline), np.sin(incline)])
-    axes.add_patch(Circle(tuple(_long(centre, units)), float(_long(radius, units)), facecolor="0.94", edgecolor=STEEL))
-    axes.plot(*_long(np.stack([back, top]), units).T, color=STEEL, linewidth=1.2, gid="belt")
-
-
-def _name_segments(axes: Axes, stream: Sequence[Trace], least: float, units: str) -> None:
-    """Write names beside the middle of each trace that is long enough, on the side away from the stream."""
-    for part in stream:
-        at = part.columns
-        if np.ptp(at["s_m"]) > least:
-            _set_beside(axes, at, len(at["s_m"]) // 2, -part.side or 1.0, part.name, units)
-
-
-def _draw_marks(axes: Axes, stream: Sequence[Trace], marks: Sequence[Mark], least: float, units: str) -> None:
-    """Write the numbers, those of neighbours together."""
-    at = {name: np.concatenate([part.columns[name] for part in stream]) for name in ("s_m", "x_m", "z_m", "slope_deg")}
-    sides = np.concatenate([np.full(len(part.columns["s_m"]), part.side) for part in stream])
-    groups: list[list[Mark]] = []
-    for mark in sorted(marks, key=lambda mark: mark.s):
-        if groups and mark.s - groups[-1][0].s < 0.5 * least:
-            groups[-1].append(mark)
+    def _draw_trace(self, trace: Trace) -> None:
+        """Draw the stream between its edges, or its path where it has none."""
+        edges = [self._long(edge).T for edge in trace.edges]
+        drawn: Collection
+        if len(edges) == 1:
+            (path,) = edges
+            self.axes.plot(*path.T, color=INK, linewidth=3.0, solid_capstyle="butt", gid="path")
+            pieces = list(np.stack([path[:-1], path[1:]], axis=1))
+            drawn = LineCollection(pieces, linewidths=1.8, capstyle="projecting", gid="flight")
+            self._explain("in flight, path only", Line2D([], [], color=INK, linewidth=3.0))
         else:
-            groups.append([mark])
-    box = {"boxstyle": "round,pad=0.25", "facecolor": "white", "edgecolor": INK, "linewidth": 0.7}
-    for group in groups:
-        station = int(np.abs(at["s_m"] - group[0].s).argmin())
-        text = ", ".join(sorted(mark.number for mark in group))
-        _set_beside(axes, at, station, -sides[station] or 1.0, text, units, distance=21.0, bbox=box)
+            low, high = edges[0], edges[-1]
+            cells = np.stack([low[:-1], low[1:], high[1:], high[:-1]], axis=1)
+            drawn = PolyCollection(list(cells), edgecolors="face", linewidths=0.4, gid=_band(trace))
+            self._draw_edges(trace, edges)
+        velocity = COLUMNS["velocity_m_s"].converted(trace.columns["velocity_m_s"], self.units)
+        drawn.set(array=0.5 * (velocity[1:] + velocity[:-1]), cmap=MAP, norm=self.shades)
+        self.axes.add_collection(drawn)
+
+    def _draw_edges(self, trace: Trace, edges: Sequence[Array]) -> None:
+        """Draw the free surface of a stream, or the edges of a flight."""
+        patch: dict[str, Any] = {"facecolor": PALE, "edgecolor": INK, "linewidth": 0.7}
+        if trace.side:
+            self.axes.plot(*edges[-1].T, **EDGE, gid="free surface")
+            self._explain("stream", Patch(**patch))
+        else:
+            for edge in edges:
+                self.axes.plot(*edge.T, **EDGE, linestyle="--", gid="edge")
+            self._explain("in flight", Patch(**patch, linestyle="--"))
+
+    def _frame(self) -> None:
+        """Mark impacts, set the scale, and add the colour bar."""
+        struck = impact_labels(self.solution, self.units)
+        if struck:
+            (drawn,) = self.axes.plot([each.x for each in struck], [each.z for each in struck], **STRUCK)
+            self._explain("impact and its incidence", drawn)
+        low, high = self.axes.dataLim.get_points()
+        room = ROOM * (high - low).max()
+        self.axes.update_datalim([low - room, high + room])
+        self.axes.set_aspect("equal", adjustable="datalim")
+        self.axes.margins(0.0)
+        for band in [artist for artist in self.axes.collections if artist.get_array() is not None][:1]:
+            bar = self.axes.figure.colorbar(band, ax=self.axes, location="right", aspect=45, pad=0.01)
+            column = COLUMNS["velocity_m_s"]
+            bar.ax.set_title(f"{column.symbol}, {column.unit_text(self.units)}", fontsize=SMALL, loc="center")
 
 
-def _set_beside(
-    axes: Axes, at: Lines, station: int, side: float, text: str, units: str, distance: float = 9.0, **look: Any
-) -> None:
-    """Write text at a distance, in points, from a station of the stream, along the normal there."""
-    slope = np.radians(at["slope_deg"][station])
-    right, up = side * np.sin(slope), side * np.cos(slope)
-    axes.annotate(
-        text,
-        (_long(at["x_m"][station], units), _long(at["z_m"][station], units)),
-        xytext=(distance * right, distance * up),
-        textcoords="offset points",
-        ha="center" if abs(right) < 0.4 else "left" if right > 0.0 else "right",
-        va="center" if abs(up) < 0.4 else "bottom" if up > 0.0 else "top",
-        color=INK,
-        fontsize=SMALL,
-        **look,
-    )
-
-
-def _frame(axes: Axes, shades: Normalize, flies: bool, units: str) -> None:
-    """Set the scale, and add colour bar and legend."""
-    low, high = axes.dataLim.get_points()
-    room = ROOM * (high - low).max()
-    axes.update_datalim([low - room, high + room])
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.margins(0.0)
-    bands = [artist for artist in axes.collections if artist.get_array() is not None]
-    bar = axes.figure.colorbar(bands[0], ax=axes, location="right", aspect=45, pad=0.01)
-    column = COLUMNS["velocity_m_s"]
-    bar.ax.set_title(f"{column.symbol}, {column.unit_text(units)}", fontsize=SMALL, loc="center")
-    handles: list[Any] = [Line2D([], [], color=STEEL, linewidth=2.2, label="surface")]
-    handles.append(Patch(facecolor=PALE, edgecolor=INK, linewidth=0.7, label="stream at its depth"))
-    if flies:
-        handles.append(Line2D([], [], color=INK, linewidth=3.0, label="in flight (path only)"))
-    axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.2)
+def _band(trace: Trace) -> str:
+    """Return the name of a band in the picture."""
+    return "stream" if trace.side else "flight"

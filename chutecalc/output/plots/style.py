@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 
 from chutecalc.results.column import Column
 
@@ -17,10 +18,12 @@ MAP = "viridis"
 """Colour map, perceptually uniform: lightness grows with the values, also in print without colour."""
 DARKEST, LIGHTEST = 0.0, 0.8
 """Range of the colour map that stands out as a line on white paper."""
-INK, STEEL, PALE = "0.15", "0.35", "0.6"
+INK, STEEL, PALE, LOAD, SHADE = "0.15", "0.35", "0.6", "0.82", "0.95"
+"""Greys: of lines and text, surfaces, marks, a load that the model does not follow, and flights in panels."""
 STROKES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (9, 2)))
 MARKS = ("o", "s", "^", "D", "v", "P", "X", "<")
-SMALL = 7.5
+SMALL, TITLE = 7.5, 11.0
+"""Sizes of letters, points."""
 _STYLE = {
     "axes.axisbelow": True,
     "axes.grid": True,
@@ -29,10 +32,11 @@ _STYLE = {
     "axes.titlelocation": "left",
     "axes.titlesize": 9.5,
     "figure.constrained_layout.use": True,
-    "figure.titlesize": 11,
+    "figure.titlesize": TITLE,
     "font.size": 8.5,
     "grid.color": "0.9",
     "grid.linewidth": 0.6,
+    "hatch.linewidth": 0.5,
     "legend.fontsize": SMALL,
     "legend.frameon": False,
     "legend.handlelength": 3.0,
@@ -49,6 +53,19 @@ _STYLE = {
 def styled() -> AbstractContextManager[None]:
     """Return a context with the style of all pictures, whatever the settings of the user. Draw and save in it."""
     return style.context(["default", _STYLE])
+
+
+def lay_out(figure: Figure) -> None:
+    """Lay out a figure without drawing it, so that positions and sizes on the page are known.
+
+    Args:
+        figure: the figure.
+    """
+    engine = figure.get_layout_engine()
+    assert engine is not None
+    engine.execute(figure)
+    for axes in figure.axes:
+        axes.apply_aspect()
 
 
 def colours(count: int) -> list[str]:
@@ -89,10 +106,22 @@ def label_axes(axes: Axes, x: Column, y: Column, units: str) -> None:
     axes.set_ylabel(mathematical(y.label(units)))
 
 
+def parts_of(title: str) -> list[str]:
+    """Return the parts of a title, which commas, colons and semicolons separate, with a space behind.
+
+    Args:
+        title: a title.
+
+    >>> parts_of("Spoon: coal, 1,200 t/h")
+    ['Spoon', 'coal', '1,200 t/h']
+    """
+    return [part.strip() for part in re.split(r"[,:;]\s+", title)]
+
+
 def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
     """Return the parts in which titles differ, as labels, and the parts that all of them share, as text.
 
-    Parts are separated by commas, colons and semicolons.
+    Parts are separated by commas, colons and semicolons, with a space behind.
 
     Args:
         titles: titles of several chutes.
@@ -100,7 +129,7 @@ def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
     >>> labels_of(["Spoon: R = 1 m, square", "Spoon: R = 2 m, square"])
     ([('R = 1 m',), ('R = 2 m',)], 'Spoon, square')
     """
-    split = [[part.strip() for part in re.split("[,:;]", title)] for title in titles]
+    split = [parts_of(title) for title in titles]
     shared = [part for part in split[0] if all(part in title for title in split)]
     parts = [tuple(part for part in title if part not in shared) for title in split]
     if all(parts) and len(set(parts)) == len(parts):
@@ -111,8 +140,8 @@ def labels_of(titles: Sequence[str]) -> tuple[list[tuple[str, ...]], str]:
 def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
     """Return the look of each line of a family, for Matplotlib.
 
-    The first part of a label sets colour and marker, the rest sets the stroke. If no label has a rest, the first part
-    sets the stroke too.
+    The first part of a label sets colour and marker, the rest sets the stroke. If no label has a rest, or there are
+    more rests than strokes, the whole label sets all three.
 
     Args:
         labels: label of each line, in parts.
@@ -121,6 +150,8 @@ def looks(labels: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
     >>> [look["linestyle"] for look in pairs], pairs[0]["color"] == pairs[1]["color"]
     (['-', '--', '-'], True)
     """
+    if len({label[1:] for label in labels}) > len(STROKES):
+        labels = [(", ".join(label),) for label in labels]
     firsts = list(dict.fromkeys(label[0] for label in labels))
     rests = list(dict.fromkeys(label[1:] for label in labels))
     shades = colours(len(firsts))

@@ -1,21 +1,19 @@
-"""The lines of a chute seen from the side: its stream, its surfaces, and flights that miss."""
+"""The lines of a chute seen from the side: its surfaces, its belts, and its stream with its edges."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact, Status
+from chutecalc.output.plots.flights import Line
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.surface import point
-from chutecalc.results.columns import COLUMNS
-from chutecalc.results.solved import SolvedChute
 
-STATIONS = 101
-"""Number of stations along each segment or flight."""
 DEEPEST = 0.25
 """Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
+LOST = "lost"
+"""Kind of the trace of a stream that nothing catches."""
 Lines = dict[str, Array]
+"""Columns by name, each of shape (stations,)."""
 
 
 class Trace(NamedTuple):
@@ -26,90 +24,67 @@ class Trace(NamedTuple):
     side: float
     """1 on a floor, -1 under a roof, 0 in flight."""
     columns: Lines
+    edges: list[Line]
+    """The path in flight, if its edges are not known; else the edges, that on the surface or the lower one first."""
+
+    @property
+    def path(self) -> Line:
+        """The path of the stream."""
+        return np.stack([self.columns["x_m"], self.columns["z_m"]])
 
 
-def traces(solution: SolvedChute) -> list[Trace]:
-    """Return the stream of the first design, a trace for each segment and flight that it reached.
+class Steel(NamedTuple):
+    """The surface of a segment, whether the stream reaches it or not."""
 
-    A stream that reaches none has the inlet as its only trace.
+    name: str
+    side: float
+    """1 for a floor, -1 for a roof."""
+    path: Line
+    top: Line
+    """Where its walls end, or its roof; NaN where no height is given."""
+    closed: bool
+    """Whether it has a roof there."""
+
+
+class View(NamedTuple):
+    """All that is to be seen of one design from the side."""
+
+    stream: list[Trace]
+    lost: Trace | None
+    surfaces: list[Steel]
+    feed: list[Line]
+    """The belt that the stream comes from, see :func:`chutecalc.output.plots.belts.feed_lines`."""
+    received: list[Line]
+    """The belt that it goes to, as one line."""
+    size: float
+    """Greater side of the chute without belts, m."""
+
+    @property
+    def deepest(self) -> float:
+        """Greatest depth to which the stream is drawn, m."""
+        return DEEPEST * self.size
+
+    @property
+    def traces(self) -> list[Trace]:
+        """The stream, with what is lost of it."""
+        return [*self.stream, *([self.lost] if self.lost else [])]
+
+    @property
+    def lines(self) -> list[Line]:
+        """All lines."""
+        edges, steel = (
+            (edge for trace in self.traces for edge in trace.edges),
+            (line for each in self.surfaces for line in (each.path, each.top)),
+        )
+        return [*edges, *steel, *self.feed, *self.received]
+
+
+def extent(lines: Sequence[Line]) -> Array:
+    """Return width and height of lines together, m.
 
     Args:
-        solution: solution of one design.
+        lines: at least one; NaN where there is none.
     """
-    stations = solution.stations(points=STATIONS)
-    found = []
-    for number, part in enumerate(solution.trajectory.parts):
-        rows = slice(number * STATIONS, (number + 1) * STATIONS)
-        reached = np.isfinite(stations["s_m"][0, rows])
-        if reached.any():
-            guide = part.solved.segment if part.contact is not None else None
-            side = guide.side if isinstance(guide, Contact) else 0.0
-            columns = {name: stations[name][0, rows][reached] for name in stations}
-            found.append(Trace(part.name, part.kind, side, columns))
-    return found or [_at_inlet(solution)]
-
-
-def _at_inlet(solution: SolvedChute) -> Trace:
-    """Return the inlet as a trace of one station."""
-    inlet = {name: values[:1] for name, values in solution.inlet.items()}
-    nowhere = {name: np.full(1, np.nan) for name in COLUMNS}
-    return Trace("inlet", "inlet", 0.0, nowhere | inlet | {"s_m": np.zeros(1)})
-
-
-def extent(solution: SolvedChute, stream: Sequence[Trace]) -> Array:
-    """Return width and height of a chute with its stream, seen from the side, m.
-
-    Args:
-        solution: solution of one design.
-        stream: traces of its stream.
-    """
-    paths = [(part.columns["x_m"], part.columns["z_m"]) for part in stream]
-    points = np.concatenate([np.stack(line) for line in (*paths, *surfaces(solution))], axis=1)
-    size: Array = np.ptp(points, axis=1)
+    points = np.concatenate(lines, axis=1)
+    size: Array = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
     return size
-
-
-def deepest(solution: SolvedChute, stream: Sequence[Trace]) -> float:
-    """Return the greatest depth to which the stream is drawn, m.
-
-    Args:
-        solution: solution of one design.
-        stream: traces of its stream.
-    """
-    return DEEPEST * float(extent(solution, stream).max())
-
-
-def surfaces(solution: SolvedChute) -> Iterator[tuple[Array, Array]]:
-    """Yield the line or arc of each contact segment that has a position.
-
-    Args:
-        solution: solution of one design.
-
-    Yields:
-        Horizontal position and height along it, m, each of shape (stations,).
-    """
-    for solved in {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}.values():
-        if solved.contact is not None:
-            x, z, _ = point(solved.contact.surface, np.linspace(0.0, 1.0, STATIONS)[:, None])
-            if np.isfinite(x[:, 0] + z[:, 0]).all():
-                yield x[:, 0], z[:, 0]
-
-
-def lost_flights(solution: SolvedChute, drawn: Sequence[tuple[Array, Array]]) -> Iterator[tuple[Array, Array]]:
-    """Yield the paths of streams that miss the next segment, until they are below everything drawn.
-
-    Args:
-        solution: solution of one design.
-        drawn: horizontal position and height of its surfaces, m.
-
-    Yields:
-        Horizontal position and height along the path, m, each of shape (stations,).
-    """
-    lowest = min((float(z.min()) for _, z in drawn), default=np.inf)
-    further = max((float(np.ptp(z)) for _, z in drawn), default=1.0)
-    for solved in solution.trajectory.segment_solutions:
-        if solved.status[0] == Status.MISSED:
-            x, z, forward, downward, gravity = solved.path[:, 0]
-            drop = z - min(lowest, z) + 0.2 * further
-            time = np.linspace(0.0, (np.sqrt(downward**2 + 2.0 * gravity * drop) - downward) / gravity, STATIONS)
-            yield x + forward * time, z - (downward + 0.5 * gravity * time) * time

@@ -10,6 +10,7 @@ from chutecalc.design import Status
 from chutecalc.output.dataset import Dataset, column_types, document_head, number, numbers
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import Printer
+from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.study import Best, FrictionStudy
 
@@ -71,7 +72,9 @@ def given_text(study: FrictionStudy, units: str) -> str:
     """
     base = FRICTION_COLUMNS["base_m"]
     width = f"{base.shown(study.base_m, units)} {base.unit_text(units)}"
-    friction, area = f"wall friction {study.wall_friction_deg:g}°", f"flow area {study.area_m2:g} m²"
+    wetted = COLUMNS["area_m2"]
+    area = f"flow area {wetted.converted(study.area_m2, units):.6g} {wetted.unit_text(units)}"
+    friction = f"wall friction {study.wall_friction_deg:g}°"
     return f"{friction}, width between square corners {width}, {area}"
 
 

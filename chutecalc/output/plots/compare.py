@@ -1,0 +1,72 @@
+"""The picture of several chutes: their streams as lines."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from chutecalc.output.plots.layout import PANELS, WIDTH, page
+from chutecalc.output.plots.panels import along, limit
+from chutecalc.output.plots.side import MISSED
+from chutecalc.output.plots.style import labels_of, looks
+from chutecalc.output.plots.text import fitted, legend_columns, legend_rows
+from chutecalc.output.plots.traces import extent
+from chutecalc.output.plots.view import view
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.solved import SolvedChute
+
+LABEL_WIDTH, LABEL_LINES = 4.0, 2
+"""Width of a label in the legend, inches, and the number of lines from which on it is cut off."""
+MOST_LABELLED = 40
+"""Most chutes in the legend."""
+
+
+def draw_comparison(solutions: Sequence[SolvedChute], units: str) -> Figure:
+    """Draws chutes as lines: their paths from the side, and columns of their streams.
+
+    Args:
+        solutions: of one design each.
+        units: ``metric`` or ``us``.
+
+    Returns:
+        The figure.
+    """
+    parts, names, shared = _labels(solutions)
+    views = [view(solution) for solution in solutions]
+    size = np.max([extent([trace.path for trace in seen.traces]) for seen in views], axis=0)
+    shown = names[:MOST_LABELLED]
+    columns = legend_columns(shown, WIDTH)
+    more = len(names) - len(shown)
+    title = f"Comparison: {shared}" if shared else "Comparison"
+    figure, axes = page(title, size, units, legend=legend_rows(shown, columns) + bool(more))
+    lines = []
+    for seen, name, look in zip(views, names, looks(parts), strict=True):
+        path = COLUMNS["x_m"].converted(np.concatenate([trace.path for trace in seen.stream], axis=1), units)
+        axes["side"].plot(*path, **look, markevery=[-1], gid="path")
+        for edge in seen.lost.edges[:1] if seen.lost else ():
+            axes["side"].plot(*COLUMNS["x_m"].converted(edge, units), **MISSED | {"color": look["color"]})
+        for panel in PANELS:
+            lines += axes[panel].plot(*along(seen.stream, panel, units), **look, markevery=[-1], gid=panel, label=name)
+    for panel in PANELS:
+        limit(axes[panel], np.concatenate([np.asarray(line.get_ydata()) for line in axes[panel].get_lines()]))
+    axes["side"].set_aspect("equal", adjustable="datalim")
+    axes["side"].set_title("paths of the streams, to scale")
+    handles = lines[:: len(PANELS)][:MOST_LABELLED]
+    below: dict[str, Any] = {"title": f"… and {more} more" if more else None, "alignment": "left"}
+    figure.legend(handles=handles, ncols=columns, loc="outside lower left", **below)
+    return figure
+
+
+def _labels(solutions: Sequence[SolvedChute]) -> tuple[list[tuple[str, ...]], list[str], str]:
+    """Return what sets the look of each chute, its name in the legend, and what all names share."""
+    titles = [solution.spec.title or solution.source for solution in solutions]
+    whole = titles if len(set(titles)) == len(titles) else [solution.source for solution in solutions]
+    parts, shared = labels_of(whole)
+    names = [", ".join(each) for each in parts] if shared else whole
+    ends = ["" if solution.ok[0] else f" ({solution.status[0].replace('_', ' ')})" for solution in solutions]
+    return (
+        parts,
+        [fitted(name + end, LABEL_WIDTH, most=LABEL_LINES) for name, end in zip(names, ends, strict=True)],
+        shared,
+    )

@@ -1,0 +1,122 @@
+"""Columns of a stream along it, a panel each."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from chutecalc.output.plots.layout import PANELS
+from chutecalc.output.plots.marks import MOST_NAMED
+from chutecalc.output.plots.side import END, MISSED, STRUCK
+from chutecalc.output.plots.style import INK, PALE, SHADE, SMALL
+from chutecalc.output.plots.text import POINTS, width_of
+from chutecalc.output.plots.traces import LOST, Trace, View
+from chutecalc.physics.arrays import Array
+from chutecalc.results.columns import COLUMNS
+from chutecalc.results.part import FLIGHT
+
+CUT_OFF = 12.0
+"""A panel ends at this multiple of the median of its values."""
+UPRIGHT = 50.0
+"""Greatest width of a name that may stand upright, points."""
+IN_FLIGHT = "in flight"
+
+
+def draw_panels(axes: Mapping[str, Axes], seen: View, fails: bool, units: str) -> None:
+    """Draw the panels of one chute.
+
+    Args:
+        axes: axes by name.
+        seen: the stream.
+        fails: whether it ends before the chute does.
+        units: ``metric`` or ``us``.
+    """
+    panels = [axes[name] for name in PANELS]
+    for name, panel in zip(PANELS, panels, strict=True):
+        path = along(seen.stream, name, units)
+        panel.plot(*path, color=INK, gid=name)
+        for trace in seen.stream:
+            if trace.side and not np.ptp(trace.columns["s_m"]):  # on a plate
+                panel.plot(*(values[:1] for values in along([trace], name, units)), **STRUCK)
+        shown = path[1]
+        if seen.lost:
+            further = along([seen.lost], name, units)
+            panel.plot(*further, **MISSED)
+            shown = np.concatenate([shown, further[1]])
+        limit(panel, shown)
+        if fails:
+            panel.plot(path[0][-1:], path[1][-1:], **END)
+        if not np.isfinite(shown).any():
+            panel.set_yticks([])
+
+
+def along(stream: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
+    """Return the distance along the stream and another column, of all traces in order; NaN where it does not exist.
+
+    Args:
+        stream: the traces.
+        name: of the column.
+        units: ``metric`` or ``us``.
+    """
+    s, values = (np.concatenate([trace.columns[column] for trace in stream]) for column in ("s_m", name))
+    return COLUMNS["s_m"].converted(s, units), COLUMNS[name].converted(values, units)
+
+
+def limit(panel: Axes, values: Array) -> None:
+    """Limit a panel to its largest value, but cut off the peaks of a stream that nearly stops.
+
+    Args:
+        panel: the panel.
+        values: all that it shows, in the unit of the panel; NaN where there is none.
+    """
+    values = values[np.isfinite(values) & (values > 0.0)]
+    top = min(1.06 * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
+    panel.set_ylim(0.0, top if top > 0.0 else 1.0)
+
+
+def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> None:
+    """Mark the ends of segments and flights, shade the flights, and name what has room for its name.
+
+    Args:
+        axes: axes by name, of a figure that is laid out.
+        stream: traces of the stream, lost ones included.
+        units: ``metric`` or ``us``.
+    """
+    panels = [axes[name] for name in PANELS]
+    ends = [COLUMNS["s_m"].converted(trace.columns["s_m"][[0, -1]], units) for trace in stream]
+    low, high = ends[0][0], ends[-1][1]
+    if not high > low:
+        panels[0].set_xlim(low - 0.5, high + 0.5)
+        return
+    figure = panels[0].get_figure(root=True)
+    assert figure is not None
+    room = panels[0].get_position().width * figure.get_figwidth() * POINTS
+    for panel in panels:
+        panel.set_xlim(low, high)
+        for _, end in ends[:-1] if len(ends) <= MOST_NAMED else ():
+            panel.axvline(end, color=PALE, linewidth=0.7, zorder=1)
+    for trace, (first, last) in zip(stream, ends, strict=True):
+        share, middle = (last - first) / (high - low) * room, 0.5 * (first + last)
+        if trace.side == 0.0:
+            _shade(panels, first, last, share)
+        if trace.kind not in (LOST, FLIGHT) and len(ends) <= MOST_NAMED:
+            _name(panels[0], middle, trace.name, share)
+
+
+def _shade(panels: Sequence[Axes], first: float, last: float, room: float) -> None:
+    """Shade a flight, and say so where there is nothing else."""
+    text: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": SMALL, "color": PALE}
+    for panel, name in zip(panels, PANELS, strict=True):
+        panel.axvspan(first, last, color=SHADE, linewidth=0.0, zorder=0.4, gid=IN_FLIGHT)
+        if name != PANELS[0] and width_of(IN_FLIGHT) < 0.9 * room:
+            panel.text(0.5 * (first + last), 0.5, IN_FLIGHT, transform=panel.get_xaxis_transform(), **text)
+
+
+def _name(panel: Axes, middle: float, name: str, room: float) -> None:
+    """Write the name of a segment above a panel: a short one upright where there is only room for that."""
+    look: dict[str, Any] = {"transform": panel.get_xaxis_transform(), "ha": "center", "fontsize": SMALL}
+    if width_of(name) < 0.95 * room:
+        panel.text(middle, 1.03, name, **look)
+    elif room > SMALL:
+        panel.text(middle, 1.03, name, rotation=90.0, va="bottom", **look)
