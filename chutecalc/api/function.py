@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from threading import Lock
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -26,8 +26,26 @@ from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.operating import is_operating
 
-if TYPE_CHECKING:
-    from chutecalc.api.chute import Chute
+
+class _Varied(Protocol):
+    """What a function needs of its chute, see :class:`chutecalc.api.chute.Chute`."""
+
+    spec: ChuteSpec
+    design: Design
+
+    @property
+    def drawing(self) -> "_Varied":
+        """The chute at its design point."""
+
+    def vary(self, changes: Mapping[str, Any]) -> Any:
+        """Return variants."""
+
+    def steel_for(self, *states: Design) -> Steel:
+        """Return where segments are drawn that follow the stream."""
+
+    @property
+    def function(self) -> Any:
+        """Makes the function again, in another process."""
 
 
 class Function:
@@ -45,7 +63,7 @@ class Function:
     def __init__(
         self,
         spec: ChuteSpec,
-        chute: "Chute",
+        chute: _Varied,
         parameters: Mapping[str, Limits | None] | Sequence[str],
         outputs: Iterable[str],
         rtol: float,

@@ -16,6 +16,7 @@ from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.inlet import leaves_belt
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.segment_solution import SegmentSolution
+from chutecalc.solver.steel import drawn_start
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -121,8 +122,10 @@ def _surfaces(placed: Sequence[SegmentSolution], last: int) -> tuple[Any, ...]:
     """Return a fall onto the surfaces up to a segment, which stand where they were placed."""
     surfaces = []
     for solved in _visited(placed, last):
-        at = solved.contact.surface
-        surfaces.append(solved.contact.segment._replace(start=(at.x, at.z), entry_slope=at.slope))
+        contact = solved.contact
+        slope = contact.segment.entry_slope
+        slope = contact.surface.slope if slope is None else slope
+        surfaces.append(contact.segment._replace(start=drawn_start(contact), entry_slope=slope))
     return (Fall(name="", kind="", drop=None, run=None), *surfaces)
 
 

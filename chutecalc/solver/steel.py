@@ -12,6 +12,7 @@ import numpy as np
 from chutecalc.design import Contact, Design, Fall, Segment
 from chutecalc.physics.arrays import Array
 from chutecalc.solver.chain import run_chain
+from chutecalc.solver.segment_solution import ContactSolution
 
 RTOL = 1e-12
 """Relative tolerance of the velocity with which a chute is drawn."""
@@ -80,13 +81,26 @@ def drawn_steel(design: Design, places: bool = True) -> dict[int, Place]:
     for number in numbers:
         segment, contact = design.segments[number], first[number].contact
         if contact is not None:
-            surface = contact.surface
             arc = isinstance(segment, Contact) and segment.radius is not None
-            found[number] = Place((surface.x, surface.z), surface.slope if arc else None)
+            found[number] = Place(drawn_start(contact), contact.surface.slope if arc else None)
         else:
             start = first[number].start if number else None
             found[number] = Place(design.inlet_position if start is None else (start.x, start.z), None)
     return found if places else {number: Place(None, place.slope) for number, place in found.items()}
+
+
+def drawn_start(contact: ContactSolution) -> tuple[Array, Array]:
+    """Return x and z of the drawn start of a segment, m, also where the stream struck the roof opposite to it.
+
+    Args:
+        contact: the first contact with the segment.
+    """
+    segment, surface = contact.segment, contact.surface
+    if not segment.closed:
+        return surface.x, surface.z
+    slope = surface.slope if segment.entry_slope is None else segment.entry_slope
+    height = np.where(surface.side == segment.side, 0.0, segment.side * segment.section.wall_height)
+    return surface.x - height * np.sin(slope), surface.z - height * np.cos(slope)
 
 
 def with_steel(design: Design, steel: Steel) -> Design:

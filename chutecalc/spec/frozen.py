@@ -7,7 +7,11 @@ import tomlkit
 from tomlkit.items import InlineTable
 
 from chutecalc.fields.units import same_quantity
+from chutecalc.segments.fall import Fall
+from chutecalc.segments.registry import KINDS
 
+FALL = next(kind for kind, table in KINDS.items() if table is Fall)
+"""Kind of a fall."""
 FALL_ENDS = (*same_quantity("drop_m"), *same_quantity("run_m"))
 """Keys of a fall that say where it ends."""
 FROM_SLOPE = same_quantity("from_slope_deg")
@@ -43,7 +47,7 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
             added["from_slope_deg"] = segment.from_slope_deg
         tables[number] = _with(tables[number], added)
     if 0 in drawn and drawn[0].start_m is not None:
-        fall = _with(tomlkit.table(), {"kind": "fall", "onto_next": True})
+        fall = _with(tomlkit.table(), {"kind": FALL, "onto_next": True})
         fall.append(None, tomlkit.nl())
         tables.insert(0, fall)
     return tomlkit.dumps(document)

@@ -238,6 +238,32 @@ class LimitMaker(Maker):
         return data
 
 
+class SceneMaker(Maker):
+    """Draws chutes whose steel, receiving belt and operating states are told."""
+
+    def chute(self) -> dict[str, Any]:
+        data = super().chute()
+        for segment in data["segments"]:
+            if segment["kind"] != "fall" and self.maybe(0.5):
+                segment["may_be_passed"] = True
+        if self.maybe(0.2):
+            data["model"]["steel"] = "follows_stream"
+        data["receiver"] = {
+            "velocity_m_s": self.quantity(0.1, 10),
+            "friction_deg": float(self.random.uniform(0, 40)),
+            "at_m": [float(self.random.uniform(-3, 5)), float(self.random.uniform(-60, 0))],
+            "plan_angle_deg": float(self.random.uniform(-180, 180)),
+        }
+        if self.maybe(0.5):
+            data["cases"] = {
+                "other": {
+                    "flow.rate_t_h": self.quantity(1, 5000),
+                    "liners": {"wall": self.friction()} if self.maybe(0.3) else {},
+                }
+            }
+        return data
+
+
 class ClosedMaker(Maker):
     """Draws chutes of pipes and boxes."""
 
@@ -269,5 +295,5 @@ class BeltMaker(Maker):
         return data
 
 
-MAKERS = (Maker, ClosedMaker, BeltMaker, LimitMaker)
+MAKERS = (Maker, SceneMaker, ClosedMaker, BeltMaker, LimitMaker)
 """All that draw chutes, each with cases of its own. For a new shape or kind add a class derived from ``Maker``."""

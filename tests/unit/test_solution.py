@@ -40,7 +40,7 @@ def test_a_failing_design_is_nan_and_disturbs_no_other(three):
 def test_stations_have_one_row_a_design_and_the_part_travelled(three):
     stations = three.stations(points=11)
     assert {values.shape for values in stations.values()} == {(3, 22)}
-    assert set(stations) == set(COLUMNS) - {"spec"}
+    assert set(stations) == set(COLUMNS) - {"spec", "case"}
     s = stations["s_m"]
     assert (np.diff(s[:, 11:], axis=1) > 0).all()
     assert np.allclose(s[:, -1], three.segments[1].exit["s_m"], rtol=1e-14)

@@ -290,6 +290,7 @@ def test_without_depth_there_are_no_edges():
 def test_the_depth_follows_the_rate_in_a_batch_as_in_single_designs():
     """Designs whose middles land on different segments too, and those that miss all: each as alone, to the last bit."""
     ledge = {"kind": "straight", "name": "ledge", "start_m": [0.5, 0.1], "slope_deg": 50.0, "length_m": 0.5}
+    ledge["may_be_passed"] = True
     segments = [{"kind": "fall", "onto_next": True}, ledge, *placed()[1:]]
     segments[2] = segments[2] | {"start_m": [1.2, -1.6], "length_m": 3.0}
     segments.insert(2, {"kind": "fall", "onto_next": True})

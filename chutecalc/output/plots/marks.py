@@ -12,13 +12,14 @@ from chutecalc.output.plots.traces import Trace, View
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.impacts import IMPACT_COLUMNS
+from chutecalc.results.part import FLIGHT
 from chutecalc.results.solved import SolvedChute
 
 SHORT = 0.08
 """Share of the chute below which a line leads from a segment to its name. Marks closer than half of it are drawn
 together."""
-FALL = "fall"
-"""Kind of the segments that have no surface."""
+UNNAMED = (FLIGHT, "inlet")
+"""Kinds of the traces in the air that have no name: flights to a segment, and a stream that reaches none."""
 MOST_NAMED = 20
 """With more segments and flights than this, neither they nor their impacts are named."""
 
@@ -39,7 +40,7 @@ def names(seen: View, units: str) -> list[Label]:
         seen: the chute.
         units: ``metric`` or ``us``.
     """
-    falls = [(trace.name, -1.0, trace.path) for trace in seen.stream if trace.kind == FALL]
+    falls = [(trace.name, -1.0, trace.path) for trace in seen.stream if trace.side == 0.0 and trace.kind not in UNNAMED]
     named = [*((steel.name, steel.side, steel.path) for steel in seen.surfaces), *falls]
     found = []
     for name, side, line in named if len(named) <= MOST_NAMED else ():
