@@ -148,3 +148,18 @@ def compare(base, values, batch):
             expected = [one.segments[number].exit[name][0] for one in alone]
             assert np.array_equal(column, expected, equal_nan=True), (name, number)
             assert np.array_equal(turned.segments[number].exit[name][::-1], column, equal_nan=True), (name, number)
+
+
+@pytest.mark.parametrize("maker", MAKERS, ids=lambda maker: maker.__name__)
+def test_a_chute_varied_at_its_own_rate_is_the_same_chute(maker):
+    """Its stream meets the steel that it was drawn by: the same outcome, and the same velocity within its error."""
+    compared = 0
+    for data, solution, _ in islice(draws(78, maker=maker), 60):
+        if solution is None:
+            continue
+        with noting_spec(data):
+            own = chutecalc.solve(chutecalc.parse(data).vary({"flow.rate_t_h": [data["flow"]["rate_t_h"]]}))
+            assert own.status[0] == solution.status[0]
+            assert own.exit_velocity == pytest.approx(solution.exit_velocity, rel=1e-9, nan_ok=True)
+            compared += 1
+    assert compared > 20
