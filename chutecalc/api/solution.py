@@ -26,7 +26,7 @@ class Solution(SolvedChute):
     >>> solution.status.tolist(), solution.exit_velocity.round(3).tolist()
     (['ok'], [3.878])
     >>> [finding.code for finding in solution.findings()]
-    ['below_cut_off']
+    ['below_cut_off', 'will_not_clear']
     """
 
     def plot(self, units: str = "metric") -> "Figure":

@@ -133,7 +133,7 @@ def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns:
 
 def _rows(stations: Mapping[str, Any], segment: str, columns: Sequence[str]) -> list[dict[str, Any]]:
     """Return the stations of one segment or flight that the stream reached, an object each."""
-    names = [name for name in columns if name not in {"spec", "segment", "kind"}]
+    names = [name for name in columns if name not in {"spec", "case", "segment", "kind"}]
     chosen = (stations["segment"][0] == segment) & np.isfinite(stations["s_m"][0])
     values = [numbers(stations[name][0][chosen]) for name in names]
     return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]

@@ -87,7 +87,7 @@ def test_csv_without_points_has_101_stations_a_segment(capsys, starter):
     assert main(["run", str(starter), "--csv", "-"]) == 0
     out = capsys.readouterr().out
     assert len(out.splitlines()) == 1 + 2 * 101
-    assert "spec,segment,kind,s_m" in out.splitlines()[0]
+    assert "spec,case,segment,kind,s_m" in out.splitlines()[0]
 
 
 def test_json_of_one_and_of_several(capsys, starter, stalling):

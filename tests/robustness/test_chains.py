@@ -47,7 +47,8 @@ def falls(kind, seed):
         dict(fall),
         {"kind": "straight", "slope_deg": 25.0, "length_m": 1.0},
     ]
-    tables = BASE | {"inlet": {"velocity_m_s": 3.0, "slope_deg": 70.0}, "segments": segments}
+    inlet = {"velocity_m_s": 3.0, "slope_deg": 70.0}
+    tables = BASE | {"inlet": inlet, "segments": segments, "model": {"steel": "follows_stream"}}
     return chutecalc.parse(tables).vary(numbers), numbers
 
 
