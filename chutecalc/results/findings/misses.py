@@ -78,16 +78,21 @@ def missed(scene: Scene) -> Iterator[Case]:
 
 def _below_belt(scene: Scene) -> Iterator[Case]:
     """Yield the case of streams that leave the chute below the line of the receiving belt."""
-    belt, end = scene.design.receiver, scene.solved.exit
+    belt, solved = scene.design.receiver, scene.solved
     if not scene.received or belt is None or belt.at is None:
         return
-    lost = (scene.solved.status == Status.OK) & np.isnan(scene.received["landing_x_m"])
-    below = (belt.at[1] - end.z) * np.cos(belt.slope) + (belt.at[0] - end.x) * np.sin(belt.slope)
+    passed, slope = solved.status == Status.PASSED, belt.slope_of_trace
+    through = np.isin(solved.status, (Status.OK, Status.CONTACT_LOST)) | passed
+    x, z, s = (
+        np.where(passed, getattr(solved.start, name), getattr(solved.exit, name)) for name in ("x", "z", "distance")
+    )
+    below = (belt.at[1] - z) * np.cos(slope) + (belt.at[0] - x) * np.sin(slope)
+    lost = through & np.isnan(scene.received["landing_x_m"]) & (below > 0.0)
     template = (
         "the stream leaves the chute {below_m} below the line of the receiving belt and never lands on it; end the"
         " chute above the belt, or correct receiver.at_m"
     )
-    yield Case(lost, end.distance, template, {"below_m": below})
+    yield Case(lost, s, template, {"below_m": below})
 
 
 def _before_start(scene: Scene) -> Array:
