@@ -6,6 +6,7 @@ import numpy as np
 
 from chutecalc.design import Fall, Status
 from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.surface import point
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
 from chutecalc.solver.segment_solution import Point
@@ -26,7 +27,7 @@ def passed_by(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    solved, gap = scene.solved, scene.contact.arrival.gap
+    solved, gap = scene.solved, _gap(scene)
     numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope), "gap_m": gap}
     s = solved.start.distance
     template = (
@@ -59,8 +60,9 @@ def missed(scene: Scene) -> Iterator[Case]:
     if isinstance(segment, Fall):
         yield from _never_ends(segment, solved.start, lost, scene.design.gravity)
         return
-    lost = lost & ~(scene.contact.arrival.gap > 0.0)
-    before, gap = _before_start(scene), -scene.contact.arrival.gap
+    gap = -_gap(scene)
+    lost = lost & ~(gap < 0.0)
+    before = _before_start(scene)
     numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
     begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
     s = solved.start.distance
@@ -93,6 +95,19 @@ def _below_belt(scene: Scene) -> Iterator[Case]:
         " chute above the belt, or correct receiver.at_m"
     )
     yield Case(lost, s, template, {"below_m": below})
+
+
+def _gap(scene: Scene) -> Array:
+    """Return how far from a segment's end a flight passes on the stream's side, m; NaN if it does not pass it.
+
+    That is along the normal there; of a flight that never crosses it, below or above the end.
+    """
+    surface, gap = scene.contact.surface, scene.contact.arrival.gap
+    end_x, end_z, _ = point(surface, np.ones(1))
+    x, z, forward, downward, gravity = scene.solved.path
+    time = np.where(forward > 0.0, (end_x - x) / forward, np.nan)
+    beside = surface.side * (z - (downward + 0.5 * gravity * time) * time - end_z)
+    return np.where(np.isnan(gap) & (time >= 0.0), beside, gap)
 
 
 def _before_start(scene: Scene) -> Array:
