@@ -17,7 +17,7 @@ from chutecalc.solver.steel import Steel, drawn_steel, enters_vertically, follow
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.faults import case_faults, faults_of, geometry_faults, value_text
-from chutecalc.spec.operating import case_values, check_operating, is_felt, is_operating
+from chutecalc.spec.operating import case_values, drawing_faults, is_felt, is_operating
 from chutecalc.spec.parse import parse_text, read_text
 from chutecalc.spec.paths import with_values
 
@@ -134,9 +134,9 @@ class Chute:
         found, faults = {}, []
         for name, table in self.spec.cases.items():
             values = case_values(table)
+            faults += case_faults(drawing_faults(values), name, self.text)
             try:
-                check_operating(values, self.source)
-                found[name] = self._on_steel(values)
+                found[name] = self._on_steel({path: value for path, value in values.items() if is_operating(path)})
             except SpecError as error:
                 faults += case_faults(error.faults, name, self.text)
         if faults:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from chutecalc.errors import Fault, SpecError
+from chutecalc.errors import Fault
 from chutecalc.spec.faults import value_text
 
 OPERATING = (
@@ -56,17 +56,13 @@ def case_values(case: dict[str, Any], above: str = "") -> dict[str, Any]:
     return found
 
 
-def check_operating(values: dict[str, Any], source: str) -> None:
-    """Check that all keys of a case are operating.
+def drawing_faults(values: dict[str, Any]) -> list[Fault]:
+    """Return a fault for each key of a case that changes the drawing.
 
     Args:
         values: of the case, by key path.
-        source: what messages call the spec.
-
-    Raises:
-        SpecError: those that change the drawing.
     """
-    wrong = [
+    return [
         Fault(
             path,
             "belongs to the drawing, and all cases are served by the same steel",
@@ -76,5 +72,3 @@ def check_operating(values: dict[str, Any], source: str) -> None:
         for path, value in values.items()
         if not is_operating(path)
     ]
-    if wrong:
-        raise SpecError(wrong, source)
