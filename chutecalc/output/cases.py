@@ -19,7 +19,8 @@ def cases_table(cases: Cases, units: str) -> Grid:
         cases: the states of one design.
         units: ``metric`` or ``us``.
     """
-    table = Grid("cases, on the same steel")
+    moves = cases[DESIGN_POINT].spec.model.steel == "follows_stream"
+    table = Grid("cases, each on steel that follows its stream" if moves else "cases, on the same steel")
     table.column("case", left=True, label=True)
     table.column("status", left=True, label=True)
     for measure in cases.measures:
