@@ -1,6 +1,7 @@
 """Closed sections: a segment with a roof opposite to the surface that is drawn, and which of both a stream meets.
 
-The roof is parallel to the drawn surface at the height of the section. The stream on it is that on a hood, with the
+The roof is parallel to the drawn surface at the height of the section, or leads from the height at its start to that at
+its end. The stream on it is that on a hood, with the
 section turned over.
 """
 
@@ -53,15 +54,19 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
 
 
 def place_roof(segment: "records.Segment", own: "guide_surface.Guide", roof: "guide_surface.Guide") -> None:
-    """Place the roof opposite to the drawn surface: an arc about the same centre, or a line between its two ends."""
+    """Place the roof opposite to the drawn surface: the line or the arc of the same turn between the two mouths.
+
+    For a section that does not taper this is the arc about the same centre.
+    """
     height, last = own.side * own.first.wall_height, own.side * own.last.wall_height
-    sine, cosine = math.sin(own.entry_slope), math.cos(own.entry_slope)
-    roof.x, roof.z = own.x + height * sine, own.z + height * cosine
-    roof.entry_slope, roof.turn = own.entry_slope, own.turn
-    roof.length = own.length + own.turn * height
-    if last != height:  # a straight that tapers
-        roof.entry_slope = own.entry_slope - math.atan2(last - height, own.length)
-        roof.length = math.hypot(last - height, own.length)
+    roof.x = own.x + height * math.sin(own.entry_slope)
+    roof.z = own.z + height * math.cos(own.entry_slope)
+    half = 0.5 * own.turn
+    chord = math.sin(half) / half if half != 0.0 else 1.0  # over the length
+    along = chord * (own.length + half * (height + last))  # from mouth to mouth, in the direction of the drawn chord
+    across = (last - height) * math.cos(half)
+    roof.entry_slope, roof.turn = own.entry_slope - math.atan2(across, along), own.turn
+    roof.length = math.hypot(along, across) / chord
     guide_surface.set_constants(roof)
 
 

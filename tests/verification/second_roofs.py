@@ -54,17 +54,16 @@ class Tube:
         x, z = drawn.at(drawn.length)
         self.mouth = Mouth(drawn.x, drawn.z, drawn.slope, drawn.side, first)
         end = drawn.slope_at(drawn.length)
-        if drawn.kappa:  # concentric, at the height of its start
-            last = first
         self.exit = Mouth(x, z, end, drawn.side, last)
-        begin = _off(self.mouth)
-        to = _off(self.exit)
-        if drawn.kappa:
-            shorter = 1 - drawn.kappa * drawn.side * first
-            other = Surface(*begin, drawn.slope, drawn.kappa / shorter, drawn.length * shorter, -drawn.side)
+        begin, to = _off(self.mouth), _off(self.exit)
+        run, rise = to[0] - begin[0], to[1] - begin[1]
+        slope, chord = atan_slope(run, rise), hypot(run, rise)
+        if drawn.kappa:  # the arc through both that turns as much
+            turn = drawn.kappa * drawn.length
+            bend = 2 * sin(turn / 2) / chord
+            other = Surface(*begin, slope + turn / 2, bend, turn / bend, -drawn.side)
         else:
-            run, rise = to[0] - begin[0], to[1] - begin[1]
-            other = Surface(*begin, atan_slope(run, rise), 0.0, hypot(run, rise), -drawn.side)
+            other = Surface(*begin, slope, 0.0, chord, -drawn.side)
         self.walls = (drawn, other)
         self.size = drawn.length + other.length + first + last
 
