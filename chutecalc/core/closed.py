@@ -7,7 +7,7 @@ section turned over.
 
 import math
 
-from chutecalc.core import flight, floats, guide_surface, joint, records, state, surface
+from chutecalc.core import flight, floats, guide_surface, joint, quartic, records, state, surface
 
 
 def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_roots: int, roof_roots: int) -> None:
@@ -22,6 +22,7 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
         own_roots, roof_roots: how many roots at time 0 of the flight lie on the drawn surface, and on the roof.
     """
     inside = own_roots > 0 or roof_roots > 0
+    since, chute.mouth_time = chute.mouth_time, floats.NAN
     segment.on_roof, segment.roots = False, own_roots
     if not segment.closed or chute.status != state.OK:
         chute.airborne = chute.airborne or chute.on_roof  # what ran on a roof falls onto an open chute
@@ -30,7 +31,7 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
         place_roof(segment, segment.stream.guide, segment.roof.guide)
     if not chute.airborne and chute.on_roof:
         chute.airborne = not meets_roof(chute, segment.roof.guide)
-        segment.on_roof = not chute.airborne
+        segment.on_roof, since = not chute.airborne, 0.0
         if segment.on_roof and runs_on(chute, segment.roof.guide):
             return
         roof_roots = 1 if segment.on_roof else 0
@@ -42,7 +43,7 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
     if chute.airborne and not inside and joint.through_start(chute, segment.stream.guide) >= 0.0:
         return
     chute.airborne, segment.on_roof = True, False
-    if not inside and not enters(chute, segment.stream.guide):
+    if not inside and not enters(chute, segment, segment.stream.guide, since):
         leave_out(chute, segment, state.MISSED)
         return
     own, _, _ = surface.land(segment.stream.guide, chute.flight, chute.clearance, own_roots)
@@ -51,6 +52,8 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
     segment.roots = roof_roots if segment.on_roof else own_roots
     if own != own and roof != roof:
         leave_out(chute, segment, state.PASSED)
+        time = surface.crossing_time(segment.stream.guide, chute.flight, 1.0)
+        chute.mouth_time = time if time >= 0.0 and not time < since else since
 
 
 def place_roof(segment: "records.Segment", own: "guide_surface.Guide", roof: "guide_surface.Guide") -> None:
@@ -80,10 +83,29 @@ def meets_roof(chute: "records.ChuteState", roof: "guide_surface.Guide") -> bool
     return math.hypot(chute.current.x - roof.x, chute.current.z - roof.z) <= MOUTH_TOLERANCE
 
 
-def enters(chute: "records.ChuteState", own: "guide_surface.Guide") -> bool:
-    """Return whether a flight comes in through the mouth, between the drawn surface and the roof."""
+def enters(chute: "records.ChuteState", segment: "records.Segment", own: "guide_surface.Guide", since: float) -> bool:
+    """Return whether a flight comes in through the mouth, between the drawn surface and the roof.
+
+    Where two closed segments meet at a kink that flattens, the first reaches beyond the other's mouth. A stream that
+    comes out of the first between the walls of the other is in it.
+
+    Args:
+        chute: a stream in flight.
+        segment, own: as placed.
+        since: when the flight comes out of the closed segment before, s; NaN if it does not.
+    """
+    if math.hypot(chute.drawn_x - own.x, chute.drawn_z - own.z) <= MOUTH_TOLERANCE and (
+        is_above(chute, own, since) and is_above(chute, segment.roof.guide, since)
+    ):
+        return True
     gap = surface.gap_at(own, chute.flight, 0.0)
     return gap >= -MOUTH_TOLERANCE and gap <= own.first.wall_height + MOUTH_TOLERANCE
+
+
+def is_above(chute: "records.ChuteState", guide: "guide_surface.Guide", time: float) -> bool:
+    """Return whether a flight is on the stream's side of a surface at a time; not at NaN."""
+    surface.clearance(guide, chute.flight, chute.clearance)
+    return quartic.value_at(chute.clearance.value, 4, time) >= -MOUTH_TOLERANCE
 
 
 def leave_out(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:
@@ -94,15 +116,14 @@ def leave_out(chute: "records.ChuteState", segment: "records.Segment", status: i
     chute.already_landed = True
 
 
-def fly_to_mouth(chute: "records.ChuteState", own: "guide_surface.Guide") -> None:
+def fly_to_mouth(chute: "records.ChuteState") -> None:
     """Carry a stream that flies inside the last segment on to the mouth at its end."""
     flight.launch(chute.flight, chute.current, chute.gravity)
-    time = surface.crossing_time(own, chute.flight, 1.0)
-    if time > 0.0:
-        chute.current.distance += flight.path_length(chute.flight, time)
-        chute.current.x, chute.current.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
-        chute.current.velocity = flight.velocity_at(chute.flight, time)
-        chute.current.slope = flight.slope_at(chute.flight, time)
+    time = chute.mouth_time
+    chute.current.distance += flight.path_length(chute.flight, time)
+    chute.current.x, chute.current.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
+    chute.current.velocity = flight.velocity_at(chute.flight, time)
+    chute.current.slope = flight.slope_at(chute.flight, time)
 
 
 MOUTH_TOLERANCE = 1e-9

@@ -108,6 +108,8 @@ class ChuteState:
         self.status = 0
         self.on_roof = False
         """Whether the stream is at the end of the roof of the segment before it."""
+        self.mouth_time = self.saved_mouth_time = floats.NAN
+        """When its flight comes out of the closed segment before, s; NaN if it does not."""
         self.airborne = False
         """Whether the stream flies, and is not at the drawn end of the segment that it came from."""
         self.already_landed = False

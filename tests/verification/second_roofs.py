@@ -72,34 +72,20 @@ class Tube:
         other = self.walls[1]
         return side == other.side and hypot(x - other.x, z - other.z) <= 1e-7 * self.mouth.height
 
-    def holds(self, x: float, z: float) -> bool:
-        """Return whether a point is between both walls and both mouths."""
-        tolerance = NEAR * self.size
-        if self.mouth.along(x, z) < -tolerance and abs(self.mouth.across(x, z)) < self.size:
-            return False
-        return all(self._inside(wall, x, z, tolerance) for wall in self.walls)
+    def between(self, x: float, z: float) -> bool:
+        """Return whether a point is on the stream's side of both walls' lines or circles."""
+        return all(_inside(wall, x, z) >= -NEAR * self.size for wall in self.walls)
 
-    @staticmethod
-    def _inside(wall: Surface, x: float, z: float, tolerance: float) -> bool:
-        u = length_at(x, z, wall)
-        if not -tolerance <= u <= wall.length + tolerance and wall.side and wall.kappa:
-            return False
-        if wall.kappa == 0:
-            sine, cosine = sin(wall.slope), cos(wall.slope)
-            inside = wall.side * ((x - wall.x) * sine + (z - wall.z) * cosine)
-            return inside >= -tolerance and u <= wall.length + tolerance
-        radius = 1 / wall.kappa
-        from_centre = hypot(x - wall.x - radius * sin(wall.slope), z - wall.z - radius * cos(wall.slope))
-        inside = (abs(radius) - from_centre) * (1 if wall.kappa * wall.side > 0 else -1)
-        return inside >= -tolerance
+    def entered(self, flight: Flight, since: float, joined: bool) -> float | None:
+        """Return from when on the flight is inside; None if it does not come in through the mouth.
 
-    def entered(self, flight: Flight, since: float) -> float | None:
-        """Return from when on the flight is inside; None if it does not come in through the mouth."""
-        if self.holds(*flight.at(since)):
+        Where it comes out of another tube that this one is joined to, at `since`, it may be beyond the mouth: the two
+        overlap in their mitre.
+        """
+        if joined and self.between(*flight.at(since)):
             return since
         tolerance = NEAR * self.size
-        until = horizon(flight, self.walls[0])
-        for t, forwards, across in self.mouth.crossed(flight, until):
+        for t, forwards, across in self.mouth.crossed(flight, horizon(flight, self.walls[0])):
             if t >= since and forwards:
                 return t if -tolerance <= across <= self.mouth.height + tolerance else None
         return None
@@ -112,6 +98,8 @@ class Tube:
         tolerance = NEAR * self.size
         until = max(horizon(flight, wall) for wall in self.walls)
         events: list[tuple[float, int]] = []
+        if self.exit.along(*flight.at(since)) > 0 and self.between(*flight.at(since)):
+            return 2, None, since
         for t, forwards, across in self.exit.crossed(flight, until):
             if t >= since and forwards and -tolerance <= across <= self.exit.height + tolerance:
                 events.append((t, 2))
@@ -134,6 +122,15 @@ class Tube:
         vx, vz = flight.velocity(t)
         incidence = wall.side * (atan_slope(vx, vz) - wall.slope_at(u))
         return number, Landing(u, max(incidence, 0.0), sqrt(vx * vx + vz * vz), flight.path(t)), t
+
+
+def _inside(wall: Surface, x: float, z: float) -> float:
+    """Return how far a point is on the stream's side of a wall's line or circle."""
+    if wall.kappa == 0:
+        return wall.side * ((x - wall.x) * sin(wall.slope) + (z - wall.z) * cos(wall.slope))
+    radius = 1 / wall.kappa
+    from_centre = hypot(x - wall.x - radius * sin(wall.slope), z - wall.z - radius * cos(wall.slope))
+    return (abs(radius) - from_centre) * (1 if wall.kappa * wall.side > 0 else -1)
 
 
 def _off(mouth: Mouth) -> tuple[float, float]:

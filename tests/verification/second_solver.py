@@ -5,7 +5,7 @@
 """
 
 from dataclasses import dataclass, field
-from math import acos, cos, degrees, inf, nan, radians, sin, sqrt, tan
+from math import acos, cos, degrees, hypot, inf, nan, radians, sin, sqrt, tan
 from typing import Any
 
 import numpy as np
@@ -100,6 +100,7 @@ class Solver:
         self.flight: Flight | None = None  # while nothing carries the stream
         self.took_off = self.stream
         self.since = 0.0  # of the flight's time, spent inside closed segments that it has flown through
+        self.inside = False  # whether it has just come out of one, or comes along the wall opposite to a drawn one
         self.opposite = 0  # side of the wall opposite to a drawn one, if the stream comes along such a wall
         self.onto: Segment | None = None
         # where the next segment is drawn from
@@ -149,6 +150,7 @@ class Solver:
             self.flight.vx = 0.0
 
     def fall(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        self.inside = False
         if self.flight is None:
             self.fly()
         flight = self.flight
@@ -211,6 +213,7 @@ class Solver:
         )
 
     def surface(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        self.inside = False
         surface = self.draw(table)
         setting = segment.setting = self.setting(table, surface)
         u = 0.0
@@ -302,7 +305,10 @@ class Solver:
     def tube(self, table: dict[str, Any], segment: Segment, number: int) -> None:
         heights = self.heights(table)
         assert heights is not None
+        end = self.x, self.z
         tube = Tube(self.draw(table), heights)
+        joined = self.inside and hypot(end[0] - tube.mouth.x, end[1] - tube.mouth.z) < 1e-9
+        self.inside = False
         settings = [self.setting(table, wall) for wall in tube.walls]
         on, u = 0, 0.0
         if self.opposite and not tube.continues(self.stream.x, self.stream.z, self.opposite):
@@ -320,7 +326,7 @@ class Solver:
                 self.fly(touch=1)
                 left = on
         if self.flight is not None:
-            entered = 0.0 if left is not None else tube.entered(self.flight, self.since)
+            entered = 0.0 if left is not None else tube.entered(self.flight, self.since, joined)
             if entered is None:
                 self.onto = None
                 self.pass_by(table, segment, number)
@@ -357,6 +363,7 @@ class Solver:
             how, u = self.run_along(segment, u)
             if how == "end":
                 self.opposite = on and setting.surface.side
+                self.inside = on > 0
                 return
             self.lose(segment, u, touch=3)
         raise UndecidedError("goes from wall to wall again and again")
@@ -367,7 +374,7 @@ class Solver:
         assert flight is not None
         if segment.status != "contact_lost":
             segment.status = "passed"
-        self.since = t
+        self.since, self.inside = t, True
         if number + 1 == len(self.result.segments):
             (x, z), (vx, vz) = flight.at(t), flight.velocity(t)
             self.stream = Stream(self.took_off.s + flight.path(t), x, z, sqrt(vx * vx + vz * vz), atan_slope(vx, vz))
