@@ -22,7 +22,8 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
         own_roots, roof_roots: how many roots at time 0 of the flight lie on the drawn surface, and on the roof.
     """
     inside = own_roots > 0 or roof_roots > 0
-    since, chute.mouth_time = chute.mouth_time, floats.NAN
+    since = chute.mouth_time
+    chute.mouth_time = chute.flight.since = floats.NAN
     segment.on_roof, segment.roots = False, own_roots
     if not segment.closed or chute.status != state.OK:
         chute.airborne = chute.airborne or chute.on_roof  # what ran on a roof falls onto an open chute
@@ -86,17 +87,17 @@ def meets_roof(chute: "records.ChuteState", roof: "guide_surface.Guide") -> bool
 def enters(chute: "records.ChuteState", segment: "records.Segment", own: "guide_surface.Guide", since: float) -> bool:
     """Return whether a flight comes in through the mouth, between the drawn surface and the roof.
 
-    Where two closed segments meet at a kink that flattens, the first reaches beyond the other's mouth. A stream that
-    comes out of the first between the walls of the other is in it.
+    Two closed segments that meet at a kink are mitred: a stream that comes out of the first between the walls of the
+    other, drawn on backwards, is in it.
 
     Args:
-        chute: a stream in flight.
+        chute: a stream in flight; ``flight.since`` is set.
         segment, own: as placed.
         since: when the flight comes out of the closed segment before, s; NaN if it does not.
     """
-    if math.hypot(chute.drawn_x - own.x, chute.drawn_z - own.z) <= MOUTH_TOLERANCE and (
-        is_above(chute, own, since) and is_above(chute, segment.roof.guide, since)
-    ):
+    mitred = math.hypot(chute.drawn_x - own.x, chute.drawn_z - own.z) <= MOUTH_TOLERANCE
+    if mitred and is_above(chute, own, since) and is_above(chute, segment.roof.guide, since):
+        chute.flight.since = since
         return True
     gap = surface.gap_at(own, chute.flight, 0.0)
     return gap >= -MOUTH_TOLERANCE and gap <= own.first.wall_height + MOUTH_TOLERANCE

@@ -9,7 +9,7 @@ cdef class Point:
 
 @cython.final
 cdef class Flight:
-    cdef public double x, z, forward, downward, gravity, x_error, z_error, forward_error, downward_error, downward_now
+    cdef public double x, z, forward, downward, gravity, x_error, z_error, forward_error, downward_error, downward_now, since
 
 @cython.final
 cdef class Impact:

@@ -25,6 +25,8 @@ class Flight:
         """Start of the flight, m; velocities there, m/s; gravity, m/s²."""
         self.x_error = self.z_error = self.forward_error = self.downward_error = self.downward_now = 0.0
         """Errors at the time in question, and the downward velocity then."""
+        self.since = floats.NAN
+        """When it comes out of a closed segment into the one in question, s; NaN where it comes from the open."""
 
 
 class Impact:

@@ -174,10 +174,9 @@ class Landing:
     flown: float
 
 
-def landing(flight: Flight, surface: Surface, since: float = 0.0) -> tuple[Landing | None, float]:
+def landing(flight: Flight, surface: Surface) -> tuple[Landing | None, float]:
     """Return the first meeting from the stream's side before the surface is passed, or None; and when it is passed.
 
-    Before `since` the stream was inside closed segments.
     It passes the end on the stream's side, or not at all: a stream that is behind the surface there fell short.
     """
     passed = passing(flight, surface)
@@ -185,7 +184,7 @@ def landing(flight: Flight, surface: Surface, since: float = 0.0) -> tuple[Landi
     powers = distance(flight, surface)
     for t in roots(powers[flight.touch :], 0.0, end * (1 + 1e-15)):
         rate = sum(k * power * t ** (k - 1) for k, power in enumerate(powers) if k)
-        if rate >= 0 or t < since:  # from behind, or through a wall
+        if rate >= 0:  # from behind
             continue
         x, z = flight.at(t)
         u = length_at(x, z, surface)

@@ -90,10 +90,12 @@ class Tube:
                 return t if -tolerance <= across <= self.mouth.height + tolerance else None
         return None
 
-    def next(self, flight: Flight, left: int | None, since: float) -> tuple[int, Landing | None, float]:
-        """Return the wall that a flight inside meets first and how; without a landing it leaves through the exit.
+    def next(self, flight: Flight, left: int | None, since: float, joined: bool) -> tuple[int, Landing | None, float]:
+        """Return the wall that a flight inside meets first and how; without a landing it leaves through the exit, 2,
+        or back through its mouth, -1.
 
-        `left` is the wall that it took off from, with the flight's touch; None if it comes from elsewhere.
+        `left` is the wall that it took off from, with the flight's touch; None if it comes from elsewhere. Walls of
+        joined tubes go on to their mitre.
         """
         tolerance = NEAR * self.size
         until = max(horizon(flight, wall) for wall in self.walls)
@@ -110,15 +112,19 @@ class Tube:
             for t in roots(powers[gone:], 0.0, until):
                 rate = sum(k * power * t ** (k - 1) for k, power in enumerate(powers) if k)
                 u = length_at(*flight.at(t), wall)
-                if t >= since and rate < 0 and -tolerance <= u <= wall.length + tolerance:
+                if t >= since and rate < 0 and (joined or -tolerance <= u) and u <= wall.length + tolerance:
                     events.append((t, number))
+        for t, forwards, across in self.mouth.crossed(flight, until):
+            if t > since and not forwards and 0 <= across <= self.mouth.height:
+                events.append((t, -1))
         if not events:
             return -1, None, inf
         t, number = min(events)
-        if number == 2:
-            return 2, None, t
+        if number in (-1, 2):
+            return number, None, t
         wall = self.walls[number]
-        u = min(max(length_at(*flight.at(t), wall), 0.0), wall.length)
+        u = min(length_at(*flight.at(t), wall), wall.length)
+        u = u if u < -tolerance else max(u, 0.0)
         vx, vz = flight.velocity(t)
         incidence = wall.side * (atan_slope(vx, vz) - wall.slope_at(u))
         return number, Landing(u, max(incidence, 0.0), sqrt(vx * vx + vz * vz), flight.path(t)), t

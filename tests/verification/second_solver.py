@@ -229,7 +229,7 @@ class Solver:
                 self.fly(touch=1)
         for _ in range(LEAPS):
             if self.flight is not None:
-                met, passed = landing(self.flight, surface, self.since)
+                met, passed = landing(self.flight, surface)
                 self.flight.touch = 0
                 onto, self.onto = self.onto, None
                 if met is not None and onto is not None:
@@ -325,8 +325,11 @@ class Solver:
             else:
                 self.fly(touch=1)
                 left = on
+        if not joined:
+            self.since = 0.0
         if self.flight is not None:
             entered = 0.0 if left is not None else tube.entered(self.flight, self.since, joined)
+            joined = joined and left is None and entered == self.since
             if entered is None:
                 self.onto = None
                 self.pass_by(table, segment, number)
@@ -335,11 +338,12 @@ class Solver:
         self.opposite = 0
         for _ in range(LEAPS):
             if self.flight is not None:
-                on, met, t = tube.next(self.flight, left, self.since)
+                on, met, t = tube.next(self.flight, left, self.since, joined)
                 self.flight.touch = 0
-                if on < 0:
-                    raise UndecidedError("neither meets a wall nor leaves")
                 onto, self.onto = self.onto, None
+                if on < 0:
+                    self.pass_by(table, segment, number)
+                    return
                 if met is None:
                     self.through(segment, number, t)
                     return
@@ -356,8 +360,8 @@ class Solver:
                 segment.status = "stall"
                 raise _FailedError("stall")
             segment.status = "ok"
-            left = on
-            if setting.press(u, self.stream.v) < 0:
+            left, joined = on, False
+            if setting.press(u, self.stream.v) < -1e-14:  # but upright
                 self.lose(segment, u, touch=2)
                 continue
             how, u = self.run_along(segment, u)
