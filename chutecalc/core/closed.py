@@ -52,9 +52,7 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
     segment.on_roof = roof < own or own != own
     segment.roots = roof_roots if segment.on_roof else own_roots
     if own != own and roof != roof:
-        leave_out(chute, segment, state.PASSED)
-        time = surface.crossing_time(segment.stream.guide, chute.flight, 1.0)
-        chute.mouth_time = time if time >= 0.0 and not time < since else since
+        fly_out(chute, segment, segment.stream.guide, since)
 
 
 def place_roof(segment: "records.Segment", own: "guide_surface.Guide", roof: "guide_surface.Guide") -> None:
@@ -107,6 +105,22 @@ def is_above(chute: "records.ChuteState", guide: "guide_surface.Guide", time: fl
     """Return whether a flight is on the stream's side of a surface at a time; not at NaN."""
     surface.clearance(guide, chute.flight, chute.clearance)
     return quartic.value_at(chute.clearance.value, 4, time) >= -MOUTH_TOLERANCE
+
+
+def fly_out(chute: "records.ChuteState", segment: "records.Segment", own: "guide_surface.Guide", since: float) -> None:
+    """Write the arrival of a flight that touches neither wall: it comes out at the end, or falls back out of the mouth.
+
+    Args:
+        chute: a stream in flight.
+        segment, own: as placed.
+        since: when the flight came out of the closed segment before, s: beyond the end of this one if that is short.
+    """
+    time, gap = surface.crossing_time(own, chute.flight, 1.0), surface.gap_at(own, chute.flight, 1.0)
+    if time < since or (gap >= -MOUTH_TOLERANCE and gap <= own.last.wall_height + MOUTH_TOLERANCE):
+        leave_out(chute, segment, state.PASSED)
+        chute.mouth_time = since if time < since else time
+    else:
+        leave_out(chute, segment, state.MISSED)
 
 
 def leave_out(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:

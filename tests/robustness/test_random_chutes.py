@@ -90,7 +90,8 @@ def check(solution):
     status = solution.status[0]
     assert np.isfinite(solution.exit_velocity[0]) == (status == "ok")
     failures = [finding.code for finding in solution.findings() if finding.severity == "failure"]
-    assert failures == ([] if status == "ok" else [status])
+    codes = {"ok": [[]], "missed": [["missed"], ["passed_by"]]}
+    assert failures in codes.get(status, [[status]])
     for finding in solution.findings():
         assert "nan" not in finding.message()
     table = solution.stations(points=7)

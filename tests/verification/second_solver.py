@@ -342,7 +342,7 @@ class Solver:
                 self.flight.touch = 0
                 onto, self.onto = self.onto, None
                 if on < 0:
-                    self.pass_by(table, segment, number)
+                    self.falls_back(table, segment, number)
                     return
                 if met is None:
                     self.through(segment, number, t)
@@ -371,6 +371,13 @@ class Solver:
                 return
             self.lose(segment, u, touch=3)
         raise UndecidedError("goes from wall to wall again and again")
+
+    def falls_back(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        """The stream leaves through the mouth that it came in through."""
+        if segment.status != "contact_lost":
+            self.pass_by(table, segment, number)
+        elif number + 1 == len(self.result.segments) and "at_m" not in self.data.get("receiver", {}):
+            raise _FailedError("contact_lost")
 
     def through(self, segment: Segment, number: int, t: float) -> None:
         """The stream leaves through the exit in flight; at the last segment the chute ends there."""
@@ -437,8 +444,7 @@ class Solver:
             if away @ normal < 0:
                 raise _FailedError("missed")
             stream = stream - np.array([0.0, 0.0, self.g * times.max()])
-        along, across, beside = (float(abs(stream @ each)) for each in (heading, normal, aside))
-        along = float(stream @ heading)
+        along, across, beside = float(stream @ heading), abs(float(stream @ normal)), -float(stream @ aside)
         bracket = (mu if belt > along else -mu) * cos(slope) + sin(slope)
         gain = belt**2 - along**2
         reached = (belt - along) * bracket > 0
@@ -446,7 +452,7 @@ class Solver:
         self.result.receiver = {
             "velocity_along_m_s": along,
             "velocity_into_m_s": across,
-            "velocity_across_m_s": beside if plan >= 0 else -beside,
+            "velocity_across_m_s": beside,
             "velocity_ratio": along / belt,
             "impact_pressure_kpa": self.density * across**2 / 1e3,
             "wear_w_m2": mu * self.density * across**2 * sqrt((belt - along) ** 2 + beside**2),
