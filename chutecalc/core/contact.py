@@ -84,7 +84,7 @@ def solve_surface(
     records.copy_point(chute.current, chute.end)
     chute.status, chute.airborne = chute.segment_status, False
     solution_rows.write_solution(chute, segment, stream, stream.store.count - before)
-    goes_on = segment.closed or not segment.final or chute.belt_x == chute.belt_x
+    goes_on = not segment.final or chute.belt_x == chute.belt_x
     if chute.segment_status == state.CONTACT_LOST and goes_on:
         chute.status = state.OK
         chute.airborne = True
@@ -169,3 +169,5 @@ def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions",
             records.copy_point(chute.current, chute.start)
             chute.segment_status, segment.error_sign = state.NOT_REACHED, sign
             segment.on_roof = on_roof
+            if chute.mouth_time == chute.mouth_time:  # out of the end of a closed section
+                chute.status, chute.airborne = state.OK, True

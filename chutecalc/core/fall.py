@@ -51,7 +51,7 @@ def fall_to_level(chute: "records.ChuteState", segment: "records.Segment") -> No
         flight.shift_error(chute.flight, later, chute.end)
     records.copy_point(chute.entry, chute.end)
     records.copy_point(chute.current, chute.end)
-    chute.airborne = chute.on_roof = False
+    chute.airborne, chute.on_roof, chute.mouth_time = False, False, floats.NAN
     solution_rows.write_solution(chute, segment, segment.stream, 0)
 
 

@@ -12,7 +12,7 @@ def launch(flight: "records.Flight", point: "records.Point", gravity: float) -> 
     """Set the flight of a stream that leaves a point along its slope."""
     ahead = math.cos(point.slope)
     flight.x, flight.z, flight.gravity = point.x, point.z, gravity
-    flight.forward = point.velocity * ahead if ahead > LEAST_COSINE else 0.0
+    flight.forward = point.velocity * ahead if math.fabs(ahead) > LEAST_COSINE else 0.0
     flight.downward = point.velocity * math.sin(point.slope)
 
 
