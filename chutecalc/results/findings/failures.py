@@ -144,7 +144,7 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     )
     s = solved.exit.distance
     belt = scene.design.receiver
-    flies_on = scene.continues | (belt is not None and belt.at is not None and scene.exit_distance > 0.0)
+    flies_on = scene.continues | (belt is not None and belt.at is not None) & np.isfinite(scene.exit_distance)
     yield Case(lost & flies_on, s, f"{begin}; it flies on", numbers, Severity.WARNING)
     alone = f"{begin}; no later segment catches it"
     yield Case(lost & ~flies_on, s, alone, numbers)
