@@ -51,8 +51,9 @@ class Solution(SolvedChute):
             raise UsageError(f"units must be {' or '.join(Units)}, not {units!r}")
         require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
+        from chutecalc.results.cases import DESIGN_POINT, Cases
 
-        return draw_run([self], units)
+        return draw_run([Cases({DESIGN_POINT: self})], units)
 
     def to_dataframe(
         self,

@@ -51,7 +51,6 @@ def run(
     JSON has all other results as well. `chutecalc columns` lists the columns that there are.
     """
     from chutecalc.api.cases import solve_cases
-    from chutecalc.results.cases import DESIGN_POINT
     from chutecalc.results.columns import COLUMNS, check_columns
 
     names = names_of(columns)
@@ -59,7 +58,6 @@ def run(
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
     cases = [solve_cases(chute, rtol) for chute in chutes]
-    solutions = [states[DESIGN_POINT] for states in cases]
     tables = None
     if stations.given:
         from chutecalc.output.run import needed
@@ -79,7 +77,7 @@ def run(
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
-        outputs.draw(draw_run(solutions, outputs.units))
+        outputs.draw(draw_run(cases, outputs.units))
     _print(cases, tables, names, outputs)
     return _status(cases, strict)
 

@@ -16,7 +16,7 @@ from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.inlet import leaves_belt
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.segment_solution import SegmentSolution
-from chutecalc.solver.steel import drawn_start
+from chutecalc.solver.steel import drawn_surface
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -122,10 +122,9 @@ def _surfaces(placed: Sequence[SegmentSolution], last: int) -> tuple[Any, ...]:
     """Return a fall onto the surfaces up to a segment, which stand where they were placed."""
     surfaces = []
     for solved in _visited(placed, last):
-        contact = solved.contact
-        slope = contact.segment.entry_slope
-        slope = contact.surface.slope if slope is None else slope
-        surfaces.append(contact.segment._replace(start=drawn_start(contact), entry_slope=slope))
+        segment, drawn = solved.contact.segment, drawn_surface(solved.contact)
+        slope = drawn.slope if segment.entry_slope is None else segment.entry_slope
+        surfaces.append(segment._replace(start=(drawn.x, drawn.z), entry_slope=slope))
     return (Fall(name="", kind="", drop=None, run=None), *surfaces)
 
 

@@ -100,7 +100,13 @@ class ContactSolution:
     @cached_property
     def surface(self) -> Surface:
         """The guiding surface as placed."""
-        return Surface(self.table[FIELD["surface_side"]], *field_rows(self.table, "surface_x", 5))
+        return Surface(self.side, *field_rows(self.table, "surface_x", 5))
+
+    @property
+    def side(self) -> Array:
+        """σ of the surface that is met: 1 for a floor, -1 for a roof; a closed section has both. Shape (designs,)."""
+        side: Array = self.table[FIELD["surface_side"]]
+        return side
 
     @cached_property
     def arrival(self) -> Arrival:

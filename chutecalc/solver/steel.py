@@ -11,6 +11,7 @@ import numpy as np
 
 from chutecalc.design import Contact, Design, Fall, Segment
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.surface import Surface
 from chutecalc.solver.chain import run_chain
 from chutecalc.solver.segment_solution import ContactSolution
 
@@ -82,25 +83,30 @@ def drawn_steel(design: Design, places: bool = True) -> dict[int, Place]:
         segment, contact = design.segments[number], first[number].contact
         if contact is not None:
             arc = isinstance(segment, Contact) and segment.radius is not None
-            found[number] = Place(drawn_start(contact), contact.surface.slope if arc else None)
+            drawn = drawn_surface(contact)
+            found[number] = Place((drawn.x, drawn.z), drawn.slope if arc else None)
         else:
             start = first[number].start if number else None
             found[number] = Place(design.inlet_position if start is None else (start.x, start.z), None)
     return found if places else {number: Place(None, place.slope) for number, place in found.items()}
 
 
-def drawn_start(contact: ContactSolution) -> tuple[Array, Array]:
-    """Return x and z of the drawn start of a segment, m, also where the stream struck the roof opposite to it.
+def drawn_surface(contact: ContactSolution) -> Surface:
+    """Return the surface as which a segment is drawn, also where the stream struck the roof opposite to it.
+
+    The roof is parallel to an arc, and goes from one end to the other of a straight.
 
     Args:
-        contact: the first contact with the segment.
+        contact: a contact with the segment.
     """
-    segment, surface = contact.segment, contact.surface
+    segment, met = contact.segment, contact.surface
     if not segment.closed:
-        return surface.x, surface.z
-    slope = surface.slope if segment.entry_slope is None else segment.entry_slope
-    height = np.where(surface.side == segment.side, 0.0, segment.side * segment.section.wall_height)
-    return surface.x - height * np.sin(slope), surface.z - height * np.cos(slope)
+        return met
+    slope = met.slope if segment.entry_slope is None else segment.entry_slope
+    height = np.where(met.side == segment.side, 0.0, segment.side * segment.section.wall_height)
+    length = met.length - met.turn * height if segment.length is None else segment.length
+    x, z = met.x - height * np.sin(slope), met.z - height * np.cos(slope)
+    return Surface(segment.side, x, z, slope, met.turn, length)
 
 
 def with_steel(design: Design, steel: Steel) -> Design:

@@ -31,7 +31,7 @@ def boxes(axes):
 
 @pytest.mark.parametrize("name", SPECS)
 def test_labels_keep_apart_and_on_the_axes(name):
-    figure = draw_run([chutecalc.solve(chutecalc.load(ROOT / "specs" / f"{name}.toml"))])
+    figure = draw_run([chutecalc.solve_cases(chutecalc.load(ROOT / "specs" / f"{name}.toml"))])
     side = next(axes for axes in figure.axes if axes.get_label() == "side")
     found = boxes(side)
     assert found
@@ -55,8 +55,8 @@ def test_names_of_short_segments_stand_at_the_end_of_a_line():
             (45.0, 4.0, "lower"),
         ]
     ]
-    solution = chutecalc.solve(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 60.0}, segments=straights))
-    side = next(axes for axes in draw_run([solution]).axes if axes.get_label() == "side")
+    states = chutecalc.solve_cases(chute(inlet={"velocity_m_s": 3.0, "slope_deg": 60.0}, segments=straights))
+    side = next(axes for axes in draw_run([states]).axes if axes.get_label() == "side")
     leads = {text.get_text(): text.arrow_patch is not None for text in side.texts}
     assert leads["kink"]
     assert leads["bend"]

@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from chutecalc.output.plots.layout import PANELS, WIDTH, page
-from chutecalc.output.plots.panels import along, limit
-from chutecalc.output.plots.side import MISSED
+from chutecalc.output.plots.looks import MISSED
+from chutecalc.output.plots.panels import limit
 from chutecalc.output.plots.style import labels_of, looks
 from chutecalc.output.plots.text import fitted, legend_columns, legend_rows
-from chutecalc.output.plots.traces import extent
+from chutecalc.output.plots.traces import along, extent
 from chutecalc.output.plots.view import view
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
@@ -49,7 +49,7 @@ def draw_comparison(solutions: Sequence[SolvedChute], units: str) -> Figure:
         for panel in PANELS:
             lines += axes[panel].plot(*along(seen.stream, panel, units), **look, markevery=[-1], gid=panel, label=name)
     for panel in PANELS:
-        limit(axes[panel], np.concatenate([np.asarray(line.get_ydata()) for line in axes[panel].get_lines()]))
+        limit(axes[panel])
     axes["side"].set_aspect("equal", adjustable="datalim")
     axes["side"].set_title("paths of the streams, to scale")
     handles = lines[:: len(PANELS)][:MOST_LABELLED]

@@ -55,7 +55,9 @@ ARRANGEMENTS = (
 """The panels beside the side view, around its corner, or below it. The first one with the largest scale is taken."""
 
 
-def page(title: str, size: Array, units: str, notes: int = 0, legend: int = 0) -> tuple[Figure, dict[str, Axes]]:
+def page(
+    title: str, size: Array, units: str, notes: int = 0, key: int = 0, legend: int = 0
+) -> tuple[Figure, dict[str, Axes]]:
     """Return a figure and its axes.
 
     Args:
@@ -63,16 +65,17 @@ def page(title: str, size: Array, units: str, notes: int = 0, legend: int = 0) -
         size: width and height of the chute, m.
         units: ``metric`` or ``us``.
         notes: number of lines of notes, which get axes of their own.
+        key: number of lines of the legend of the side view, likewise.
         legend: number of lines of a legend of the figure, which needs room below the axes.
 
     Returns:
-        The figure, and its axes: ``side``, one for each of ``PANELS``, and with notes ``notes`` and ``key``.
+        The figure, and its axes: ``side``, one for each of ``PANELS``, and with such lines ``notes`` and ``key``.
     """
     title = fitted(title, WIDTH, TITLE)
     best = max(ARRANGEMENTS, key=lambda each: round(each.scale(size), 6))
     rows: list[Any] = [list(row) for row in best.rows]
     heights = [*best.heights]
-    for name, lines, place in ((KEY, 1 if notes else 0, 0), (NOTES, notes, len(rows) + 1)):
+    for name, lines, place in ((NOTES, notes, len(rows)), (KEY, key, 0)):
         if lines:
             rows.insert(place, [name, name])
             heights.insert(place, LINE_HEIGHT * lines)

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.design import Contact
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.labels import Label
 from chutecalc.output.plots.traces import Trace, View
@@ -64,10 +63,11 @@ def impact_labels(solution: SolvedChute, units: str) -> list[Label]:
     for part, result in zip(parts, solution.trajectory.results, strict=True):
         incidence = result.impact["incidence_deg"][0] if result.impact else np.nan
         if np.isfinite(incidence):
-            assert isinstance(part.segment, Contact)
+            assert part.contact is not None
             x, z = (float(COLUMNS["x_m"].converted(result.entry[name][0], units)) for name in ("x_m", "z_m"))
             text = f"{incidence:.3g}{unit}" if len(parts) <= MOST_NAMED else ""
-            found.append(Label(text, x, z, _normal(-part.segment.side, float(result.entry["slope_deg"][0]))))
+            away = _normal(-float(part.contact.side[0]), float(result.entry["slope_deg"][0]))
+            found.append(Label(text, x, z, away))
     return found
 
 

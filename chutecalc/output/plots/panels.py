@@ -7,12 +7,11 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from chutecalc.output.plots.layout import PANELS
+from chutecalc.output.plots.looks import END, MISSED, STRUCK
 from chutecalc.output.plots.marks import MOST_NAMED
-from chutecalc.output.plots.side import END, MISSED, STRUCK
 from chutecalc.output.plots.style import INK, PALE, SHADE, SMALL
 from chutecalc.output.plots.text import POINTS, width_of
-from chutecalc.output.plots.traces import LOST, Trace, View
-from chutecalc.physics.arrays import Array
+from chutecalc.output.plots.traces import LOST, Trace, View, along
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.part import FLIGHT
 
@@ -23,53 +22,35 @@ UPRIGHT = 50.0
 IN_FLIGHT = "in flight"
 
 
-def draw_panels(axes: Mapping[str, Axes], seen: View, fails: bool, units: str) -> None:
-    """Draw the panels of one chute.
+def draw_panels(axes: Mapping[str, Axes], seen: View, units: str) -> None:
+    """Draw the columns of a stream in the panels.
 
     Args:
         axes: axes by name.
         seen: the stream.
-        fails: whether it ends before the chute does.
         units: ``metric`` or ``us``.
     """
     panels = [axes[name] for name in PANELS]
     for name, panel in zip(PANELS, panels, strict=True):
-        path = along(seen.stream, name, units)
-        panel.plot(*path, color=INK, gid=name)
+        panel.plot(*along(seen.stream, name, units), color=INK, gid=name)
         for trace in seen.stream:
-            if trace.side and not np.ptp(trace.columns["s_m"]):  # on a plate
+            if trace.is_plate:
                 panel.plot(*(values[:1] for values in along([trace], name, units)), **STRUCK)
-        shown = path[1]
         if seen.lost:
-            further = along([seen.lost], name, units)
-            panel.plot(*further, **MISSED)
-            shown = np.concatenate([shown, further[1]])
-        limit(panel, shown)
-        if fails:
-            panel.plot(path[0][-1:], path[1][-1:], **END)
-        if not np.isfinite(shown).any():
-            panel.set_yticks([])
+            panel.plot(*along([seen.lost], name, units), **MISSED)
+        if seen.end:
+            panel.plot(*along([seen.end], name, units), **END)
 
 
-def along(stream: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
-    """Return the distance along the stream and another column, of all traces in order; NaN where it does not exist.
-
-    Args:
-        stream: the traces.
-        name: of the column.
-        units: ``metric`` or ``us``.
-    """
-    s, values = (np.concatenate([trace.columns[column] for trace in stream]) for column in ("s_m", name))
-    return COLUMNS["s_m"].converted(s, units), COLUMNS[name].converted(values, units)
-
-
-def limit(panel: Axes, values: Array) -> None:
+def limit(panel: Axes) -> None:
     """Limit a panel to its largest value, but cut off the peaks of a stream that nearly stops.
 
     Args:
-        panel: the panel.
-        values: all that it shows, in the unit of the panel; NaN where there is none.
+        panel: the panel, with all its lines.
     """
+    values = np.concatenate([np.asarray(line.get_ydata(), float) for line in panel.get_lines()])
+    if not np.isfinite(values).any():
+        panel.set_yticks([])
     values = values[np.isfinite(values) & (values > 0.0)]
     top = min(1.06 * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
@@ -85,7 +66,7 @@ def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> 
     """
     panels = [axes[name] for name in PANELS]
     ends = [COLUMNS["s_m"].converted(trace.columns["s_m"][[0, -1]], units) for trace in stream]
-    low, high = ends[0][0], ends[-1][1]
+    low, high = ends[0][0], max(ends[-1][1], panels[0].dataLim.x1)  # a case may go on further
     if not high > low:
         panels[0].set_xlim(low - 0.5, high + 0.5)
         return
@@ -94,7 +75,7 @@ def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> 
     room = panels[0].get_position().width * figure.get_figwidth() * POINTS
     for panel in panels:
         panel.set_xlim(low, high)
-        for _, end in ends[:-1] if len(ends) <= MOST_NAMED else ():
+        for end in [end for _, end in ends if end < high] if len(ends) <= MOST_NAMED else ():
             panel.axvline(end, color=PALE, linewidth=0.7, zorder=1)
     for trace, (first, last) in zip(stream, ends, strict=True):
         share, middle = (last - first) / (high - low) * room, 0.5 * (first + last)

@@ -5,44 +5,58 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
+from chutecalc.output.plots.cases import case_lines, case_notes, draw_columns, handles
 from chutecalc.output.plots.compare import draw_comparison
-from chutecalc.output.plots.layout import WIDTH, page
+from chutecalc.output.plots.layout import PANELS, WIDTH, page
 from chutecalc.output.plots.notes import notes
-from chutecalc.output.plots.panels import draw_panels, mark_ends
+from chutecalc.output.plots.panels import draw_panels, limit, mark_ends
 from chutecalc.output.plots.side import SideView
 from chutecalc.output.plots.style import SMALL, lay_out, styled
+from chutecalc.output.plots.text import legend_columns, legend_rows
 from chutecalc.output.plots.traces import extent
 from chutecalc.output.plots.view import view
-from chutecalc.results.solved import SolvedChute
+from chutecalc.results.cases import DESIGN_POINT, Cases
 
 KEY: dict[str, Any] = {"handlelength": 2.2, "columnspacing": 1.4, "borderaxespad": 0.0, "borderpad": 0.0}
-"""Look of the legend of the side view, in one line."""
+"""Look of the legends of the side view: of what is drawn, in one line, and of the operating states below it."""
 
 
-def draw_run(solutions: Sequence[SolvedChute], units: str = "metric") -> Figure:
-    """Draws one chute with its stream, or several as lines to compare.
+def draw_run(chutes: Sequence[Cases], units: str = "metric") -> Figure:
+    """Draws one chute with its stream in all its operating states, or the design points of several to compare.
 
     Args:
-        solutions: of one design each.
+        chutes: the operating states of each chute, of one design each.
         units: ``metric`` or ``us``.
 
     Returns:
         The figure: axes ``side`` to scale, and one for each of ``PANELS`` over the distance along the stream.
     """
     with styled():
-        return _one(solutions[0], units) if len(solutions) == 1 else draw_comparison(solutions, units)
+        if len(chutes) == 1:
+            return _one(chutes[0], units)
+        return draw_comparison([states[DESIGN_POINT] for states in chutes], units)
 
 
-def _one(solution: SolvedChute, units: str) -> Figure:
-    """Draw a chute with its stream between its edges."""
-    seen = view(solution)
+def _one(states: Cases, units: str) -> Figure:
+    """Draw a chute with its stream between its edges, and those of its other operating states as lines."""
+    solution = states[DESIGN_POINT]
+    seen, cases = view(solution), case_lines(states)
     lines, marks = notes(solution, seen, units, WIDTH)
-    title = solution.spec.title or solution.source
-    figure, axes = page(title, extent(seen.lines), units, notes=len(lines))
+    lines += case_notes(states, units, WIDTH)
+    title, named = solution.spec.title or solution.source, handles(cases)
+    columns = legend_columns([*named], WIDTH)
+    size = extent([*seen.lines, *(line for case in cases for line in case.lines)])
+    figure, axes = page(title, size, units, notes=len(lines), key=1 + (legend_rows([*named], columns) if named else 0))
     axes["notes"].text(0.0, 1.0, "\n".join(lines), va="top", fontsize=SMALL, linespacing=1.5)
-    side = SideView(axes["side"], solution, seen, units)
-    axes["key"].legend(side.handles.values(), side.handles.keys(), loc="center left", ncols=len(side.handles), **KEY)
-    draw_panels(axes, seen, not solution.ok[0], units)
+    side = SideView(axes["side"], solution, seen, cases, units)
+    if named:
+        axes["key"].add_artist(axes["key"].legend(named.values(), named.keys(), loc="lower left", ncols=columns, **KEY))
+    drawn = side.handles
+    axes["key"].legend(drawn.values(), drawn.keys(), loc="upper left", ncols=len(drawn), **KEY)
+    draw_panels(axes, seen, units)
+    draw_columns(axes, cases, units)
+    for panel in PANELS:
+        limit(axes[panel])
     lay_out(figure)
     mark_ends(axes, seen.traces, units)
     side.label(marks)

@@ -11,8 +11,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from chutecalc.output.plots.belts import draw_feed, draw_receiver
+from chutecalc.output.plots.cases import CaseLine, draw_paths
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.labels import Label, place_labels
+from chutecalc.output.plots.looks import EDGE, END, MISSED, ROOF, STRUCK, SURFACE, WALLS
 from chutecalc.output.plots.marks import Mark, belt_label, impact_labels, mark_labels, names
 from chutecalc.output.plots.style import INK, MAP, PALE, SMALL, STEEL
 from chutecalc.output.plots.traces import Trace, View
@@ -22,30 +24,6 @@ from chutecalc.results.solved import SolvedChute
 
 ROOM = 0.06
 """Margin for names and numbers, over the greater side of the picture."""
-SURFACE: dict[str, Any] = {
-    "color": STEEL,
-    "linewidth": 3.0,
-    "solid_capstyle": "butt",
-    "zorder": 0.9,  # below the stream, which hides its inner half
-    "gid": "surface",
-}
-ROOF: dict[str, Any] = {"color": STEEL, "linewidth": 1.4, "zorder": 0.9, "gid": "roof"}
-WALLS: dict[str, Any] = {"color": PALE, "linewidth": 0.7, "linestyle": (0, (8, 2)), "zorder": 0.7, "gid": "walls"}
-"""Looks of what is above a floor: the roof of a closed section, and the top of the walls of an open one."""
-END: dict[str, Any] = {"marker": "X", "color": INK, "markersize": 8, "linestyle": "", "clip_on": False, "gid": "end"}
-"""Look of the point where a stream ends before the chute does."""
-STRUCK: dict[str, Any] = {
-    "marker": "o",
-    "color": "white",
-    "markeredgecolor": INK,
-    "markersize": 4.5,
-    "linestyle": "",
-    "zorder": 3.0,
-    "gid": "impact",
-}
-"""Look of a point where the stream strikes a surface."""
-MISSED: dict[str, Any] = {"color": INK, "linestyle": ":", "linewidth": 1.2, "gid": "missed"}
-EDGE: dict[str, Any] = {"color": INK, "linewidth": 0.5}
 FILLED_BETWEEN = np.linspace(0.0, 1.0, 5)
 """Shares of its depth at which lines stand for a stream where labels are placed."""
 
@@ -53,16 +31,17 @@ FILLED_BETWEEN = np.linspace(0.0, 1.0, 5)
 class SideView:
     """A chute with its stream, drawn on axes."""
 
-    def __init__(self, axes: Axes, solution: SolvedChute, seen: View, units: str) -> None:
+    def __init__(self, axes: Axes, solution: SolvedChute, seen: View, cases: Sequence[CaseLine], units: str) -> None:
         """Draw all but the labels, and set the scale.
 
         Args:
             axes: axes to draw on.
             solution: solution of one design.
             seen: its lines.
+            cases: its other operating states.
             units: ``metric`` or ``us``.
         """
-        self.axes, self.solution, self.seen, self.units = axes, solution, seen, units
+        self.axes, self.solution, self.seen, self.cases, self.units = axes, solution, seen, cases, units
         self.handles: dict[str, Any] = {}
         """What the legend explains, by its text."""
         self.shades = self._shades()
@@ -81,9 +60,10 @@ class SideView:
         self.feed, self.received = ([self._long(line) for line in lines] for lines in (seen.feed, seen.received))
         draw_feed(axes, self.feed)
         draw_receiver(axes, self.received)
-        if not solution.ok[0]:
-            (drawn,) = axes.plot(*self._long(seen.stream[-1].path[:, -1:]), **END)
+        if seen.end:
+            (drawn,) = axes.plot(*self._long(seen.end.path), **END)
             self._explain("end", drawn)
+        draw_paths(axes, cases, units)
         self._frame()
 
     def label(self, marks: Sequence[Mark]) -> None:
@@ -101,7 +81,8 @@ class SideView:
         if receiver is not None and self.received:
             labels.append(belt_label(self.received[0], receiver.velocity, 0.6, receiver.plan_angle, self.units))
         labels += mark_labels(stream, marks, size, self.units)
-        place_labels(self.axes, labels, [self._long(line) for line in (*self.seen.lines, *self._inside())])
+        lines = (*self.seen.lines, *self._inside(), *(line for case in self.cases for line in case.lines))
+        place_labels(self.axes, labels, [self._long(line) for line in lines])
 
     def _inside(self) -> list[Line]:
         """Return lines that stand for the stream between its edges, and for a pulley inside its rim."""

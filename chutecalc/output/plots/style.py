@@ -68,17 +68,19 @@ def lay_out(figure: Figure) -> None:
         axes.apply_aspect()
 
 
-def colours(count: int) -> list[str]:
+def colours(count: int, name: str = MAP, darkest: float = DARKEST, lightest: float = LIGHTEST) -> list[str]:
     """Return colours that differ in lightness too.
 
     Args:
         count: number of colours.
+        name: of the colour map.
+        darkest, lightest: range of the map that is used, shares of its length.
 
     >>> colours(2)
     ['#440154', '#7ad151']
     """
-    shares = np.linspace(DARKEST, LIGHTEST, count) if count > 1 else [DARKEST]
-    return [to_hex(matplotlib.colormaps[MAP](share)) for share in shares]
+    shares = np.linspace(darkest, lightest, count) if count != 1 else [darkest]
+    return [to_hex(matplotlib.colormaps[name](share)) for share in shares]
 
 
 def mathematical(text: str) -> str:

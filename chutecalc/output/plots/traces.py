@@ -7,6 +7,7 @@ import numpy as np
 
 from chutecalc.output.plots.flights import Line
 from chutecalc.physics.arrays import Array
+from chutecalc.results.columns import COLUMNS
 
 DEEPEST = 0.25
 """Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
@@ -27,10 +28,30 @@ class Trace(NamedTuple):
     edges: list[Line]
     """The path in flight, if its edges are not known; else the edges, that on the surface or the lower one first."""
 
+    def at(self, station: int) -> "Trace":
+        """Return one station.
+
+        Args:
+            station: its number from 0; negative from the end.
+        """
+        columns = {name: values[[station]] for name, values in self.columns.items()}
+        return self._replace(columns=columns, edges=[edge[:, [station]] for edge in self.edges])
+
     @property
     def path(self) -> Line:
-        """The path of the stream."""
+        """The path of the stream, m."""
         return np.stack([self.columns["x_m"], self.columns["z_m"]])
+
+    @property
+    def middle(self) -> Line:
+        """The line in the middle between its edges, m."""
+        middle: Line = 0.5 * (self.edges[0] + self.edges[-1])
+        return middle
+
+    @property
+    def is_plate(self) -> bool:
+        """Whether the stream strikes a surface at one point and leaves it there, with the pressure of the impact."""
+        return self.side != 0.0 and not np.ptp(self.columns["s_m"]) and bool(self.columns["pressure_kpa"][0] > 0.0)
 
 
 class Steel(NamedTuple):
@@ -51,6 +72,8 @@ class View(NamedTuple):
 
     stream: list[Trace]
     lost: Trace | None
+    end: Trace | None
+    """Where the stream ends before the chute does, of one station; None where it does not."""
     surfaces: list[Steel]
     feed: list[Line]
     """The belt that the stream comes from, see :func:`chutecalc.output.plots.belts.feed_lines`."""
@@ -88,3 +111,15 @@ def extent(lines: Sequence[Line]) -> Array:
     points = np.concatenate(lines, axis=1)
     size: Array = np.nanmax(points, axis=1) - np.nanmin(points, axis=1)
     return size
+
+
+def along(stream: Sequence[Trace], name: str, units: str) -> tuple[Array, Array]:
+    """Return the distance along the stream and another column, of all traces in order; NaN where it does not exist.
+
+    Args:
+        stream: the traces.
+        name: of the column.
+        units: ``metric`` or ``us``.
+    """
+    s, values = (np.concatenate([trace.columns[column] for trace in stream]) for column in ("s_m", name))
+    return COLUMNS["s_m"].converted(s, units), COLUMNS[name].converted(values, units)

@@ -5,7 +5,7 @@ from itertools import zip_longest
 
 import numpy as np
 
-from chutecalc.design import Contact, Status
+from chutecalc.design import Status
 from chutecalc.output.plots.belts import feed_lines, receiver_lines
 from chutecalc.output.plots.flights import (
     LEAVES,
@@ -23,11 +23,14 @@ from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.part import FLIGHT, Part
 from chutecalc.results.solved import SolvedChute
+from chutecalc.solver.steel import drawn_surface
 
 FURTHER = 0.2
 """A stream that is lost is drawn to this far below everything else, over the height of the chute."""
 FAR = 100.0
 """A belt is so many times longer than it is drawn."""
+SAME = 1e-9
+"""Distance between points that are the same, over the height of the chute."""
 
 
 def view(solution: SolvedChute) -> View:
@@ -41,21 +44,35 @@ def view(solution: SolvedChute) -> View:
     inlet = np.stack([solution.inlet[name][:1] for name in ("x_m", "z_m")])
     paths = [np.stack([at["x_m"], at["z_m"]]) for _, at in reached]
     size = float(extent([inlet, *(steel.path for steel in surfaces), *paths]).max())
-    stream, throws = _stream(solution, reached, DEEPEST * size)
+    stream, throws = _stream(solution, reached, surfaces, DEEPEST * size)
     received = receiver_lines(solution, size)
     x, z, slope, velocity = (float(stream[-1].columns[name][-1]) for name in LEAVES)
     path = thrown(x, z, slope, velocity, float(solution.design.gravity[0]))
-    landing = float(solution.receiver["landing_z_m"][0]) if received else np.nan
     lost = None
     if solution.trajectory.status_numbers[0] in (Status.MISSED, Status.CONTACT_LOST):
         lost = _onwards(stream[-1], path, throws, LOST, *_caught(path, surfaces, _below([*surfaces, *stream])))
-    elif landing < path.z:
-        stream.append(_onwards(stream[-1], path, throws, FLIGHT, path.time_to(landing), _lengthened(received[0])))
-    return View(stream, lost, surfaces, feed_lines(solution), received, size)
+    elif (beyond := _time_beyond(solution, path, size)) > 0.0:
+        stream.append(_onwards(stream[-1], path, throws, FLIGHT, beyond, _lengthened(received)))
+    end = None if solution.ok[0] else _end(solution, stream[-1], lost, surfaces, received)
+    return View(stream, lost, end, surfaces, feed_lines(solution), received, size)
+
+
+def _end(
+    solution: SolvedChute, last: Trace, lost: Trace | None, surfaces: Sequence[Steel], received: Sequence[Line]
+) -> Trace:
+    """Return where a stream fails: at its end, or where it passes nearest to what it misses."""
+    failed = {
+        solved.segment.name for solved in solution.trajectory.segment_solutions if solved.status[0] == Status.MISSED
+    }
+    missed = [steel.path for steel in surfaces if steel.name in failed] or received
+    if lost is None or solution.trajectory.status_numbers[0] != Status.MISSED or not missed:
+        return last.at(-1)
+    away = np.min([np.hypot(*(lost.path[:, :, None] - line[:, None, :])).min(axis=1) for line in missed], axis=0)
+    return lost.at(int(away.argmin()))
 
 
 def _stream(
-    solution: SolvedChute, reached: Sequence[tuple[Part, Lines]], deepest: float
+    solution: SolvedChute, reached: Sequence[tuple[Part, Lines]], surfaces: Sequence[Steel], deepest: float
 ) -> tuple[list[Trace], list[Throw]]:
     """Return the traces of the stream, and how its edges would fly on from the last."""
     design = solution.design
@@ -64,21 +81,40 @@ def _stream(
     for (part, at), following in zip_longest(reached, reached[1:]):
         if part.contact is None:
             throws = throws or [Throw(*part.solved.path[:, 0].tolist())]
-            landed = None if following is None or following[0].contact is None else following[0].contact.surface
-            edges, throws = _flown(throws, at, None if landed is None else surface_line(landed))
+            edges, throws = _flown(throws, at, None if following is None else _landed(following[0], surfaces))
             side = 0.0
         else:
-            assert isinstance(part.segment, Contact)
-            side = part.segment.side
+            side = float(part.contact.side[0])  # a closed section has a roof too
             edges, throws = _guided(at, side, deepest, float(design.gravity[0]))
         stream.append(Trace(part.name, part.kind, side, at, edges))
     return stream or [_at_inlet(solution)], throws
 
 
-def _lengthened(line: Line) -> Line:
-    """Return a belt at its whole length."""
-    middle: Line = line.mean(axis=1)[:, None]
-    return middle + FAR * (line - middle)
+def _landed(part: Part, surfaces: Sequence[Steel]) -> Line | None:
+    """Return the line that a flight ends on: of a closed segment with all before it, as edges may land there first."""
+    if part.contact is None:
+        return None
+    if not part.segment.closed:
+        return surface_line(part.contact.surface)
+    names, side = [steel.name for steel in surfaces], float(part.contact.side[0])
+    found = [steel for steel in surfaces[: names.index(part.segment.name) + 1] if steel.closed]
+    return np.concatenate([steel.path if steel.side == side else steel.top for steel in found], axis=1)
+
+
+def _time_beyond(solution: SolvedChute, path: Throw, size: float) -> float:
+    """Return how long the stream flies from the last surface to the mouth of the chute, or on to its belt; 0 if not."""
+    ends = solution.trajectory.ends
+    away = np.hypot(ends.landing_x[0] - path.x, ends.landing_z[0] - path.z)
+    gained = ends.landing_velocity[0] * np.sin(ends.landing_slope[0]) - path.downward
+    return float(gained / path.gravity) if away > SAME * size else 0.0
+
+
+def _lengthened(received: Sequence[Line]) -> Line | None:
+    """Return the belt at its whole length, if there is one."""
+    for line in received:
+        middle: Line = line.mean(axis=1)[:, None]
+        return middle + FAR * (line - middle)
+    return None
 
 
 def _surfaces(solution: SolvedChute) -> list[Steel]:
@@ -87,10 +123,10 @@ def _surfaces(solution: SolvedChute) -> list[Steel]:
     found = []
     for _, solved in sorted(visits.items()):
         if solved.contact is not None:
-            segment, surface = solved.contact.segment, solved.contact.surface
+            segment, surface = solved.contact.segment, drawn_surface(solved.contact)
             high = np.broadcast_to(segment.wall_height(SHARES), SHARES.shape)
             top = surface_line(surface, np.where(np.isfinite(high), high, np.nan))
-            steel = Steel(segment.name, segment.side, surface_line(surface), top, segment.section.closed)
+            steel = Steel(segment.name, segment.side, surface_line(surface), top, segment.closed)
             found += [steel] if np.isfinite(steel.path).all() else []
     return found
 
