@@ -1,6 +1,7 @@
 """The solutions of a chute in all its operating states."""
 
-from chutecalc.api.chute import Chute, solve
+from chutecalc.api.chute import Chute
+from chutecalc.api.solve import solve
 from chutecalc.results.cases import DESIGN_POINT, Cases
 
 

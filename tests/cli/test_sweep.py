@@ -284,7 +284,7 @@ def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, t
 
 
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     message = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
     for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item 'spool'"):
         assert words in message
@@ -356,7 +356,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
 )
 def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     with_tables = [written(tmp_path, **word) if isinstance(word, dict) else word for word in arguments]
     before = list(tmp_path.iterdir())
     assert words in refused(capsys, *with_tables)
@@ -728,7 +728,7 @@ def test_names_of_laws_sections_and_kinds(capsys):
 
 
 def test_wrong_names_stop_a_sweep_before_it_starts(capsys, monkeypatch):
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     message = refused(capsys, "segments.spoon.liner=steel,cermic", "model.friction_law=papr", "rate=-1,2", HOOD)
     assert 'segments.3.liner = "cermic" names cermic, which is not defined' in message
     assert "model.friction_law" in message
@@ -768,7 +768,7 @@ def test_names_in_every_format_and_resumed(capsys, tmp_path, monkeypatch):
     capsys.readouterr()
     other = ["segments.spoon.liner=ceramic,steel", *arguments[1:]]
     assert "differs in the parameters" in refused(capsys, *other, "--csv", str(files["csv"]), "--resume")
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)  # all blocks are there
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)  # all blocks are there
     assert main(["sweep", *arguments, "--csv", str(files["csv"]), "--resume"]) == 0
     assert files["csv"].read_bytes() == first
 
