@@ -1,9 +1,10 @@
 """The picture of several chutes: their streams as lines."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from chutecalc.output.plots.layout import PANELS, WIDTH, page
@@ -11,7 +12,7 @@ from chutecalc.output.plots.looks import MISSED
 from chutecalc.output.plots.panels import limit
 from chutecalc.output.plots.style import labels_of, looks
 from chutecalc.output.plots.text import fitted, legend_columns, legend_rows
-from chutecalc.output.plots.traces import along, extent
+from chutecalc.output.plots.traces import View, along, extent
 from chutecalc.output.plots.view import view
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
@@ -43,11 +44,11 @@ def draw_comparison(solutions: Sequence[SolvedChute], units: str) -> Figure:
     lines = []
     for seen, name, look in zip(views, names, looks(parts), strict=True):
         path = COLUMNS["x_m"].converted(np.concatenate([trace.path for trace in seen.stream], axis=1), units)
-        axes["side"].plot(*path, **look, markevery=[-1], gid="path")
-        for edge in seen.lost.edges[:1] if seen.lost else ():
-            axes["side"].plot(*COLUMNS["x_m"].converted(edge, units), **MISSED | {"color": look["color"]})
+        ends = {"markevery": [] if seen.end else [-1]}
+        axes["side"].plot(*path, **look | ends, gid="path")
         for panel in PANELS:
-            lines += axes[panel].plot(*along(seen.stream, panel, units), **look, markevery=[-1], gid=panel, label=name)
+            lines += axes[panel].plot(*along(seen.stream, panel, units), **look | ends, gid=panel, label=name)
+        _draw_end(axes, seen, look, units)
     for panel in PANELS:
         limit(axes[panel])
     axes["side"].set_aspect("equal", adjustable="datalim")
@@ -56,6 +57,16 @@ def draw_comparison(solutions: Sequence[SolvedChute], units: str) -> Figure:
     below: dict[str, Any] = {"title": f"… and {more} more" if more else None, "alignment": "left"}
     figure.legend(handles=handles, ncols=columns, loc="outside lower left", **below)
     return figure
+
+
+def _draw_end(axes: Mapping[str, Axes], seen: View, look: Mapping[str, Any], units: str) -> None:
+    """Draw where a stream flies on that nothing catches, and its marker where it fails."""
+    lost, mark = MISSED | {"color": look["color"]}, {**look, "linestyle": "", "gid": "end"}
+    for trace, drawn in ((seen.lost, lost), (seen.end, mark)):
+        if trace:
+            axes["side"].plot(*COLUMNS["x_m"].converted(trace.path, units), **drawn)
+            for panel in PANELS:
+                axes[panel].plot(*along([trace], panel, units), **drawn)
 
 
 def _labels(solutions: Sequence[SolvedChute]) -> tuple[list[tuple[str, ...]], list[str], str]:

@@ -1,5 +1,6 @@
 """The edges of a stream in flight: each is a parabola, thrown from where the stream leaves a surface or a belt."""
 
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -144,3 +145,22 @@ def surface_line(surface: Surface, height: Array | float = 0.0) -> Line:
     x, z, slope = (each[:, 0] for each in point(surface, SHARES[:, None]))
     above = surface.side * height
     return np.stack([x + above * np.sin(slope), z + above * np.cos(slope)])
+
+
+def flown(throws: Sequence[Throw], at: Mapping[str, Array], landed: Line | None) -> tuple[list[Line], list[Throw]]:
+    """Return the edges of a flight, and how they would fly on.
+
+    Args:
+        throws: of the edges.
+        at: columns along the flight, each of shape (stations,).
+        landed: line on which the edges land; None if they fly as long as the stream.
+    """
+    time = at["time_s"] - at["time_s"][0]
+    usual = float(time[-1])
+    x, z = at["x_m"][0], at["z_m"][0]
+    edges = []
+    for throw in throws:
+        is_path = np.hypot(throw.x - x, throw.z - z) <= 1e-9 * (1.0 + np.hypot(x, z))
+        ends = usual if is_path or landed is None else throw.time_of_landing(landed, usual)
+        edges.append(throw.at(time * (ends / usual if usual else 1.0)))
+    return edges, [throw.after(usual) for throw in throws]

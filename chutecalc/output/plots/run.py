@@ -1,8 +1,9 @@
 """The picture of a run: a chute from the side with columns of its stream, or several chutes to compare."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from chutecalc.output.plots.cases import case_lines, case_notes, draw_columns, handles
@@ -19,6 +20,9 @@ from chutecalc.results.cases import DESIGN_POINT, Cases
 
 KEY: dict[str, Any] = {"handlelength": 2.2, "columnspacing": 1.4, "borderaxespad": 0.0, "borderpad": 0.0}
 """Look of the legends of the side view: of what is drawn, in one line, and of the operating states below it."""
+
+LONG = {"handlelength": 3.6}
+"""Lines that show their strokes."""
 
 
 def draw_run(chutes: Sequence[Cases], units: str = "metric") -> Figure:
@@ -49,10 +53,7 @@ def _one(states: Cases, units: str) -> Figure:
     figure, axes = page(title, size, units, notes=len(lines), key=1 + (legend_rows([*named], columns) if named else 0))
     axes["notes"].text(0.0, 1.0, "\n".join(lines), va="top", fontsize=SMALL, linespacing=1.5)
     side = SideView(axes["side"], solution, seen, cases, units)
-    if named:
-        axes["key"].add_artist(axes["key"].legend(named.values(), named.keys(), loc="lower left", ncols=columns, **KEY))
-    drawn = side.handles
-    axes["key"].legend(drawn.values(), drawn.keys(), loc="upper left", ncols=len(drawn), **KEY)
+    _explain(axes["key"], side.handles, named, columns)
     draw_panels(axes, seen, units)
     draw_columns(axes, cases, units)
     for panel in PANELS:
@@ -61,3 +62,11 @@ def _one(states: Cases, units: str) -> Figure:
     mark_ends(axes, seen.traces, units)
     side.label(marks)
     return figure
+
+
+def _explain(axes: Axes, drawn: Mapping[str, Any], named: Mapping[str, Any], columns: int) -> None:
+    """Draw the legends: what is drawn, and below it the operating states."""
+    if named:
+        look = KEY | LONG
+        axes.add_artist(axes.legend(named.values(), named.keys(), loc="lower left", ncols=columns, **look))
+    axes.legend(drawn.values(), drawn.keys(), loc="upper left", ncols=len(drawn), **KEY)
