@@ -44,8 +44,10 @@ MEASURES = (
     _extreme("exit", "velocity_m_s", None),
     _extreme("min", "velocity_m_s", np.negative),
     _extreme("max", "depth_m", np.positive),
+    _extreme("max", "fill", np.positive),
     _extreme("max", "pressure_kpa", np.positive),
     _extreme("max", "wear_w_m2", np.positive),
+    _extreme("min", "sliding_life_h", np.negative),
     _received("velocity_ratio", lambda ratio: np.abs(ratio - 1.0)),
     _received("velocity_into_m_s", np.positive),
 )

@@ -16,6 +16,7 @@ import tomli_w
 
 import chutecalc
 from chutecalc.cli import main
+from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
 from chutecalc.output.run import run_document
 from chutecalc.results.cases import DESIGN_POINT, Cases
@@ -794,6 +795,20 @@ def test_names_in_pictures_and_charts(capsys):
         assert line.get_ydata().tolist() == block["exit_velocity_m_s"][own].tolist()
     assert main(["sweep", LINERS[0], HOOD, "--chart"]) == 0
     assert "(spoon liner: 0 steel, 1 ceramic)" in capsys.readouterr().out
+
+
+def test_a_key_that_a_chosen_case_sets_is_refused() -> None:
+    """A row with the rate of the sweep in its column, and solved at the rate of the case, would state what is not."""
+    cases = '[cases.surge]\n"flow.rate_t_h" = 1500\n[cases.slow]\n"inlet.velocity_m_s" = 2'
+    chute = chutecalc.parse(chutecalc.STARTER + cases)
+    (rate,) = read_parameters(["flow.rate_kg_s=100,200"], chute)
+    for names, refused in ("surge,slow", True), ("design,slow", False):
+        (case,) = read_parameters([f"case={names}"], chute)
+        if refused:
+            with pytest.raises(UsageError, match=r"flow\.rate_kg_s: case surge sets it too"):
+                rows_of.Sweep(chute, [case, rate])
+        else:
+            assert rows_of.Sweep(chute, [case, rate]).count == 4
 
 
 def test_names_may_stand_for_several_keys_at_once():

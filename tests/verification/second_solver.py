@@ -75,8 +75,9 @@ def inlet_of(data: dict[str, Any], g: float) -> Stream:
     speed = belt["velocity_m_s"]
     angle = -incline
     if speed**2 / (g * radius) < cos(incline):  # held round the pulley
-        speed *= radius / outside
-        if speed**2 / (g * radius) < cos(incline):
+        turning = speed * radius / outside
+        speed = min(turning, sqrt(g * radius * cos(incline)))  # it leaves when it has got so fast
+        if turning**2 / (g * radius) < cos(incline):
             angle = acos(speed**2 / (g * radius))
     return Stream(0.0, x + radius * sin(angle), z + radius * cos(angle), speed, angle)
 
