@@ -107,13 +107,14 @@ class Chute:
         """Return the chute with changes, on the steel of its drawing."""
         drawing = self.drawing
         drawn = {path: value for path, value in changes.items() if not is_operating(path)}
+        fixed = self.spec.model.steel == "fixed"
         if (
             drawing is self
-            and self.spec.model.steel == "fixed"
+            and fixed
             and not any(is_operating(path) and is_felt(path) for path in changes)
         ):
             return Chute(with_values(self.data, changes, self.source), self.source, self.text)
-        if drawn and self.spec.model.steel == "fixed":
+        if drawn and (fixed or "model.steel" in drawn):
             drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)
         return Chute(with_values(self.data, changes, self.source), self.source, self.text, drawing)
 

@@ -6,7 +6,7 @@ its end. The stream on it is that on a hood, with the section turned over.
 
 import math
 
-from chutecalc.core import flight, floats, guide_surface, joint, quartic, records, state, surface
+from chutecalc.core import events, flight, floats, guide_surface, joint, quartic, records, state, surface
 
 
 def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_roots: int, roof_roots: int) -> None:
@@ -45,6 +45,9 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
     chute.airborne, segment.on_roof = True, False
     if not inside and not enters(chute, segment, segment.stream.guide, since):
         leave_out(chute, segment, state.MISSED)
+        return
+    if not inside and overfills(chute, segment.stream.guide, 0.0):
+        leave_out(chute, segment, state.CHOKED)
         return
     own, _, _ = surface.land(segment.stream.guide, chute.flight, chute.clearance, own_roots)
     roof, _, _ = surface.land(segment.roof.guide, chute.flight, chute.clearance, roof_roots)
@@ -115,11 +118,19 @@ def fly_out(chute: "records.ChuteState", segment: "records.Segment", own: "guide
         since: when the flight came out of the closed segment before, s: beyond the end of this one if that is short.
     """
     time, gap = surface.crossing_time(own, chute.flight, 1.0), surface.gap_at(own, chute.flight, 1.0)
-    if time < since or (gap >= -MOUTH_TOLERANCE and gap <= own.last.wall_height + MOUTH_TOLERANCE):
+    if overfills(chute, own, 1.0):
+        leave_out(chute, segment, state.CHOKED)
+    elif time < since or (gap >= -MOUTH_TOLERANCE and gap <= own.last.wall_height + MOUTH_TOLERANCE):
         leave_out(chute, segment, state.PASSED)
         chute.mouth_time = since if time < since else time
     else:
         leave_out(chute, segment, state.MISSED)
+
+
+def overfills(chute: "records.ChuteState", own: "guide_surface.Guide", share: float) -> bool:
+    """Return whether a flight needs more than the whole closed section where it passes a share of a segment."""
+    velocity = flight.velocity_at(chute.flight, surface.crossing_time(own, chute.flight, share))
+    return velocity * guide_surface.choke_area(own, share) < own.flow * (1.0 - events.EVENT_TOLERANCE)
 
 
 def leave_out(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:

@@ -2,7 +2,7 @@
 
 from chutecalc.core import closed, flight, floats, guide_surface, joint, placement, records, solution_rows, state
 
-MAX_FALL = 1e5  # m, as for every length: a longer fall has missed its target
+MAX_FALL = LONGEST_FALL = 1e5  # m, as for every length: a longer fall has missed its target; one is for Python
 
 
 def solve_fall(chute: "records.ChuteState", segment: "records.Segment") -> None:

@@ -50,7 +50,20 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
         fall = _with(tomlkit.table(), {"kind": FALL, "onto_next": True})
         fall.append(None, tomlkit.nl())
         tables.insert(0, fall)
+        for case in document.get("cases", {}).values():
+            _shift_numbers(case, "segments.")
+            _shift_numbers(case.get("segments", {}), "")
     return tomlkit.dumps(document)
+
+
+def _shift_numbers(table: Any, above: str) -> None:
+    """Add 1 to the numbers of segments in the keys of a table: a segment has been added before them."""
+    shifted = {}
+    for key in list(table):
+        number, dot, rest = key.removeprefix(above).partition(".")
+        if key.startswith(above) and number.isdigit():
+            shifted[f"{above}{int(number) + 1}{dot}{rest}"] = table.pop(key)
+    table.update(shifted)
 
 
 def _with(table: Any, added: Mapping[str, Any], removed: Collection[str] = ()) -> Any:

@@ -5,8 +5,10 @@ from typing import Any
 from chutecalc.errors import Fault
 from chutecalc.spec.faults import value_text
 
+DESIGN_POINT = "design"
+"""Name of the state that the spec describes itself; no case may have it."""
 OPERATING = (
-    *("title", "flow", "material", "liners", "limits", "model"),
+    *("title", "flow", "material", "liners", "limits", "model.friction_law"),
     *("inlet.velocity", "inlet.slope", "inlet.belt.velocity", "inlet.belt.material_depth"),
     *("inlet.belt.surcharge", "inlet.belt.friction", "receiver.velocity", "receiver.friction"),
 )

@@ -4,16 +4,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chutecalc.core.fall import LONGEST_FALL
 from chutecalc.design import Fall, Status
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.surface import point
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
 from chutecalc.solver.segment_solution import Point
-
-LONGEST_FALL = 1e5
-"""Height below which a fall has missed its end, m; as in ``core/fall.py``."""
-
 
 @criterion(
     "passed_by",
