@@ -108,11 +108,7 @@ class Chute:
         drawing = self.drawing
         drawn = {path: value for path, value in changes.items() if not is_operating(path)}
         fixed = self.spec.model.steel == "fixed"
-        if (
-            drawing is self
-            and fixed
-            and not any(is_operating(path) and is_felt(path) for path in changes)
-        ):
+        if drawing is self and fixed and not any(is_operating(path) and is_felt(path) for path in changes):
             return Chute(with_values(self.data, changes, self.source), self.source, self.text)
         if drawn and (fixed or "model.steel" in drawn):
             drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)

@@ -52,7 +52,7 @@ class Solution(SolvedChute):
         require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
         from chutecalc.results.cases import Cases
-from chutecalc.spec.operating import DESIGN_POINT
+        from chutecalc.spec.operating import DESIGN_POINT
 
         return draw_run([Cases({DESIGN_POINT: self})], units)
 

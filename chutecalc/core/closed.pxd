@@ -13,6 +13,6 @@ cdef bint meets_roof(records.ChuteState chute, guide_surface.Guide roof) noexcep
 cdef bint enters(records.ChuteState chute, records.Segment segment, guide_surface.Guide own, double since) noexcept nogil
 cdef bint is_above(records.ChuteState chute, guide_surface.Guide guide, double time) noexcept nogil
 cdef void fly_to_mouth(records.ChuteState chute) noexcept nogil
-cdef void fly_out(records.ChuteState chute, records.Segment segment, guide_surface.Guide own, double since) noexcept nogil
+cdef void fly_out(records.ChuteState chute, records.Segment segment, guide_surface.Guide own) noexcept nogil
 cdef bint overfills(records.ChuteState chute, guide_surface.Guide own, double share) noexcept nogil
 cdef void leave_out(records.ChuteState chute, records.Segment segment, int status) noexcept nogil

@@ -54,7 +54,7 @@ def choose_surface(chute: "records.ChuteState", segment: "records.Segment", own_
     segment.on_roof = roof < own or own != own
     segment.roots = roof_roots if segment.on_roof else own_roots
     if own != own and roof != roof:
-        fly_out(chute, segment, segment.stream.guide, since)
+        fly_out(chute, segment, segment.stream.guide)
 
 
 def place_roof(segment: "records.Segment", own: "guide_surface.Guide", roof: "guide_surface.Guide") -> None:
@@ -109,20 +109,18 @@ def is_above(chute: "records.ChuteState", guide: "guide_surface.Guide", time: fl
     return quartic.value_at(chute.clearance.value, 4, time) >= -MOUTH_TOLERANCE
 
 
-def fly_out(chute: "records.ChuteState", segment: "records.Segment", own: "guide_surface.Guide", since: float) -> None:
+def fly_out(chute: "records.ChuteState", segment: "records.Segment", own: "guide_surface.Guide") -> None:
     """Write the arrival of a flight that touches neither wall: it comes out at the end, or falls back out of the mouth.
 
-    Args:
-        chute: a stream in flight.
-        segment, own: as placed.
-        since: when the flight came out of the closed segment before, s: beyond the end of this one if that is short.
+    It may have come out of the closed segment before when it was beyond the end of this one, if that is short.
     """
-    time, gap = surface.crossing_time(own, chute.flight, 1.0), surface.gap_at(own, chute.flight, 1.0)
+    share, _ = surface.foot(own, chute.flight, chute.flight.since)
+    gap = surface.gap_at(own, chute.flight, 1.0)
     if overfills(chute, own, 1.0):
         leave_out(chute, segment, state.CHOKED)
-    elif time < since or (gap >= -MOUTH_TOLERANCE and gap <= own.last.wall_height + MOUTH_TOLERANCE):
+    elif share > 1.0 or (gap >= -MOUTH_TOLERANCE and gap <= own.last.wall_height + MOUTH_TOLERANCE):
         leave_out(chute, segment, state.PASSED)
-        chute.mouth_time = since if time < since else time
+        chute.mouth_time = chute.flight.since if share > 1.0 else surface.crossing_time(own, chute.flight, 1.0)
     else:
         leave_out(chute, segment, state.MISSED)
 

@@ -8,10 +8,10 @@ import numpy as np
 from chutecalc.output.cases import cases_document
 from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
 from chutecalc.results.cases import Cases
-from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.results.columns import AT_STATION, COLUMNS
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
+from chutecalc.spec.operating import DESIGN_POINT
 
 
 def run_dataset(

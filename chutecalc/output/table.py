@@ -14,12 +14,12 @@ from chutecalc.output.grid import Grid
 from chutecalc.output.inlet import inlet_lines
 from chutecalc.output.loads import loads_table
 from chutecalc.output.receiver import receiver_lines
-from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.results.column import Column, Units, quantity_text
 from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
+from chutecalc.spec.operating import DESIGN_POINT
 
 if TYPE_CHECKING:
     from rich.console import Console

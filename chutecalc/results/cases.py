@@ -16,6 +16,7 @@ from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Finding
 from chutecalc.results.solved import SolvedChute
 
+
 class Measure(NamedTuple):
     """A number by which operating states are compared."""
 

@@ -20,8 +20,8 @@ from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
 from chutecalc.output.run import run_document
 from chutecalc.results.cases import Cases
-from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.results.segment_columns import segment_columns
+from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.checks import DEFAULT, DEFAULT_ON_BELT
 from chutecalc.studies.sweep.grid import Grid

@@ -18,6 +18,7 @@ BASE = {
     "material": {"density_kg_m3": 1000.0, "internal_friction_deg": 45.0},
     "liners": {"wall": {"friction_deg": 20.0}},
     "sections": {"body": {"shape": "rectangular", "width_m": 0.6}},
+    "model": {"steel": "follows_stream"},
 }
 COUNT = seeds.times(61)
 

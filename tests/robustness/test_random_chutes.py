@@ -12,7 +12,7 @@ import chutecalc
 from chutecalc.fields.table import Table
 from chutecalc.spec.chute_spec import ChuteSpec
 from tests import seeds
-from tests.robustness.chutes import MAKERS, drawn, draws, noting_spec
+from tests.robustness.chutes import MAKERS, ClosedMaker, Maker, drawn, draws, noting_spec
 from tests.robustness.faults import check_faults
 
 FOUND = sorted((Path(__file__).parent / "found").glob("*.toml"))
@@ -119,11 +119,12 @@ KEYS = {
 }
 
 
+@pytest.mark.parametrize("maker", [Maker, ClosedMaker])
 @pytest.mark.parametrize("number", range(1000, 1000 + BATCHES))
-def test_a_design_does_not_depend_on_the_batch_it_is_in(number):
+def test_a_design_does_not_depend_on_the_batch_it_is_in(number, maker):
     random = seeds.generator(number, 1)
     values = {key: random.uniform(*limits, 11) for key, limits in KEYS.items()}
-    for data, solution, _ in islice(draws(number), TOGETHER):
+    for data, solution, _ in islice(draws(number, maker=maker), TOGETHER):
         if solution is None:
             continue  # reported above
         with noting_spec(data):

@@ -86,7 +86,7 @@ class Tube:
             return since
         tolerance = NEAR * self.size
         for t, forwards, across in self.mouth.crossed(flight, horizon(flight, self.walls[0])):
-            if t >= since and forwards:
+            if forwards and (joined or t >= since):
                 return t if -tolerance <= across <= self.mouth.height + tolerance else None
         return None
 

@@ -433,6 +433,7 @@ def test_the_standard_design_crosses_to_its_roof():
     found = chutecalc.solve(chutecalc.load(ROOT / "specs" / "pipe_two_bends.toml"))
     assert found.status[0] == "ok"
     crossed = [finding.segment for finding in found.findings() if finding.code == "contact_lost"]
-    assert crossed == ["upper_bend"]
+    assert crossed == ["upper_bend", "leg"]
+    assert found.segments[0].exit["slope_deg"] == pytest.approx(70.0)  # on its roof
     fills = [float(segment.maximum["fill"][0]) for segment in found.segments]
     assert max(fills) < 0.4

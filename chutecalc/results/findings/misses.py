@@ -12,6 +12,7 @@ from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
 from chutecalc.solver.segment_solution import Point
 
+
 @criterion(
     "passed_by",
     Severity.FAILURE,
