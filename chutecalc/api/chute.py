@@ -58,7 +58,7 @@ class Chute:
         self.count = _count(data, source)
         try:
             self.spec = ChuteSpec.model_validate(data)
-            design = build(self.spec)
+            design = build(self.spec, drawing.design if drawing and drawing.spec.model.steel == "fixed" else None)
             self.design = with_steel(design, drawing.steel_for(design)) if drawing else design
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
@@ -110,7 +110,7 @@ class Chute:
         fixed = self.spec.model.steel == "fixed"
         if drawing is self and fixed and not any(is_operating(path) and is_felt(path) for path in changes):
             return Chute(with_values(self.data, changes, self.source), self.source, self.text)
-        if drawn and (fixed or "model.steel" in drawn):
+        if drawn:
             drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)
         return Chute(with_values(self.data, changes, self.source), self.source, self.text, drawing)
 

@@ -9,7 +9,7 @@ DESIGN_POINT = "design"
 """Name of the state that the spec describes itself; no case may have it."""
 OPERATING = (
     *("title", "flow", "material", "liners", "limits", "model.friction_law"),
-    *("inlet.velocity", "inlet.slope", "inlet.belt.velocity", "inlet.belt.material_depth"),
+    *("inlet.velocity", "inlet.belt.velocity", "inlet.belt.material_depth"),
     *("inlet.belt.surcharge", "inlet.belt.friction", "receiver.velocity", "receiver.friction"),
 )
 """Tables whose keys are all operating, and single keys without their unit."""
