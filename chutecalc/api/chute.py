@@ -187,7 +187,7 @@ class Chute:
                 narrower than the spec's own bounds, in the unit of the path.
             outputs: names as those of a sweep's columns: ``exit_`` and a station column, ``receiver_`` and a receiver
                 column, or ``error_estimate``.
-            rtol: relative error allowed to the velocity, as for :func:`solve`.
+            rtol: relative error allowed to the velocity, as for :func:`chutecalc.solve`.
 
         Returns:
             A function that takes a number or an array for each parameter, in the units of their paths, and returns a

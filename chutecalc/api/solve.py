@@ -11,7 +11,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     """Solve a chute, or each of n variants of it.
 
     Args:
-        chute: from :func:`load`, :func:`parse` or :meth:`Chute.vary`.
+        chute: from :func:`chutecalc.load`, :func:`chutecalc.parse` or :meth:`Chute.vary`.
         rtol: error allowed to the velocity everywhere, relative, or as a shift of the position by that share of the
             segment's length, whichever is larger; from 1e-13 to 1e-3.
 

@@ -194,7 +194,7 @@ def test_friction_on_a_belt_acts_against_the_slip_along_and_across_it(slope):
     after = slip * max(1 - mu * into / np.hypot(*slip), 0.0)
     assert found["landed_velocity_m_s"] == pytest.approx(4.0 + after[0], rel=1e-12)
     for start, column in ((slip, "acceleration_length_m"), (after, "landed_acceleration_length_m")):
-        end = [4.0 * np.hypot(*start), 0.0]
+        whole = np.hypot(*start)
 
         def rates(_, state):
             return [
@@ -203,17 +203,16 @@ def test_friction_on_a_belt_acts_against_the_slip_along_and_across_it(slope):
                 -mu * G * np.cos(ab) * state[2] / np.hypot(state[1], state[2]),
             ]
 
-        def left(_, state, whole=np.hypot(*start)):
-            return np.hypot(state[1], state[2]) - 1e-12 * whole
+        def left(_, state, enough=1e-12 * whole):
+            return np.hypot(state[1], state[2]) - enough
 
         left.terminal = True
-        if np.hypot(*start) > 0:
+        length = 0.0
+        if whole > 0:
             block = solve_ivp(rates, (0.0, 50.0), [0.0, *start], "DOP853", events=left, rtol=1e-11, atol=1e-13)
-            end = block.y[:, -1]
-        else:
-            end = [0.0]
+            length = block.y[0, -1]
         # the integration has its own 1e-11, and turns fast where little slip is left
-        assert found[column] == pytest.approx(end[0], rel=1e-8, abs=1e-12)
+        assert found[column] == pytest.approx(length, rel=1e-8, abs=1e-12)
 
 
 def test_what_a_stream_does_not_fit_into_or_touch_is_a_failure():
@@ -237,7 +236,7 @@ def test_what_a_stream_does_not_fit_into_or_touch_is_a_failure():
         hood = {"kind": "hood", "radius_m": radius, "to_slope_deg": 60.0}
         solution = chutecalc.solve(chute(inlet=inlet, segments=[hood, {"kind": "fall", "drop_m": 1.0}]))
         assert solution.status[0] == status
-    assert [finding.code for finding in solution.findings() if finding.segment == "hood"][0] == "passed_by"
+    assert next(finding.code for finding in solution.findings() if finding.segment == "hood") == "passed_by"
 
 
 def test_the_depth_on_the_feed_belt_follows_the_rate_and_all_edges_meet_the_hood_or_are_told():
