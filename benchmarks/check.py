@@ -28,7 +28,8 @@ SOLVING, START = "solving, the sum", "one start-up"
 COMMAND = [sys.executable, "-m", "chutecalc"]
 SOLVE = """
 import sys, time
-from chutecalc.api.chute import load, solve
+from chutecalc.api.load import load
+from chutecalc.api.solve import solve
 wall, cpu = time.perf_counter(), time.process_time()
 for file in sys.argv[1:]:
     solution = solve(load(file))

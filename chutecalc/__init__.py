@@ -21,10 +21,12 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from chutecalc.api.batch import exits
     from chutecalc.api.cases import solve_cases
-    from chutecalc.api.chute import Chute, load, parse, solve
+    from chutecalc.api.chute import Chute
     from chutecalc.api.freeze import freeze
     from chutecalc.api.function import Function
+    from chutecalc.api.load import load, parse
     from chutecalc.api.solution import Solution
+    from chutecalc.api.solve import solve
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
     from chutecalc.results.cases import Cases
     from chutecalc.results.edges import Edge
@@ -75,9 +77,9 @@ _MODULES = {
     "UsageError": "chutecalc.errors",
     "exits": "chutecalc.api.batch",
     "freeze": "chutecalc.api.freeze",
-    "load": "chutecalc.api.chute",
-    "parse": "chutecalc.api.chute",
-    "solve": "chutecalc.api.chute",
+    "load": "chutecalc.api.load",
+    "parse": "chutecalc.api.load",
+    "solve": "chutecalc.api.solve",
     "solve_cases": "chutecalc.api.cases",
 }
 """Where each public name is defined."""

@@ -24,7 +24,7 @@ def load_modules(package: str, path: Iterable[str]) -> list[ModuleType]:
 
     >>> from chutecalc import sections
     >>> [module.__name__ for module in load_modules(sections.__name__, sections.__path__)][:2]
-    ['chutecalc.sections.base', 'chutecalc.sections.chamfered']
+    ['chutecalc.sections.base', 'chutecalc.sections.box']
     """
     modules = []
     for name in sorted(f"{package}.{module.name}" for module in iter_modules(path)):

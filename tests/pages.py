@@ -70,13 +70,15 @@ def console(text: str) -> str:
         if not command:
             break
         lines.append(f"$ {command}")
-        words, _, head = command.partition(" | head -")
+        words, piped, part = (*re.split(r" \| (head|tail) -", command), "", "")[:3]
         written = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="")
         with contextlib.redirect_stdout(written), contextlib.redirect_stderr(written):
             status = main(shlex.split(words)[1:])
             written.flush()
-        printed = written.buffer.getvalue().decode()  # type: ignore[attr-defined]
-        lines += [line.rstrip() for line in printed.rstrip().splitlines()[: int(head) if head else None]]
+        printed = written.buffer.getvalue().decode().rstrip().splitlines()  # type: ignore[attr-defined]
+        if piped:
+            status, printed = 0, printed[: int(part)] if piped == "head" else printed[-int(part) :]
+        lines += [line.rstrip() for line in printed]
     return "\n".join(lines) + "\n"
 
 

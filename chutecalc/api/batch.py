@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.api.chute import Chute, check_tolerance
+from chutecalc.api.chute import Chute
 from chutecalc.api.solution import DEFAULT_COLUMNS
+from chutecalc.api.tolerance import check_tolerance
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.results.columns import AT_EXIT, check_columns, column_names

@@ -1,30 +1,25 @@
-"""Chutes from their specs, variants of them, and their solutions."""
+"""Chutes from their specs, and variants of them."""
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import ValidationError
 
-from chutecalc.api.solution import Solution
+from chutecalc.api.tolerance import check_tolerance
 from chutecalc.design import Design
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.faults import GeometryError
-from chutecalc.solver.chain import run_chain
 from chutecalc.solver.steel import Steel, drawn_steel, enters_vertically, follows_stream, with_steel
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.faults import case_faults, faults_of, geometry_faults, value_text
-from chutecalc.spec.operating import case_values, check_operating, is_felt, is_operating
-from chutecalc.spec.parse import parse_text, read_text
+from chutecalc.spec.operating import case_values, drawing_faults, is_felt, is_operating
 from chutecalc.spec.paths import with_values
 
 if TYPE_CHECKING:
     from chutecalc.api.function import Function
-
-TOLERANCES = (1e-13, 1e-3)
 
 
 class Chute:
@@ -63,7 +58,7 @@ class Chute:
         self.count = _count(data, source)
         try:
             self.spec = ChuteSpec.model_validate(data)
-            design = build(self.spec)
+            design = build(self.spec, drawing.design if drawing and drawing.spec.model.steel == "fixed" else None)
             self.design = with_steel(design, drawing.steel_for(design)) if drawing else design
         except ValidationError as error:
             raise SpecError(faults_of(error, data, text), source) from None
@@ -112,13 +107,10 @@ class Chute:
         """Return the chute with changes, on the steel of its drawing."""
         drawing = self.drawing
         drawn = {path: value for path, value in changes.items() if not is_operating(path)}
-        if (
-            drawing is self
-            and self.spec.model.steel == "fixed"
-            and not any(is_operating(path) and is_felt(path) for path in changes)
-        ):
+        fixed = self.spec.model.steel == "fixed"
+        if drawing is self and fixed and not any(is_operating(path) and is_felt(path) for path in changes):
             return Chute(with_values(self.data, changes, self.source), self.source, self.text)
-        if drawn and self.spec.model.steel == "fixed":
+        if drawn:
             drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)
         return Chute(with_values(self.data, changes, self.source), self.source, self.text, drawing)
 
@@ -134,9 +126,9 @@ class Chute:
         found, faults = {}, []
         for name, table in self.spec.cases.items():
             values = case_values(table)
+            faults += case_faults(drawing_faults(values), name, self.text)
             try:
-                check_operating(values, self.source)
-                found[name] = self._on_steel(values)
+                found[name] = self._on_steel({path: value for path, value in values.items() if is_operating(path)})
             except SpecError as error:
                 faults += case_faults(error.faults, name, self.text)
         if faults:
@@ -238,90 +230,6 @@ def _count(data: Any, source: str) -> int:
         given = ", ".join(f"{path} {length}" for length, path in lengths.items())
         raise SpecError([Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], source)
     return next(iter(lengths), 1)
-
-
-def load(path: str | Path, changes: Mapping[str, Any] | None = None) -> Chute:
-    """Read a chute from a TOML file.
-
-    Args:
-        path: of the file.
-        changes: values or text by spec path, in the unit of the path. They are put in before the spec is checked, so
-            they may be what the file lacks.
-
-    Raises:
-        SpecError: the file cannot be read, or its spec has faults; the error lists all of them.
-    """
-    file = Path(path)
-    return parse(read_text(file), str(file), changes)
-
-
-def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[str, Any] | None = None) -> Chute:
-    """Read a chute from the text of a spec, or from its nested tables.
-
-    Args:
-        spec: TOML text, or the tables that ``tomllib`` reads from it.
-        source: name of the spec in messages.
-        changes: as for :func:`load`.
-
-    Raises:
-        SpecError: the spec has faults; the error lists all of them.
-
-    >>> import chutecalc
-    >>> chutecalc.parse(chutecalc.STARTER, source="spoon.toml").source
-    'spoon.toml'
-    """
-    if not isinstance(spec, str | Mapping):
-        raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
-    text = spec if isinstance(spec, str) else ""
-    data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
-    chute = Chute(with_values(data, dict(changes), source) if changes else data, source, text)
-    if chute.spec.cases:
-        chute.cases  # noqa: B018 - their faults are those of the spec
-    return chute
-
-
-def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
-    """Solve a chute, or each of n variants of it.
-
-    Args:
-        chute: from :func:`load`, :func:`parse` or :meth:`Chute.vary`.
-        rtol: error allowed to the velocity everywhere, relative, or as a shift of the position by that share of the
-            segment's length, whichever is larger; from 1e-13 to 1e-3.
-
-    Returns:
-        The solution. A design that fails says so in its status and does not affect the others.
-
-    Raises:
-        UsageError: ``rtol`` is out of range.
-        SpecError: a hood is tangent to a falling stream that is steeper than the hood's end.
-
-    >>> import chutecalc
-    >>> solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
-    >>> solution.status, solution.exit_velocity.round(3)
-    (array(['ok'], dtype='<U12'), array([3.878]))
-    """
-    if not isinstance(chute, Chute):
-        raise UsageError(f"solve takes a chute from chutecalc.load or chutecalc.parse, not {chute!r}")
-    check_tolerance(rtol)
-    try:
-        segment_solutions, ends = run_chain(chute.design, rtol)
-    except SpecError as error:
-        raise SpecError(error.faults, chute.source, error.designs) from None
-    return Solution(chute, segment_solutions, ends, rtol)
-
-
-def check_tolerance(rtol: float) -> None:
-    """Check that the solver takes a tolerance.
-
-    Args:
-        rtol: relative error allowed to the velocity, dimensionless.
-
-    Raises:
-        UsageError: it is out of range.
-    """
-    low, high = TOLERANCES
-    if not low <= rtol <= high:
-        raise UsageError(f"rtol must be from {low:g} to {high:g}, not {rtol!r}")
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:

@@ -42,9 +42,9 @@ def freeze(chute: Chute) -> str:
         fixed = None if place is None else place.start
         start = None if fixed is None else tuple(_written(number) for number in fixed)
         slope = segment.entry_slope if place is None or place.slope is None else place.slope
-        if start is not None and not np.isfinite(start).all():
-            unknown.append(segment.name)
         turns = None if segment.radius is None else slope
+        if not np.isfinite([*(start or ()), *np.ravel(turns if turns is not None else 0.0)]).all():
+            unknown.append(segment.name)
         drawn[number] = Drawn(start, None if turns is None else _written(np.degrees(turns)))
     if unknown:
         raise UsageError(

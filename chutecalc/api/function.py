@@ -247,7 +247,8 @@ class Function:
             if not parameter.accepts(converted):
                 raise ValueError("no value for the spec")
             parameter.set_value(converted)
-        design = with_steel(build(spec), steel)
+        stands = spec.model.steel == "fixed" and all(is_operating(path) for path in self.paths)
+        design = with_steel(build(spec, self._chute.drawing.design if stands else None), steel)
         columns, _, begins = row_columns(design)
         varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
         self._restart = first_varied_segment(design, begins, varied[0]) if varied else 0

@@ -26,7 +26,7 @@ class Solution(SolvedChute):
     >>> solution.status.tolist(), solution.exit_velocity.round(3).tolist()
     (['ok'], [3.878])
     >>> [finding.code for finding in solution.findings()]
-    ['below_cut_off']
+    ['below_cut_off', 'will_not_clear']
     """
 
     def plot(self, units: str = "metric") -> "Figure":
@@ -51,7 +51,8 @@ class Solution(SolvedChute):
             raise UsageError(f"units must be {' or '.join(Units)}, not {units!r}")
         require_extra("Solution.plot", PLOT)
         from chutecalc.output.plots.run import draw_run
-        from chutecalc.results.cases import DESIGN_POINT, Cases
+        from chutecalc.results.cases import Cases
+        from chutecalc.spec.operating import DESIGN_POINT
 
         return draw_run([Cases({DESIGN_POINT: self})], units)
 

@@ -87,7 +87,7 @@ def _beds(spec: str | None, segment: str | None, trough: TroughOptions, wall_fri
         return paper_beds(trough.beta, trough.base, trough.chamfer, trough.area, trough.delta, wall_friction)
     if trough.given:
         raise UsageError("the spec defines --beta, --base, --chamfer, --area and --delta: remove them")
-    from chutecalc.api.chute import load
+    from chutecalc.api.load import load
     from chutecalc.dem.chute_section import section_of
 
     return section_of(load(spec), segment)

@@ -41,6 +41,9 @@ def run(
     columns: str | None = typer.Option(
         None, metavar="NAMES", help="Columns of tables and of stations in files, separated by commas."
     ),
+    case: str | None = typer.Option(
+        None, metavar="NAME", help="One operating state of [cases] alone; design for the spec as written."
+    ),
     strict: bool = typer.Option(False, "--strict", help="Exit with status 1 on warnings too."),
     rtol: float = RTOL,
     outputs: RunOutputs,
@@ -57,7 +60,7 @@ def run(
     check_columns(names, COLUMNS)
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
-    cases = [solve_cases(chute, rtol) for chute in chutes]
+    cases = [solve_cases(chute, rtol, case) for chute in chutes]
     tables = None
     if stations.given:
         from chutecalc.output.run import needed
@@ -90,26 +93,25 @@ def _print(
 ) -> None:
     """Print reports. If rows go to standard output, print findings to standard error instead."""
     from chutecalc.output.table import Printer
-    from chutecalc.results.cases import DESIGN_POINT
     from chutecalc.results.columns import IN_TABLES
 
-    solutions = [states[DESIGN_POINT] for states in cases]
+    solutions = [states.main_solution for states in cases]
     if data := outputs.to_standard_output:
         printer = Printer(outputs.units, sys.stderr)
         for states in cases if data.document is None else ():
-            printer.findings(states[DESIGN_POINT].findings())
+            printer.findings(states.main_solution.findings())
             printer.case_findings(states)
         return
     printer = Printer(outputs.units, columns=columns or IN_TABLES)
     for number, solution in enumerate(solutions):
         if number:
             printer.text()
-        printer.report(solution)
+        printer.report(solution, cases[number].main)
         if len(cases[number].names) > 1:
             printer.cases(cases[number])
         if tables:
             printer.text()
-            printer.stations(tables[number][DESIGN_POINT])
+            printer.stations(tables[number][cases[number].main])
         if outputs.chart:
             from chutecalc.output.chart import print_chart
 

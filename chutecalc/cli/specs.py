@@ -26,7 +26,7 @@ def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
     Raises:
         UsageError: the file is a baseline.
     """
-    from chutecalc.api.chute import load, parse
+    from chutecalc.api.load import load, parse
     from chutecalc.spec.parse import BASELINE_SUFFIX, decode
 
     if spec.endswith(BASELINE_SUFFIX):

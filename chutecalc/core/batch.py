@@ -37,8 +37,8 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
         if chute.full or chute.first.stream.store.full:
             chute.count, chute.first.stream.store.count = solution_count, panel_count
             return row
-        if chute.last.closed and chute.airborne and chute.status == state.OK:
-            closed.fly_to_mouth(chute, chute.last.stream.guide)
+        if chute.mouth_time == chute.mouth_time and chute.last.closed and chute.status == state.OK:
+            closed.fly_to_mouth(chute)
         receiver.land_on_belt(chute)
         if chute.last.on_roof:
             write_ends(chute, chute.last, chute.last.roof)

@@ -7,14 +7,14 @@ are placed but not solved.
 
 import math
 
-from chutecalc.core import closed, contact, fall, placement, records, state, surface
+from chutecalc.core import closed, contact, fall, floats, placement, records, state, surface
 
 
 def start_at_inlet(chute: "records.ChuteState") -> None:
     """Put the stream at the inlet; a stream at rest points straight down."""
     records.copy_point(chute.current, chute.inlet)
     chute.status, chute.airborne, chute.already_landed, chute.strikes = state.OK, False, False, 0
-    chute.on_roof = False
+    chute.on_roof, chute.mouth_time = False, floats.NAN
     if not chute.inlet.velocity > 0.0:
         chute.current.slope = 0.5 * math.pi
     chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
@@ -52,6 +52,7 @@ def save_start(chute: "records.ChuteState") -> None:
     """Save the state of the stream where the designs of a batch begin to differ."""
     records.copy_point(chute.saved, chute.current)
     chute.saved_status, chute.saved_airborne, chute.saved_on_roof = chute.status, chute.airborne, chute.on_roof
+    chute.saved_mouth_time = chute.mouth_time
     chute.saved_x, chute.saved_z = chute.drawn_x, chute.drawn_z
     chute.saved_x_error, chute.saved_z_error = chute.drawn_x_error, chute.drawn_z_error
     chute.saved_error = chute.error
@@ -66,7 +67,7 @@ def restore_start(chute: "records.ChuteState") -> None:
         False,
         0,
     )
-    chute.on_roof = chute.saved_on_roof
+    chute.on_roof, chute.mouth_time = chute.saved_on_roof, chute.saved_mouth_time
     chute.drawn_x, chute.drawn_z = chute.saved_x, chute.saved_z
     chute.drawn_x_error, chute.drawn_z_error = chute.saved_x_error, chute.saved_z_error
     chute.error = chute.saved_error

@@ -53,10 +53,7 @@ def solve_surface(
         joint.meet_segment(chute, segment, stream.guide, known_roots)
     chute.flight_time = chute.arrival.time
     if chute.arrival.status > state.STALL:
-        passes = chute.arrival.status == state.PASSED  # inside a pipe
-        chute.arrival.status = state.MISSED
-        if passes or (segment.may_be_passed and (not segment.final or chute.belt_x == chute.belt_x)):  # caught later
-            chute.arrival.status = state.PASSED
+        fail_to_meet(chute, segment, chute.arrival.status)
     chute.segment_status = chute.arrival.status
     if chute.arrival.status > state.STALL:
         miss_segment(chute, segment)
@@ -74,22 +71,47 @@ def solve_surface(
     )
     if chute.arrival.status == state.OK:
         if segment.plate:
-            stream.status = state.OK
+            stepping.pass_plate(stream, options)
         else:
             stepping.solve_segment(stream, options)
         if stream.status < state.OK:
             chute.status = stream.status
             return
+        if slips_off(chute, segment, stream):
+            joint.miss_segment(chute, stream.guide)
+            fail_to_meet(chute, segment, state.MISSED)
+            chute.segment_status = chute.arrival.status
+            miss_segment(chute, segment)
+            return
         leave_surface(chute, segment, stream)
     records.copy_point(chute.current, chute.end)
     chute.status, chute.airborne = chute.segment_status, False
     solution_rows.write_solution(chute, segment, stream, stream.store.count - before)
-    goes_on = segment.closed or not segment.final or chute.belt_x == chute.belt_x
+    goes_on = not segment.final or chute.belt_x == chute.belt_x
     if chute.segment_status == state.CONTACT_LOST and goes_on:
         chute.status = state.OK
         chute.airborne = True
     elif segment.plate and chute.segment_status == state.OK:
         chute.airborne = True
+
+
+def fail_to_meet(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:
+    """Write the status of an arrival that meets no surface: a choked mouth, or a stream that passes or misses."""
+    caught = not segment.final or chute.belt_x == chute.belt_x  # later
+    if status != state.CHOKED and status != state.PASSED:  # PASSED: inside a pipe
+        status = state.PASSED if segment.may_be_passed and caught else state.MISSED
+    chute.arrival.status = status
+
+
+def slips_off(chute: "records.ChuteState", segment: "records.Segment", stream: "state.Stream") -> bool:
+    """Return whether a stream that touches a hood, drawn along it, leaves it at once: it has not been deflected."""
+    return (
+        stream.status == state.CONTACT_LOST
+        and stream.share == chute.arrival.share
+        and chute.arrival.incidence == 0.0
+        and stream.guide.side < 0.0
+        and not segment.closed
+    )
 
 
 def enter_surface(chute: "records.ChuteState", segment: "records.Segment", guide: "guide_surface.Guide") -> None:
@@ -142,7 +164,7 @@ def miss_segment(chute: "records.ChuteState", segment: "records.Segment") -> Non
     if chute.arrival.status == state.PASSED:
         chute.airborne = True
     else:
-        chute.status = state.MISSED
+        chute.status = chute.arrival.status
         records.clear_point(chute.current)
 
 
@@ -169,3 +191,5 @@ def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions",
             records.copy_point(chute.current, chute.start)
             chute.segment_status, segment.error_sign = state.NOT_REACHED, sign
             segment.on_roof = on_roof
+            if chute.mouth_time == chute.mouth_time:  # out of the end of a closed section
+                chute.status, chute.airborne = state.OK, True

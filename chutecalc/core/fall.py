@@ -2,7 +2,7 @@
 
 from chutecalc.core import closed, flight, floats, guide_surface, joint, placement, records, solution_rows, state
 
-MAX_FALL = 1e5  # m, as for every length: a longer fall has missed its target
+MAX_FALL = LONGEST_FALL = 1e5  # m, as for every length: a longer fall has missed its target; one is for Python
 
 
 def solve_fall(chute: "records.ChuteState", segment: "records.Segment") -> None:
@@ -51,7 +51,7 @@ def fall_to_level(chute: "records.ChuteState", segment: "records.Segment") -> No
         flight.shift_error(chute.flight, later, chute.end)
     records.copy_point(chute.entry, chute.end)
     records.copy_point(chute.current, chute.end)
-    chute.airborne = chute.on_roof = False
+    chute.airborne, chute.on_roof, chute.mouth_time = False, False, floats.NAN
     solution_rows.write_solution(chute, segment, segment.stream, 0)
 
 

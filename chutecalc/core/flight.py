@@ -12,7 +12,7 @@ def launch(flight: "records.Flight", point: "records.Point", gravity: float) -> 
     """Set the flight of a stream that leaves a point along its slope."""
     ahead = math.cos(point.slope)
     flight.x, flight.z, flight.gravity = point.x, point.z, gravity
-    flight.forward = point.velocity * ahead if ahead > LEAST_COSINE else 0.0
+    flight.forward = point.velocity * ahead if math.fabs(ahead) > LEAST_COSINE else 0.0
     flight.downward = point.velocity * math.sin(point.slope)
 
 
@@ -57,11 +57,17 @@ def time_to_run(flight: "records.Flight", run: float) -> float:
 
 
 def passage(flight: "records.Flight", x: float, z: float) -> tuple[float, float]:
-    """Return when a flight passes a point, and how far from it then: at the same height, or below or above it."""
+    """Return when a flight passes a point, and how far from it then: at the same height, below or above it, or now.
+
+    A flight that begins at the point, but for rounding, may have passed it: then only its beginning is near.
+    """
     fall = time_to_drop(flight, flight.z - z)
     run = time_to_run(flight, x - flight.x)
     beside = math.fabs(x_at(flight, fall) - x)
     above = math.fabs(z_at(flight, run) - z)
+    here = math.hypot(x - flight.x, z - flight.z)
+    if not (above <= here or beside <= here):
+        return 0.0, here
     return (run, above) if above < beside or beside != beside else (fall, beside)
 
 

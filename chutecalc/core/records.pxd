@@ -9,7 +9,7 @@ cdef class Point:
 
 @cython.final
 cdef class Flight:
-    cdef public double x, z, forward, downward, gravity, x_error, z_error, forward_error, downward_error, downward_now
+    cdef public double x, z, forward, downward, gravity, x_error, z_error, forward_error, downward_error, downward_now, since
 
 @cython.final
 cdef class Impact:
@@ -40,7 +40,7 @@ cdef class ChuteState:
     cdef public quartic.Quartic clearance
     cdef public int saved_status, status, segment_status, strikes, fault_number, faults, row, capacity, count
     cdef public bint saved_airborne, saved_on_roof, airborne, on_roof, already_landed, full
-    cdef public double error, saved_error, saved_x, saved_z, saved_x_error, saved_z_error, gravity, drawn_x, drawn_z, drawn_x_error, drawn_z_error, fault_slope, flight_time, belt_x, belt_z, belt_slope
+    cdef public double error, saved_error, saved_x, saved_z, saved_x_error, saved_z_error, gravity, drawn_x, drawn_z, drawn_x_error, drawn_z_error, fault_slope, flight_time, belt_x, belt_z, belt_slope, mouth_time, saved_mouth_time
     cdef public double[::1] solutions
     cdef public double[:, ::1] ends
     cdef public double[:, :, ::1] stream_section, wall_loads

@@ -25,6 +25,8 @@ class Flight:
         """Start of the flight, m; velocities there, m/s; gravity, m/s²."""
         self.x_error = self.z_error = self.forward_error = self.downward_error = self.downward_now = 0.0
         """Errors at the time in question, and the downward velocity then."""
+        self.since = floats.NAN
+        """When it comes out of a closed segment into the one in question, s; NaN where it comes from the open."""
 
 
 class Impact:
@@ -108,6 +110,8 @@ class ChuteState:
         self.status = 0
         self.on_roof = False
         """Whether the stream is at the end of the roof of the segment before it."""
+        self.mouth_time = self.saved_mouth_time = floats.NAN
+        """When its flight comes out of the closed segment before, s; NaN if it does not."""
         self.airborne = False
         """Whether the stream flies, and is not at the drawn end of the segment that it came from."""
         self.already_landed = False

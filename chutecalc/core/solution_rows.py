@@ -9,7 +9,7 @@ def write_solution(
     chute: "records.ChuteState", segment: "records.Segment", stream: "state.Stream", panel_count: int
 ) -> None:
     """Append the segment's solution to the buffer."""
-    if chute.segment_status < state.MISSED:
+    if chute.segment_status < state.MISSED and chute.end.error == chute.end.error:
         chute.error = math.fabs(chute.end.error)
     if chute.ends_only:
         return

@@ -7,6 +7,8 @@ cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFF
 
 cdef void solve_segment(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept nogil
+@cython.locals(deep=bint)
+cdef void pass_plate(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef double first_breakpoint(guide_surface.Guide guide, double share) noexcept nogil
 cdef bint detect_stall(state.Stream stream, double change) noexcept nogil
 cdef bint detect_full(state.Stream stream, state.SolverOptions options, double change) noexcept nogil

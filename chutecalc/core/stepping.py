@@ -88,6 +88,14 @@ def initialise(stream: "state.Stream", options: "state.SolverOptions") -> None:
         step_control.apply_event(stream, options, events.CHOKE)
 
 
+def pass_plate(stream: "state.Stream", options: "state.SolverOptions") -> None:
+    """Let a stream leave a plate where it strikes it, unless it is too deep for the section there."""
+    stream.status, stream.attempts = state.OK, 0
+    deep = state.event_function(stream, events.CHOKE, stream.share, stream.y) < -events.EVENT_TOLERANCE
+    if stream.guide.first.wall_height < floats.INFINITY and deep:
+        step_control.apply_event(stream, options, events.CHOKE)
+
+
 def first_breakpoint(guide: "guide_surface.Guide", share: float) -> float:
     """Return the share at which the first panel has to end: 1, or where a roof that first rises is level.
 

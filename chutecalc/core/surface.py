@@ -28,7 +28,8 @@ def land(
 
     With D the vector from the surface's start, n its normal there and κ the curvature, σ (D·n - κ |D|²/2) is positive
     on the stream's side and 0 on the full line or circle: a polynomial of degree 4 in time. The first time at which it
-    falls through 0 on the drawn part counts; NaN where there is none.
+    falls through 0 on the drawn part counts; NaN where there is none. A flight out of a closed segment before it may
+    meet it before its drawn start, in the mitre of both.
 
     Args:
         guide, path, curve: the segment, the flight, and a work record.
@@ -43,8 +44,12 @@ def land(
     for k in range(quartic.falls_through_zero(curve, horizon)):
         time = curve.falls[k]
         share, slope = foot(guide, path, time)
-        if share >= -END_TOLERANCE and share <= 1.0 + END_TOLERANCE:
+        if share > 1.0 + END_TOLERANCE or time < path.since:
+            continue
+        if share >= -END_TOLERANCE:
             return time, min(max(share, 0.0), 1.0), slope
+        if path.since == path.since:
+            return time, share, slope
     return floats.NAN, floats.NAN, floats.NAN
 
 

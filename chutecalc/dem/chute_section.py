@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from chutecalc.api.chute import Chute, solve
+from chutecalc.api.chute import Chute
+from chutecalc.api.solve import solve
 from chutecalc.dem.request import Beds
 from chutecalc.dem.trough import Trough
 from chutecalc.design import Contact

@@ -1,12 +1,13 @@
 """The operating states of a chute side by side: for people, and as part of a document."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
-from chutecalc.output.dataset import first, number
+from chutecalc.output.dataset import number
 from chutecalc.output.grid import Grid
-from chutecalc.results.cases import DESIGN_POINT, Cases
+from chutecalc.results.cases import Cases
 from chutecalc.results.finding import Severity
+from chutecalc.results.solved import SolvedChute
 
 CONCERNED = (Severity.FAILURE, Severity.WARNING)
 """Severities of the findings of cases that are printed."""
@@ -19,7 +20,8 @@ def cases_table(cases: Cases, units: str) -> Grid:
         cases: the states of one design.
         units: ``metric`` or ``us``.
     """
-    table = Grid("cases, on the same steel")
+    moves = cases.main_solution.spec.model.steel == "follows_stream"
+    table = Grid("cases, each on steel that follows its stream" if moves else "cases, on the same steel")
     table.column("case", left=True, label=True)
     table.column("status", left=True, label=True)
     for measure in cases.measures:
@@ -36,7 +38,7 @@ def cases_table(cases: Cases, units: str) -> Grid:
 
 
 def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str]]:
-    """Yield severity, beginning and rest of a line for each failure or warning that the design point does not have.
+    """Yield severity, beginning and rest of a line for failures and warnings that the main state does not have.
 
     Args:
         cases: the states of one design.
@@ -45,28 +47,20 @@ def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str
     for name in cases.names:
         for finding in cases.findings(name):
             if finding.severity in CONCERNED:
-                rest = f"  {name}: {finding.segment}: {finding.message(0, units)}"
+                rest = f"  {name}: {finding.segment or finding.key}: {finding.message(0, units)}"
                 yield finding.severity, f"{finding.severity} {finding.code}", rest
 
 
-def cases_document(cases: Cases) -> dict[str, Any]:
+def cases_document(cases: Cases, results: Callable[[SolvedChute], dict[str, Any]]) -> dict[str, Any]:
     """Return the states as objects by name, and the names of the worst.
 
     Args:
         cases: the states of one design.
+        results: gives what a document says about a solution.
     """
-    states = {}
-    for k, (name, solution) in enumerate(cases.solutions.items()):
-        if name == DESIGN_POINT:
-            continue
-        states[name] = {
-            "status": str(solution.status[0]),
-            "exit": first(solution.exit),
-            "receiver": first(solution.receiver) or None,
-            "compared": {key: number(values[k, 0]) for key, values in cases.numbers.items()},
-            "findings": [
-                {"code": finding.code, "severity": finding.severity, "segment": finding.segment}
-                for finding in solution.findings()
-            ],
-        }
+    states = {
+        name: {"compared": {key: number(values[k, 0]) for key, values in cases.numbers.items()}} | results(solution)
+        for k, (name, solution) in enumerate(cases.solutions.items())
+        if name != cases.main
+    }
     return {"cases": states, "worst_cases": {key: str(name[0]) or None for key, name in cases.worst.items()}}

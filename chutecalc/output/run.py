@@ -7,10 +7,11 @@ import numpy as np
 
 from chutecalc.output.cases import cases_document
 from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
-from chutecalc.results.cases import DESIGN_POINT, Cases
+from chutecalc.results.cases import Cases
 from chutecalc.results.columns import AT_STATION, COLUMNS
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
+from chutecalc.spec.operating import DESIGN_POINT
 
 
 def run_dataset(
@@ -21,9 +22,9 @@ def run_dataset(
     """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
 
     Args:
-        chutes: chutes of one design each, in all their states. Rows and documents begin with the design point.
+        chutes: chutes of one design each, in all their states. Rows and documents begin with the one shown in full.
         stations: stations of each chute by the name of the state, if a user asked for some. The document holds those
-            of the design point then. Without them the rows are the default stations, and the document has none.
+            of the state shown in full then. Without them the rows are the default stations, and the document has none.
         columns: names of the station columns.
     """
 
@@ -35,7 +36,7 @@ def run_dataset(
 
     def document() -> Any:
         documents = [
-            run_document(chute, stations[number][DESIGN_POINT] if stations else None, columns)
+            run_document(chute, stations[number][chute.main] if stations else None, columns)
             for number, chute in enumerate(chutes)
         ]
         return documents[0] if len(documents) == 1 else documents
@@ -70,10 +71,26 @@ def run_document(
 
     Args:
         chute: a chute of one design in all its states.
-        stations: those of the design point, from :meth:`chutecalc.Solution.stations`, to include.
+        stations: those of the state shown in full, from :meth:`chutecalc.Solution.stations`, to include.
         columns: names of the columns of its stations.
     """
-    segments, solution = [], chute[DESIGN_POINT]
+    solution = chute.main_solution
+    return {
+        **document_head(),
+        "source": solution.source,
+        "spec": solution.data,
+        **({} if chute.main == DESIGN_POINT else {"case": chute.main}),
+        "tolerance": solution.rtol,
+        **_results(solution, stations, columns),
+        **(cases_document(chute, _results) if len(chute.names) > 1 else {}),
+    }
+
+
+def _results(
+    solution: SolvedChute, stations: Mapping[str, Any] | None = None, columns: Sequence[str] = ()
+) -> dict[str, Any]:
+    """Return the results of one state."""
+    segments = []
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
         entry = _segment(segment, stations, columns)
         if segment.impact:
@@ -85,10 +102,6 @@ def run_document(
             entry |= {"flights_again": again} if again else {}
         segments.append(entry)
     return {
-        **document_head(),
-        "source": solution.source,
-        "spec": solution.data,
-        "tolerance": solution.rtol,
         "error_estimate": number(solution.error_estimate[0]),
         "status": str(solution.status[0]),
         "inlet": first(solution.inlet) | ({"edges": _edges(solution)} if solution.edges else {}),
@@ -107,7 +120,6 @@ def run_document(
             }
             for finding in solution.findings()
         ],
-        **(cases_document(chute) if len(chute.names) > 1 else {}),
     }
 
 
@@ -133,7 +145,7 @@ def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns:
 
 def _rows(stations: Mapping[str, Any], segment: str, columns: Sequence[str]) -> list[dict[str, Any]]:
     """Return the stations of one segment or flight that the stream reached, an object each."""
-    names = [name for name in columns if name not in {"spec", "segment", "kind"}]
+    names = [name for name in columns if name not in {"spec", "case", "segment", "kind"}]
     chosen = (stations["segment"][0] == segment) & np.isfinite(stations["s_m"][0])
     values = [numbers(stations[name][0][chosen]) for name in names]
     return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]

@@ -19,6 +19,7 @@ from chutecalc.results.columns import COLUMNS, IN_TABLES
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
+from chutecalc.spec.operating import DESIGN_POINT
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -114,13 +115,15 @@ class Printer:
         self.console.print(table, crop=False)
         self.console.width = width
 
-    def report(self, solution: SolvedChute) -> None:
+    def report(self, solution: SolvedChute, case: str = DESIGN_POINT) -> None:
         """Print a chute: its title and flow, its segments, its outcome and findings.
 
         Args:
             solution: solution of one design.
+            case: name of its operating state.
         """
-        self.text(solution.spec.title or solution.source, style="bold")
+        state = "" if case == DESIGN_POINT else f", case {case}"
+        self.text(f"{solution.spec.title or solution.source}{state}", style="bold")
         self.text(_flow_line(solution, self.units))
         self.text()
         self.table(self._segments(solution.trajectory.results))

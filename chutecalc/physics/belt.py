@@ -76,11 +76,12 @@ def loading(
 ) -> Loading:
     """Compute the impact of a stream on a receiving belt and the length on which the belt accelerates it.
 
-    The components of the velocity are those of :func:`components`. The acceleration length is
-    (V_b² - V_ex²)/(2 g (±μ_b cos a_b + sin a_b)), + where the belt is faster than the stream. Friction drives the
-    material; the slope of the belt helps or hinders. A bracket of the wrong sign never brings the stream to the belt's
-    velocity. The friction of the impact itself changes V_ex by μ_b V_ey towards V_b, and not past it; wear and length
-    are given without and with that change.
+    The components of the velocity are those of :func:`components`. Friction acts against the slip of the stream over
+    the belt, s = (V_ex - V_b, V_ez), along the belt and across it. For a stream without a component across it the
+    acceleration length is (V_b² - V_ex²)/(2 g (±μ_b cos a_b + sin a_b)), + where the belt is faster than the stream;
+    :func:`_acceleration_length` has the general one. Friction drives the material; the slope of the belt helps or
+    hinders. A bracket of the wrong sign never brings the stream to the belt's velocity. The friction of the impact
+    itself takes μ_b V_ey off the slip, and not more than it; wear and length are given without and with that change.
 
     Args:
         velocity: Stream velocity v where it lands, m/s, shape (1,) or (designs,), as for all arguments.
@@ -107,14 +108,16 @@ def loading(
     along, into, across = components(velocity, slope, belt_slope, plan_angle)
     pressure = density * into**2
     difference = belt_velocity - along
-    after_impact = belt_velocity - np.sign(difference) * np.maximum(np.abs(difference) - friction * into, 0.0)
+    slip = np.hypot(difference, across)
+    left = np.maximum(slip - friction * into, 0.0) / np.where(slip > 0.0, slip, 1.0)
+    after_impact = belt_velocity - difference * left
     lengths, wears = zip(
         *(
             (
-                _acceleration_length(start, belt_velocity, belt_slope, friction, gravity),
-                friction * pressure * np.hypot(belt_velocity - start, across),
+                _acceleration_length(start, crossing, belt_velocity, belt_slope, friction, gravity),
+                friction * pressure * np.hypot(belt_velocity - start, crossing),
             )
-            for start in (along, after_impact)
+            for start, crossing in ((along, across), (after_impact, across * left))
         ),
         strict=True,
     )
@@ -134,12 +137,23 @@ def loading(
 
 
 def _acceleration_length(
-    along: Array, belt_velocity: Array, belt_slope: Array, friction: Array, gravity: Array
+    along: Array, across: Array, belt_velocity: Array, belt_slope: Array, friction: Array, gravity: Array
 ) -> Array:
-    """Compute the distance on a belt from a velocity along it to the belt's own; NaN where there is no stream."""
+    """Compute the distance on a belt until the stream no longer slips on it; NaN where there is no stream.
+
+    With f = μ_b g cos a_b, γ = g sin a_b and the slip s = (V_ex - V_b, V_ez), ds/dt = -f s/|s| + (γ, 0). So
+    f |s| + γ s_x falls at the rate f² - γ², and the slip ends after T = (f |s| + γ s_x)/(f² - γ²). The rates of
+    |s| s_x, |s|² and s_x² give ∫ s_x dt = (f |s| s_x + γ (|s|² + s_x²)/2)/(2 (f² - γ²)); the length is that and V_b T.
+    """
     difference = belt_velocity - along
     drive = np.where(difference >= 0.0, friction, -friction) * np.cos(belt_slope) + np.sin(belt_slope)
     reached = difference * drive > 0.0
-    length = difference * (belt_velocity + along) / np.where(reached, 2.0 * gravity * drive, 1.0)
-    length = np.where(difference == 0.0, 0.0, np.where(reached, length, np.inf))
-    return np.where(np.isnan(along), np.nan, length)
+    straight = difference * (belt_velocity + along) / np.where(reached, 2.0 * gravity * drive, 1.0)
+    straight = np.where(difference == 0.0, 0.0, np.where(reached, straight, np.inf))
+    brake, pull = friction * gravity * np.cos(belt_slope), gravity * np.sin(belt_slope)
+    slip, holds = np.hypot(difference, across), brake > np.abs(pull)
+    margin = np.where(holds, (brake - pull) * (brake + pull), 1.0)
+    time = (brake * slip - pull * difference) / margin
+    drift = (0.5 * pull * (slip**2 + difference**2) - brake * slip * difference) / (2.0 * margin)
+    curved = np.where(holds, belt_velocity * time + drift, np.inf)
+    return np.where(np.isnan(along), np.nan, np.where(across == 0.0, straight, curved))

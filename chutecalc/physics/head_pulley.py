@@ -40,7 +40,8 @@ def discharge(
 
     With V²/(g r) ≥ cos ε the stream leaves tangent to the belt, where the belt meets the pulley. Otherwise it turns
     with the pulley at v = V r/r_b and leaves at the angle cos α_d = v²/(g r), where its weight no longer holds it on
-    the pulley; at once where that ratio is cos ε or more. With a friction angle it begins to slide before that, see
+    the pulley. Where that ratio would be cos ε or more, it leaves as soon as turning has brought it to cos ε, so the
+    velocity is continuous in V. With a friction angle it begins to slide before that, see
     :func:`slide`. It starts at r (sin α, cos α) from the pulley's centre.
 
     Args:
@@ -60,10 +61,10 @@ def discharge(
     (True, True)
     """
     level = np.cos(incline)
-    held = velocity**2 / (gravity * radius) < level
-    own = np.where(held, velocity * radius / belt_radius, velocity)
+    held, turned = velocity**2 / (gravity * radius) < level, velocity * radius / belt_radius
+    carried = turned**2 / (gravity * radius) < level
+    own = np.where(held, np.minimum(turned, np.sqrt(gravity * radius * level)), velocity)
     froude = own**2 / (gravity * radius)
-    carried = froude < level
     angle, leaves = np.arccos(np.where(carried, froude, 1.0)), own
     if friction is not None:
         angle = slide(np.where(carried, froude, 0.0), incline, friction)

@@ -54,7 +54,7 @@ def interpolate_sections(first: Drawn, last: Drawn, share: float) -> Drawn:
 
     >>> narrow, wide = (Circle(np.array([radius]), np.array([np.inf])) for radius in (0.2, 0.4))
     >>> interpolate_sections(narrow, wide, 0.5)
-    Circle(radius=array([0.3]), wall_height=array([inf]))
+    Circle(radius=array([0.3]), wall_height=array([inf]), closed=False)
     """
 
     def between(one: Any, other: Any) -> Any:

@@ -16,9 +16,6 @@ from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Finding
 from chutecalc.results.solved import SolvedChute
 
-DESIGN_POINT = "design"
-"""Name of the state that the spec describes itself."""
-
 
 class Measure(NamedTuple):
     """A number by which operating states are compared."""
@@ -44,8 +41,10 @@ MEASURES = (
     _extreme("exit", "velocity_m_s", None),
     _extreme("min", "velocity_m_s", np.negative),
     _extreme("max", "depth_m", np.positive),
+    _extreme("max", "fill", np.positive),
     _extreme("max", "pressure_kpa", np.positive),
     _extreme("max", "wear_w_m2", np.positive),
+    _extreme("min", "sliding_life_h", np.negative),
     _received("velocity_ratio", lambda ratio: np.abs(ratio - 1.0)),
     _received("velocity_into_m_s", np.positive),
 )
@@ -67,15 +66,22 @@ class Cases:
         """Take the solutions.
 
         Args:
-            solutions: by name of the state, the design point first, all of the same number of designs.
+            solutions: by name of the state, the one to show in full first, all of the same number of designs.
         """
         self.solutions = dict(solutions)
         """Solution of each state by its name."""
+        self.main = next(iter(self.solutions))
+        """Name of the state that is shown in full: the design point, unless a user chose another."""
 
     @property
     def names(self) -> list[str]:
         """Names of the states; ``design`` is the spec as written."""
         return list(self.solutions)
+
+    @property
+    def main_solution(self) -> SolvedChute:
+        """The solution of the state that is shown in full."""
+        return self[self.main]
 
     def __getitem__(self, name: str) -> SolvedChute:
         """Return the solution of a state.
@@ -122,12 +128,12 @@ class Cases:
         return np.where(known, np.array(self.names)[state], "")
 
     def findings(self, name: str) -> list[Finding]:
-        """Return the findings of a state that the design point does not have.
+        """Return the findings of a state that the one shown in full does not have.
 
         Args:
             name: of the state.
         """
-        known = {(finding.code, finding.segment, finding.severity) for finding in self[DESIGN_POINT].findings()}
+        known = {(finding.code, finding.segment, finding.severity) for finding in self.main_solution.findings()}
         return [
             finding
             for finding in self[name].findings()

@@ -217,7 +217,7 @@ _CATALOGUE = (
     StreamColumn("wear_number", "N_WR", "N_WR", "Roberts' wear number, n/g on an arc", "number", "", 3,
                  formula=lambda part, at: at.normal_acceleration / part.design.gravity, exists=on_arc,
                  needs=Needs.WALLS, source="Roberts (2003)"),
-    StreamColumn("liner_life_h", "liner life", "", "time until the liner is worn through where it wears most",
+    StreamColumn("sliding_life_h", "sliding life", "", "time until sliding wears through the liner, at its worst",
                  "time", "h", 0, formula=_liner_life, exists=on_wearing_liner, needs=Needs.WALLS),
 
     StreamColumn("thickness", "H/b", "H/b", "depth over the stream's greatest width", "number", internal=True,

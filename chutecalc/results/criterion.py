@@ -14,7 +14,7 @@ from chutecalc.results.part import Part
 from chutecalc.results.sampled import SampledPart
 from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
 from chutecalc.spec.chute_spec import ChuteSpec
-from chutecalc.spec.limits import LIMITS
+from chutecalc.spec.limits import LIMITS, PRACTICE
 
 
 class Scene(NamedTuple):
@@ -88,6 +88,15 @@ class Scene(NamedTuple):
             sign: ``LEAST`` or ``LARGEST``.
         """
         return self.sampled.extremes[name, sign]
+
+    def has_own_limits(self, code: str) -> bool:
+        """Return whether the spec gives a limit of a finding that is not the default.
+
+        Args:
+            code: of the finding.
+        """
+        limits = [limit for limit in LIMITS.values() if limit.finding == code and limit.default is not None]
+        return any((limit.of(self.design.limits) != limit.default).any() for limit in limits)
 
     def distance(self, share: Array) -> Array:
         """Return the distance from the inlet at shares of the part's length.
@@ -176,7 +185,11 @@ class Criterion(NamedTuple):
         for case in self.cases(scene):
             concerned = case.mask & ~scene.overwhelmed if self.foretells_failure else case.mask
             if concerned.any():
-                yield self._finding(case._replace(mask=concerned), scene.part.segment.name, scene.designs)
+                template = case.template
+                if scene.has_own_limits(self.code):
+                    template = template.replace(f", {PRACTICE}", ", set in the spec")
+                case = case._replace(mask=concerned, template=template)
+                yield self._finding(case, scene.part.segment.name, scene.designs)
 
     def findings_of_spec(self, written: Written) -> Iterator[Finding]:
         """Return what the criterion finds in a spec, for any design.

@@ -34,6 +34,8 @@ LOAD_COLUMNS = {
 }
 # fmt: on
 """Loads of a segment by name."""
+RUBBED = 1e-6
+"""Share of the greatest wear below which a segment is not worn: what is left of 90° is rounding."""
 NONE = np.full(1, np.nan)
 """What there is not, shape (1,)."""
 WEAR = ("wear_w_m2", "chamfer_wear_w_m2", "side_wear_w_m2")
@@ -120,6 +122,7 @@ def relative_to_first(loads: Sequence[Numbers]) -> list[Numbers]:
     every = [one["relative_wear"] for one in loads if one]
     if not every:
         return list(loads)
-    base = reduce(lambda known, wear: np.where(known > 0.0, known, wear), every)
     with np.errstate(all="ignore"):
+        least = RUBBED * np.fmax.reduce(np.broadcast_arrays(*every))
+        base = reduce(lambda known, wear: np.where(known > least, known, wear), every)
         return [one | {"relative_wear": one["relative_wear"] / base} if one else one for one in loads]

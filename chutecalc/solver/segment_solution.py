@@ -104,7 +104,7 @@ class ContactSolution:
 
     @property
     def side(self) -> Array:
-        """σ of the surface that is met, dimensionless: 1 for a floor, -1 for a roof. Closed sections have both."""
+        """Sign σ of the surface that is met: 1 a floor, -1 a roof; a closed section has both. Shape (designs,)."""
         side: Array = self.table[FIELD["surface_side"]]
         return side
 

@@ -14,16 +14,17 @@ from chutecalc.spec import chute_spec as model
 from chutecalc.spec.segment_names import segment_names
 
 
-def build(spec: model.ChuteSpec) -> Design:
+def build(spec: model.ChuteSpec, drawing: Design | None = None) -> Design:
     """Return the numeric description of a chute.
 
     Args:
         spec: the checked spec; its numbers may be arrays of length 1 or n.
+        drawing: the chute at its design point, where another stream enters than for which its segments are drawn.
 
     Raises:
         GeometryError: All faults of geometry.
     """
-    geometry = _Geometry(spec)
+    geometry = _Geometry(spec, drawing)
     design = geometry.design()
     geometry.faults.raise_any()
     return design
@@ -32,8 +33,8 @@ def build(spec: model.ChuteSpec) -> Design:
 class _Geometry:
     """One pass through the spec, which collects faults of geometry."""
 
-    def __init__(self, spec: model.ChuteSpec) -> None:
-        self.spec, self.faults = spec, GeometryFaults()
+    def __init__(self, spec: model.ChuteSpec, drawing: Design | None) -> None:
+        self.spec, self.drawing, self.faults = spec, drawing, GeometryFaults()
 
     def design(self) -> Design:
         """Return the design; it is of no use if there are faults."""
@@ -45,6 +46,8 @@ class _Geometry:
             assert friction is not None  # the material's own rule
             ratio = vertical_pressure_ratio(friction)
         velocity, slope, position, belt = self.inlet()
+        self.check_start(velocity)
+        drawn = (velocity, slope) if self.drawing is None else (self.drawing.inlet_velocity, self.drawing.inlet_slope)
         return Design(
             mass_rate=in_si(flow.rate_t_h, "mass rate"),
             density=in_si(material.density_kg_m3, "density"),
@@ -59,7 +62,7 @@ class _Geometry:
             belt=belt,
             receiver=self.receiver(),
             limits=self.spec.limits.in_order(),
-            segments=self.segments(velocity, slope),
+            segments=self.segments(*drawn),
         )
 
     def inlet(self) -> tuple[Array, Array, tuple[Array, Array], Belt | None]:
@@ -98,7 +101,7 @@ class _Geometry:
         """Return the segments, each with the slopes at which it is drawn.
 
         Args:
-            velocity: of the stream where it enters, m/s.
+            velocity: of the stream where it enters at the design point, m/s.
             inlet_slope: of the stream there, rad below horizontal.
         """
         tables = self.spec.segments
@@ -106,7 +109,6 @@ class _Geometry:
             name: section.build(("sections", name), self.faults) for name, section in self.spec.sections.items()
         }
         linings = {name: self.lining(liner) for name, liner in self.spec.liners.items()}
-        self.check_start(velocity)
         slope: Array | None = shared(np.where(velocity == 0.0, VERTICAL, inlet_slope))  # a stream at rest falls
         falling = bool(np.all(slope == np.pi / 2))  # straight down, and past nothing yet that it may not follow
         names = segment_names([(table.name, table.kind) for table in tables])

@@ -47,10 +47,25 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
             added["from_slope_deg"] = segment.from_slope_deg
         tables[number] = _with(tables[number], added)
     if 0 in drawn and drawn[0].start_m is not None:
-        fall = _with(tomlkit.table(), {"kind": FALL, "onto_next": True})
-        fall.append(None, tomlkit.nl())
+        inline = isinstance(tables[0], InlineTable)
+        fall = _with(tomlkit.inline_table() if inline else tomlkit.table(), {"kind": FALL, "onto_next": True})
+        if not inline:
+            fall.append(None, tomlkit.nl())
         tables.insert(0, fall)
+        for case in document.get("cases", {}).values():
+            _shift_numbers(case, "segments.")
+            _shift_numbers(case.get("segments", {}), "")
     return tomlkit.dumps(document)
+
+
+def _shift_numbers(table: Any, above: str) -> None:
+    """Add 1 to the numbers of segments in the keys of a table: a segment has been added before them."""
+    shifted = {}
+    for key in list(table):
+        number, dot, rest = key.removeprefix(above).partition(".")
+        if key.startswith(above) and number.isdigit():
+            shifted[f"{above}{int(number) + 1}{dot}{rest}"] = table.pop(key)
+    table.update(shifted)
 
 
 def _with(table: Any, added: Mapping[str, Any], removed: Collection[str] = ()) -> Any:
@@ -62,7 +77,11 @@ def _with(table: Any, added: Mapping[str, Any], removed: Collection[str] = ()) -
         return table
     entries = [(key, item) for key, item in table.value.body if key is None or key.key not in removed]
     own = max((number for number, (key, _) in enumerate(entries, 1) if key is not None), default=0)
+    lost = [item for key, item in table.value.body if key is not None and key.key in removed and item.trivia.comment]
     found = tomlkit.table()
+    found.trivia.comment_ws, found.trivia.comment = table.trivia.comment_ws, table.trivia.comment
+    for item in lost:
+        found.append(None, tomlkit.comment(item.trivia.comment.lstrip("# ")))
     for key, item in entries[:own]:
         found.append(key, item)
     for name, value in added.items():

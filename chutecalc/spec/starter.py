@@ -67,6 +67,21 @@ _FURTHER = """
 # velocity_m_s = 3.0
 # slope_deg = 0                 # downhill
 # friction_deg = 30             # of the material on the belt
+# at_m = [4.0, -6.0]            # any point of the belt, x forward and z up from the inlet: where the stream lands
+# plan_angle_deg = 90           # between chute and belt, seen from above
+
+# Other operating states on the same steel; the names are yours:
+
+# [cases.surge]
+# "flow.rate_t_h" = 1500
+
+# [cases.wet]
+# "liners.ceramic.friction_deg" = 32
+
+# The steel stands still while operating keys vary. To have it drawn anew under each stream:
+
+# [model]
+# steel = "follows_stream"
 
 # Where findings begin; these are the defaults:
 

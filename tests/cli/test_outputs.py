@@ -167,7 +167,7 @@ def test_help_has_examples(command, capsys):
 
 
 def test_a_name_too_long_for_the_file_that_is_written_first_is_found_before_the_work(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("chutecalc.api.chute.solve", lambda *_: pytest.fail("solved"))
+    monkeypatch.setattr("chutecalc.api.solve.solve", lambda *_: pytest.fail("solved"))
     assert main(["run", SPOON, "--csv", str(tmp_path / ("x" * 250))]) == ExitStatus.USAGE
     assert "cannot be written: File name too long" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())

@@ -21,7 +21,7 @@ MAGIC = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF"}
 @pytest.fixture
 def nothing_solved(monkeypatch):
     """Solving is a fault of the program."""
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
 
 
 @pytest.mark.parametrize("ending", [*MAGIC, "PNG"])

@@ -87,7 +87,7 @@ def test_csv_without_points_has_101_stations_a_segment(capsys, starter):
     assert main(["run", str(starter), "--csv", "-"]) == 0
     out = capsys.readouterr().out
     assert len(out.splitlines()) == 1 + 2 * 101
-    assert "spec,segment,kind,s_m" in out.splitlines()[0]
+    assert "spec,case,segment,kind,s_m" in out.splitlines()[0]
 
 
 def test_json_of_one_and_of_several(capsys, starter, stalling):
@@ -248,7 +248,7 @@ def test_a_full_disk_ends_with_74(capsys, starter):
 
 
 def test_a_fault_of_the_program_ends_with_70_and_a_traceback_only_on_demand(capsys, monkeypatch, starter):
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     assert main(["run", str(starter)]) == 70
     err = capsys.readouterr().err
     assert "ZeroDivisionError" in err
@@ -262,7 +262,7 @@ def test_ctrl_c_ends_with_130(capsys, monkeypatch, starter):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", interrupted)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", interrupted)
     assert main(["run", str(starter)]) == 130
 
 
@@ -387,7 +387,7 @@ def test_columns_of_tables_and_files(capsys, tmp_path, starter):
     ],
 )
 def test_unknown_columns_are_refused(names, words, capsys, starter, monkeypatch):
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     assert main(["run", str(starter), "--columns", names]) == 2
     shown = capsys.readouterr()
     assert words in shown.err

@@ -16,8 +16,12 @@ import tomli_w
 
 import chutecalc
 from chutecalc.cli import main
+from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
+from chutecalc.output.run import run_document
+from chutecalc.results.cases import Cases
 from chutecalc.results.segment_columns import segment_columns
+from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.checks import DEFAULT, DEFAULT_ON_BELT
 from chutecalc.studies.sweep.grid import Grid
@@ -282,7 +286,7 @@ def test_a_hood_that_cannot_be_tangent_to_its_fall_is_impossible_alone(capsys, t
 
 
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     message = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
     for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item 'spool'"):
         assert words in message
@@ -354,7 +358,7 @@ def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
 )
 def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     with_tables = [written(tmp_path, **word) if isinstance(word, dict) else word for word in arguments]
     before = list(tmp_path.iterdir())
     assert words in refused(capsys, *with_tables)
@@ -392,7 +396,7 @@ def test_profiles_are_those_of_runs(how, capsys, tmp_path, monkeypatch):
         own = [row for row in rows if float(row["friction_deg"]) == float(phi)]
         assert len(own) == len(alone)
         for one, other in zip(own, alone, strict=True):
-            assert all(one[name] == other[name] for name in other if name != "spec")
+            assert all(one[name] == other[name] for name in other if name not in ("spec", "case"))
     assert {row["status"] for row in rows} == {"ok", "stall"}
 
 
@@ -624,8 +628,8 @@ ALL_OF_SPOON = ",".join(f"segments.spoon.{name}" for name in segment_columns())
 def test_columns_of_a_segment_are_its_results(capsys):
     rows = swept(capsys, "rate=1500,1800", BELT, "--columns", ALL_OF_SPOON)
     for row in rows:
-        assert main(["run", BELT, "--set", f"flow.rate_t_h={row['rate_t_h']}", "--json", "-"]) == 0
-        spoon = json.loads(capsys.readouterr().out)["segments"][-1]
+        state = chutecalc.solve(chutecalc.load(BELT).vary({"flow.rate_t_h": float(row["rate_t_h"])}))
+        spoon = run_document(Cases({DESIGN_POINT: state}), None)["segments"][-1]
         found = {"status": spoon["status"], "duration_s": spoon["duration_s"]}
         for prefix, part in (("entry", "entry"), ("exit", "exit"), ("min", "minimum"), ("max", "maximum")):
             found |= {f"{prefix}_{name}": value for name, value in spoon[part].items()}
@@ -701,7 +705,7 @@ def test_a_grid_of_names_and_numbers_is_its_rows_one_by_one(capsys):
     for row in rows:
         changes = {path: float(row[path]) if path == "rate_t_h" else row[path] for path in list(row)[:3]}
         changes["flow.rate_t_h"] = changes.pop("rate_t_h")
-        alone = chutecalc.solve(chutecalc.load(HOOD, changes))
+        alone = chutecalc.solve(chutecalc.load(HOOD).vary(changes))
         assert float(row["exit_velocity_m_s"]) == alone.exit_velocity[0]
     assert len({row["exit_velocity_m_s"] for row in rows}) == 8
 
@@ -726,7 +730,7 @@ def test_names_of_laws_sections_and_kinds(capsys):
 
 
 def test_wrong_names_stop_a_sweep_before_it_starts(capsys, monkeypatch):
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     message = refused(capsys, "segments.spoon.liner=steel,cermic", "model.friction_law=papr", "rate=-1,2", HOOD)
     assert 'segments.3.liner = "cermic" names cermic, which is not defined' in message
     assert "model.friction_law" in message
@@ -766,7 +770,7 @@ def test_names_in_every_format_and_resumed(capsys, tmp_path, monkeypatch):
     capsys.readouterr()
     other = ["segments.spoon.liner=ceramic,steel", *arguments[1:]]
     assert "differs in the parameters" in refused(capsys, *other, "--csv", str(files["csv"]), "--resume")
-    monkeypatch.setattr("chutecalc.api.chute.run_chain", lambda *_: 1 / 0)  # all blocks are there
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)  # all blocks are there
     assert main(["sweep", *arguments, "--csv", str(files["csv"]), "--resume"]) == 0
     assert files["csv"].read_bytes() == first
 
@@ -792,6 +796,20 @@ def test_names_in_pictures_and_charts(capsys):
         assert line.get_ydata().tolist() == block["exit_velocity_m_s"][own].tolist()
     assert main(["sweep", LINERS[0], HOOD, "--chart"]) == 0
     assert "(spoon liner: 0 steel, 1 ceramic)" in capsys.readouterr().out
+
+
+def test_a_key_that_a_chosen_case_sets_is_refused() -> None:
+    """A row with the rate of the sweep in its column, and solved at the rate of the case, would state what is not."""
+    cases = '[cases.surge]\n"flow.rate_t_h" = 1500\n[cases.slow]\n"inlet.velocity_m_s" = 2'
+    chute = chutecalc.parse(chutecalc.STARTER + cases)
+    (rate,) = read_parameters(["flow.rate_kg_s=100,200"], chute)
+    for names, refused in ("surge,slow", True), ("design,slow", False):
+        (case,) = read_parameters([f"case={names}"], chute)
+        if refused:
+            with pytest.raises(UsageError, match=r"flow\.rate_kg_s: case surge sets it too"):
+                rows_of.Sweep(chute, [case, rate])
+        else:
+            assert rows_of.Sweep(chute, [case, rate]).count == 4
 
 
 def test_names_may_stand_for_several_keys_at_once():

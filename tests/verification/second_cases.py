@@ -168,6 +168,47 @@ class Maker:
         segments.insert(number, {"kind": "fall", "onto_next": True})
 
 
+class ClosedMaker(Maker):
+    """Chutes of pipes and boxes: bends, crests at speed, hoods, mouths that a stream falls into, open ends."""
+
+    def section(self) -> dict[str, Any]:
+        if self.maybe(0.15):
+            return super().section()
+        if self.maybe(0.6):
+            return {"shape": "pipe", "radius_m": self.number(0.15, 0.8)}
+        return {"shape": "box", "width_m": self.number(0.2, 1.5), "height_m": self.number(0.2, 1.0)}
+
+    def narrowed(self, section: dict[str, Any]) -> dict[str, Any]:
+        if self.maybe(0.3):
+            return copy.deepcopy(section)
+        return super().narrowed(section)
+
+    def segment(self, slope: float) -> tuple[dict[str, Any], float]:
+        data, to = super().segment(slope)
+        if data["kind"] == "plate" and self.maybe(0.8):
+            data["kind"] = "straight"
+        if data["kind"] == "straight" and self.maybe(0.4):
+            to = data["slope_deg"] = float(np.clip(slope, 5, 85))
+            data = {key: data[key] for key in ("kind", "section", "liner", "slope_deg")}
+            data["length_m"] = self.number(0.2, 6)
+        if data["kind"] == "curve" and self.maybe(0.5):
+            data.pop("from_slope_deg", None)
+            data["to_slope_deg"] = to = self.angle(min(slope + 5, 84), 89) if slope < 84 else self.angle(0, 60)
+        if data["kind"] == "fall":
+            data = {"kind": "fall", "drop_m": self.number(0.02, 2)}
+        return data, to
+
+    def chute(self) -> dict[str, Any]:
+        data = super().chute()
+        data["flow"]["rate_t_h"] = self.number(20, 1500)
+        if self.maybe(0.5):  # another body, open or closed, that no segment tapers to
+            data["sections"]["apart"] = self.section()
+            for segment in data["segments"]:
+                if segment.get("section") == "other" and self.maybe(0.5):
+                    segment["section"] = "apart"
+        return data
+
+
 def case(seed: int, maker: type[Maker] = Maker) -> tuple[dict[str, Any], chutecalc.Chute]:
     """Return the first chute of this seed that is a chute: some draws are faults of geometry."""
     drawing = maker(seed)
@@ -244,14 +285,13 @@ def _ends(segment: Any, stream: Stream | None, which: int) -> dict[str, float]:
         "slope_deg": float(np.degrees(stream.slope)),
         "velocity_m_s": stream.v,
     }
-    if segment.setting is not None and stream.v > 0:
+    setting = (segment.first, segment.setting)[which]
+    if setting is not None and stream.v > 0:
         u = (segment.begin, segment.end)[which]
-        out["depth_m"] = segment.setting.load(u, stream.v).depth
+        out["depth_m"] = setting.load(u, stream.v).depth
         # on a plate nothing slides: what is reported there is the friction of the impact
-        plate = segment.setting.surface.side < 0 and segment.setting.surface.kappa == 0
-        out["equivalent_friction"] = (
-            segment.struck if plate and segment.impacts else segment.setting.equivalent(u, stream.v)
-        )
+        struck = segment.plate and segment.impacts
+        out["equivalent_friction"] = segment.struck if struck else setting.equivalent(u, stream.v)
     return out
 
 

@@ -5,12 +5,13 @@
 """
 
 from dataclasses import dataclass, field
-from math import acos, cos, degrees, inf, nan, radians, sin, sqrt, tan
+from math import acos, cos, degrees, hypot, inf, nan, radians, sin, sqrt, tan
 from typing import Any
 
 import numpy as np
 
 from tests.verification.second_flights import Flight, Landing, Surface, landing
+from tests.verification.second_roofs import Tube, height_of
 from tests.verification.second_sections import Friction, atan_slope
 from tests.verification.second_slide import Setting, UndecidedError, slide
 
@@ -41,8 +42,10 @@ class Segment:
     impacts: list[tuple[float, float, float]] = field(default_factory=list)  # incidence, before, after
     begin: float = 0.0  # how far along the drawn segment its entry and exit are
     end: float = 0.0
-    setting: Setting | None = None
+    setting: Setting | None = None  # of the wall that it leaves
+    first: Setting | None = None  # of the wall that it enters on
     struck: float = nan  # μ_e of its first impact
+    plate: bool = False
 
 
 @dataclass
@@ -72,8 +75,9 @@ def inlet_of(data: dict[str, Any], g: float) -> Stream:
     speed = belt["velocity_m_s"]
     angle = -incline
     if speed**2 / (g * radius) < cos(incline):  # held round the pulley
-        speed *= radius / outside
-        if speed**2 / (g * radius) < cos(incline):
+        turning = speed * radius / outside
+        speed = min(turning, sqrt(g * radius * cos(incline)))  # it leaves when it has got so fast
+        if turning**2 / (g * radius) < cos(incline):
             angle = acos(speed**2 / (g * radius))
     return Stream(0.0, x + radius * sin(angle), z + radius * cos(angle), speed, angle)
 
@@ -96,6 +100,9 @@ class Solver:
         self.stream = inlet_of(data, self.g)
         self.flight: Flight | None = None  # while nothing carries the stream
         self.took_off = self.stream
+        self.since = 0.0  # of the flight's time, spent inside closed segments that it has flown through
+        self.inside = False  # whether it has just come out of one, or comes along the wall opposite to a drawn one
+        self.opposite = 0  # side of the wall opposite to a drawn one, if the stream comes along such a wall
         self.onto: Segment | None = None
         # where the next segment is drawn from
         self.x, self.z, self.slope = self.stream.x, self.stream.z, self.stream.slope
@@ -106,11 +113,13 @@ class Solver:
         for table in tables:
             kind = table["kind"]
             counts[kind] = counts.get(kind, 0) + 1
-            self.result.segments.append(Segment(table.get("name", kind)))
+            self.result.segments.append(Segment(table.get("name", kind), plate=kind == "plate"))
         try:
             for number, (table, segment) in enumerate(zip(tables, self.result.segments, strict=True)):
                 if table["kind"] == "fall":
                     self.fall(table, segment, number)
+                elif table["kind"] != "plate" and self.heights(table) is not None:
+                    self.tube(table, segment, number)
                 else:
                     self.surface(table, segment, number)
             struck = tables[-1]["kind"] == "plate" and self.result.segments[-1].status == "ok"
@@ -134,7 +143,7 @@ class Solver:
 
     def fly(self, touch: int = 0) -> None:
         stream = self.stream
-        self.took_off = stream
+        self.took_off, self.since, self.opposite = stream, 0.0, 0
         self.flight = Flight(
             stream.x, stream.z, stream.v * cos(stream.slope), -stream.v * sin(stream.slope), self.g, touch
         )
@@ -142,6 +151,7 @@ class Solver:
             self.flight.vx = 0.0
 
     def fall(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        self.inside = False
         if self.flight is None:
             self.fly()
         flight = self.flight
@@ -204,9 +214,12 @@ class Solver:
         )
 
     def surface(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        self.inside = False
         surface = self.draw(table)
         setting = segment.setting = self.setting(table, surface)
         u = 0.0
+        if self.opposite:
+            self.fly()
         if self.flight is None:
             turn = surface.side * (self.stream.slope - surface.slope)
             if abs(turn) <= EQUAL:
@@ -227,16 +240,12 @@ class Solver:
                         if passed == inf:
                             self.beyond(number)
                         return
-                    last = number + 1 == len(self.result.segments)
-                    if not table.get("may_be_passed") or (last and "at_m" not in self.data.get("receiver", {})):
-                        segment.status = "missed"
-                        raise _FailedError("missed")
-                    segment.status = "passed"
+                    self.pass_by(table, segment, number)
                     return
                 self.land(segment, surface, met)
                 u = met.u
             if segment.entry is None:
-                segment.entry, segment.begin = self.stream, u
+                segment.entry, segment.begin, segment.first = self.stream, u, setting
             if self.stream.v == 0:
                 segment.exit = self.stream
                 segment.status = "stall"
@@ -252,23 +261,136 @@ class Solver:
             if setting.press(u, self.stream.v) < 0:
                 self.lose(segment, u, touch=2)
                 continue
-            if setting.chokes(u, self.stream.v):
-                how, v = "choke", self.stream.v
-            else:
-                slid = slide(setting, u, self.stream.v)
-                how, v = slid.how, slid.v
-                x, z = surface.at(slid.u)
-                s = self.stream.s + slid.u - u
-                u = slid.u
-                self.stream = Stream(s, x, z, v, surface.slope_at(u))
-            segment.exit, segment.end = self.stream, u
-            if how in ("stall", "choke"):
-                segment.status = how
-                raise _FailedError(how)
+            how, u = self.run_along(segment, u)
             if how == "end":
                 return
             self.lose(segment, u, touch=3)
         raise UndecidedError("strikes the same surface again and again")
+
+    def run_along(self, segment: Segment, u: float) -> tuple[str, float]:
+        """Slides from u along the segment's wall, to its end or to where contact is lost."""
+        setting = segment.setting
+        assert setting is not None
+        if setting.chokes(u, self.stream.v):
+            how, v = "choke", self.stream.v
+        else:
+            slid = slide(setting, u, self.stream.v)
+            how, v = slid.how, slid.v
+            x, z = setting.surface.at(slid.u)
+            s = self.stream.s + slid.u - u
+            u = slid.u
+            self.stream = Stream(s, x, z, v, setting.surface.slope_at(u))
+        segment.exit, segment.end = self.stream, u
+        if how in ("stall", "choke"):
+            segment.status = how
+            raise _FailedError(how)
+        return how, u
+
+    def pass_by(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        last = number + 1 == len(self.result.segments)
+        if not table.get("may_be_passed") or (last and "at_m" not in self.data.get("receiver", {})):
+            segment.status = "missed"
+            raise _FailedError("missed")
+        segment.status = "passed"
+
+    # closed sections
+
+    def heights(self, table: dict[str, Any]) -> tuple[float, float] | None:
+        """Return D at both ends of a closed segment."""
+        sections = self.data["sections"]
+        names = table.get("section", next(iter(sections)))
+        first, last = names if isinstance(names, list) else (names, names)
+        one, other = height_of(sections[first]), height_of(sections[last])
+        return None if one is None or other is None else (one, other)
+
+    def tube(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        heights = self.heights(table)
+        assert heights is not None
+        end = self.x, self.z
+        tube = Tube(self.draw(table), heights)
+        joined = self.inside and hypot(end[0] - tube.mouth.x, end[1] - tube.mouth.z) < 1e-9
+        self.inside = False
+        settings = [self.setting(table, wall) for wall in tube.walls]
+        on, u = 0, 0.0
+        if self.opposite and not tube.continues(self.stream.x, self.stream.z, self.opposite):
+            self.fly()
+        left: int | None = None
+        if self.flight is None:
+            on = int(self.opposite != 0)
+            wall, segment.setting = tube.walls[on], settings[on]
+            turn = wall.side * (self.stream.slope - wall.slope)
+            if abs(turn) <= EQUAL:
+                self.stream = Stream(self.stream.s, wall.x, wall.z, self.stream.v, wall.slope)
+            elif turn > 0:
+                self.strike(segment, 0.0, turn)
+            else:
+                self.fly(touch=1)
+                left = on
+        if not joined:
+            self.since = 0.0
+        if self.flight is not None:
+            entered = 0.0 if left is not None else tube.entered(self.flight, self.since, joined)
+            joined = joined and left is None and entered == self.since
+            if entered is None:
+                self.onto = None
+                self.pass_by(table, segment, number)
+                return
+            self.since = entered
+        self.opposite = 0
+        for _ in range(LEAPS):
+            if self.flight is not None:
+                on, met, t = tube.next(self.flight, left, self.since, joined)
+                self.flight.touch = 0
+                onto, self.onto = self.onto, None
+                if on < 0:
+                    self.falls_back(table, segment, number)
+                    return
+                if met is None:
+                    self.through(segment, number, t)
+                    return
+                segment.setting = settings[on]
+                if onto is not None:
+                    self.lands(onto, tube.walls[on], met)
+                self.land(segment, tube.walls[on], met)
+                u = met.u
+            setting = segment.setting = settings[on]
+            if segment.entry is None:
+                segment.entry, segment.begin, segment.first = self.stream, u, setting
+            if self.stream.v == 0:
+                segment.exit = self.stream
+                segment.status = "stall"
+                raise _FailedError("stall")
+            segment.status = "ok"
+            left, joined = on, False
+            if setting.press(u, self.stream.v) < -1e-14:  # but upright
+                self.lose(segment, u, touch=2)
+                continue
+            how, u = self.run_along(segment, u)
+            if how == "end":
+                self.opposite = on and setting.surface.side
+                self.inside = on > 0
+                return
+            self.lose(segment, u, touch=3)
+        raise UndecidedError("goes from wall to wall again and again")
+
+    def falls_back(self, table: dict[str, Any], segment: Segment, number: int) -> None:
+        """The stream leaves through the mouth that it came in through."""
+        if segment.status != "contact_lost":
+            self.pass_by(table, segment, number)
+        elif number + 1 == len(self.result.segments) and "at_m" not in self.data.get("receiver", {}):
+            raise _FailedError("contact_lost")
+
+    def through(self, segment: Segment, number: int, t: float) -> None:
+        """The stream leaves through the exit in flight; at the last segment the chute ends there."""
+        flight = self.flight
+        assert flight is not None
+        if segment.status != "contact_lost":
+            segment.status = "passed"
+        self.since, self.inside = t, True
+        if number + 1 == len(self.result.segments):
+            (x, z), (vx, vz) = flight.at(t), flight.velocity(t)
+            self.stream = Stream(self.took_off.s + flight.path(t), x, z, sqrt(vx * vx + vz * vz), atan_slope(vx, vz))
+            self.flight = None
 
     def beyond(self, number: int) -> None:
         """The stream never comes past the surface that it left: what follows is not tried."""
@@ -323,8 +445,7 @@ class Solver:
             if away @ normal < 0:
                 raise _FailedError("missed")
             stream = stream - np.array([0.0, 0.0, self.g * times.max()])
-        along, across, beside = (float(abs(stream @ each)) for each in (heading, normal, aside))
-        along = float(stream @ heading)
+        along, across, beside = float(stream @ heading), abs(float(stream @ normal)), -float(stream @ aside)
         bracket = (mu if belt > along else -mu) * cos(slope) + sin(slope)
         gain = belt**2 - along**2
         reached = (belt - along) * bracket > 0
@@ -332,7 +453,7 @@ class Solver:
         self.result.receiver = {
             "velocity_along_m_s": along,
             "velocity_into_m_s": across,
-            "velocity_across_m_s": beside if plan >= 0 else -beside,
+            "velocity_across_m_s": beside,
             "velocity_ratio": along / belt,
             "impact_pressure_kpa": self.density * across**2 / 1e3,
             "wear_w_m2": mu * self.density * across**2 * sqrt((belt - along) ** 2 + beside**2),
@@ -352,24 +473,29 @@ def main(arguments: list[str] | None = None) -> int:
     import argparse
     import json
     from collections import Counter
+    from functools import partial
     from multiprocessing import Pool
 
-    from tests.verification.second_cases import case, judge
+    from tests.verification.second_cases import ClosedMaker, Maker, case, judge
 
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("chutes", type=int)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--closed", action="store_true", help="pipes and boxes")
     options = parser.parse_args(arguments)
+    maker = ClosedMaker if options.closed else Maker
     seeds = range(options.first, options.first + options.chutes)
     counts: Counter[str] = Counter()
     with Pool(options.jobs) as pool:
-        for seed, (verdict, wrong) in zip(seeds, pool.imap(judge, seeds, chunksize=20), strict=True):
+        for seed, (verdict, wrong) in zip(
+            seeds, pool.imap(partial(judge, maker=maker), seeds, chunksize=20), strict=True
+        ):
             counts[verdict] += 1
             if verdict != "same":
                 print(f"seed {seed}: {verdict}", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
             if verdict == "wrong":
-                print("  " + json.dumps(case(seed)[0]), flush=True)  # noqa: T201
+                print("  " + json.dumps(case(seed, maker)[0]), flush=True)  # noqa: T201
     print(dict(counts))  # noqa: T201
     return int(counts["wrong"] > 0)
 

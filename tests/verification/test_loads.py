@@ -113,7 +113,7 @@ def test_liner_life_is_the_time_in_which_the_work_takes_its_thickness():
     assert result.loads["liner_life_h"] == pytest.approx([hours, 2.0 * hours], rel=1e-12)
     assert result.loads["sliding_life_h"] == pytest.approx([hours, 2.0 * hours], rel=1e-12)
     assert np.isnan(result.loads["impact_life_h"]).all()
-    column = solution.stations(points=3, columns=["liner_life_h"])["liner_life_h"]
+    column = solution.stations(points=3, columns=["sliding_life_h"])["sliding_life_h"]
     assert column == pytest.approx(np.outer([hours, 2.0 * hours], np.ones(3)), rel=1e-12)
 
 

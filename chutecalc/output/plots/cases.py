@@ -15,7 +15,7 @@ from chutecalc.output.plots.text import fitted
 from chutecalc.output.plots.traces import View, along
 from chutecalc.output.plots.view import view
 from chutecalc.output.table import outcome
-from chutecalc.results.cases import DESIGN_POINT, Cases
+from chutecalc.results.cases import Cases
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Severity
 
@@ -69,7 +69,7 @@ def case_lines(cases: Cases) -> list[CaseLine]:
     Args:
         cases: the states of one design.
     """
-    states = {name: solution for name, solution in cases.solutions.items() if name != DESIGN_POINT}
+    states = {name: solution for name, solution in cases.solutions.items() if name != cases.main}
     found = []
     for k, ((name, solution), colour) in enumerate(zip(states.items(), colours(len(states), *WARM), strict=True)):
         look = {"color": colour, "marker": MARKS[k % len(MARKS)], "linestyle": STROKES[k % len(STROKES)]}
@@ -135,7 +135,7 @@ def case_notes(cases: Cases, units: str, width: float) -> list[str]:
     """
     lines = []
     for name, solution in cases.solutions.items():
-        if name == DESIGN_POINT:
+        if name == cases.main:
             continue
         found = cases.findings(name)
         warned = dict.fromkeys(finding.code for finding in found if finding.severity == Severity.WARNING)

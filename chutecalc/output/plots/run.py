@@ -16,7 +16,7 @@ from chutecalc.output.plots.style import SMALL, lay_out, styled
 from chutecalc.output.plots.text import legend_columns, legend_rows
 from chutecalc.output.plots.traces import extent
 from chutecalc.output.plots.view import view
-from chutecalc.results.cases import DESIGN_POINT, Cases
+from chutecalc.results.cases import Cases
 
 KEY: dict[str, Any] = {"handlelength": 2.2, "columnspacing": 1.4, "borderaxespad": 0.0, "borderpad": 0.0}
 """Look of the legends of the side view: of what is drawn, in one line, and of the operating states below it."""
@@ -38,12 +38,12 @@ def draw_run(chutes: Sequence[Cases], units: str = "metric") -> Figure:
     with styled():
         if len(chutes) == 1:
             return _one(chutes[0], units)
-        return draw_comparison([states[DESIGN_POINT] for states in chutes], units)
+        return draw_comparison([states.main_solution for states in chutes], units)
 
 
 def _one(states: Cases, units: str) -> Figure:
     """Draw a chute with its stream between its edges, and those of its other operating states as lines."""
-    solution = states[DESIGN_POINT]
+    solution = states.main_solution
     seen, cases = view(solution), case_lines(states)
     lines, marks = notes(solution, seen, units, WIDTH)
     lines += case_notes(states, units, WIDTH)

@@ -119,7 +119,13 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
             " the other side"
         )
         crossing = {"velocity_m_s": solved.exit.velocity, "slope_deg": np.degrees(solved.exit.slope)}
-        yield Case(lost, solved.exit.distance, template, crossing, Severity.NOTE)
+        kept = scene.continues | (scene.exit_distance > 0.0)
+        yield Case(lost & kept, solved.exit.distance, template, crossing, Severity.NOTE)
+        template = (
+            "the stream leaves the wall at {velocity_m_s}, at a slope of {slope_deg}, and falls back out of the mouth"
+            " that it came in through"
+        )
+        yield Case(lost & ~kept, solved.exit.distance, template, crossing)
         return
     weight = scene.design.gravity * np.cos(solved.exit.slope)
     numbers = {
@@ -138,7 +144,7 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     )
     s = solved.exit.distance
     belt = scene.design.receiver
-    flies_on = scene.continues | (belt is not None and belt.at is not None and scene.exit_distance > 0.0)
+    flies_on = scene.continues | (belt is not None and belt.at is not None) & np.isfinite(scene.exit_distance)
     yield Case(lost & flies_on, s, f"{begin}; it flies on", numbers, Severity.WARNING)
     alone = f"{begin}; no later segment catches it"
     yield Case(lost & ~flies_on, s, alone, numbers)

@@ -4,14 +4,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chutecalc.core.fall import LONGEST_FALL
 from chutecalc.design import Fall, Status
 from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.surface import point
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.finding import Severity
 from chutecalc.solver.segment_solution import Point
-
-LONGEST_FALL = 1e5
-"""Height below which a fall has missed its end, m; as in ``core/fall.py``."""
 
 
 @criterion(
@@ -26,7 +25,7 @@ def passed_by(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    solved, gap = scene.solved, scene.contact.arrival.gap
+    solved, gap = scene.solved, _gap(scene)
     numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope), "gap_m": gap}
     s = solved.start.distance
     template = (
@@ -59,8 +58,9 @@ def missed(scene: Scene) -> Iterator[Case]:
     if isinstance(segment, Fall):
         yield from _never_ends(segment, solved.start, lost, scene.design.gravity)
         return
-    lost = lost & ~(scene.contact.arrival.gap > 0.0)
-    before, gap = _before_start(scene), -scene.contact.arrival.gap
+    gap = -_gap(scene)
+    lost = lost & ~(gap < 0.0)
+    before = _before_start(scene)
     numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
     begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
     s = solved.start.distance
@@ -78,16 +78,34 @@ def missed(scene: Scene) -> Iterator[Case]:
 
 def _below_belt(scene: Scene) -> Iterator[Case]:
     """Yield the case of streams that leave the chute below the line of the receiving belt."""
-    belt, end = scene.design.receiver, scene.solved.exit
+    belt, solved = scene.design.receiver, scene.solved
     if not scene.received or belt is None or belt.at is None:
         return
-    lost = (scene.solved.status == Status.OK) & np.isnan(scene.received["landing_x_m"])
-    below = (belt.at[1] - end.z) * np.cos(belt.slope) + (belt.at[0] - end.x) * np.sin(belt.slope)
+    passed, slope = solved.status == Status.PASSED, belt.slope_of_trace
+    through = np.isin(solved.status, (Status.OK, Status.CONTACT_LOST)) | passed
+    x, z, s = (
+        np.where(passed, getattr(solved.start, name), getattr(solved.exit, name)) for name in ("x", "z", "distance")
+    )
+    below = (belt.at[1] - z) * np.cos(slope) + (belt.at[0] - x) * np.sin(slope)
+    lost = through & np.isnan(scene.received["landing_x_m"]) & (below > 0.0)
     template = (
         "the stream leaves the chute {below_m} below the line of the receiving belt and never lands on it; end the"
         " chute above the belt, or correct receiver.at_m"
     )
-    yield Case(lost, end.distance, template, {"below_m": below})
+    yield Case(lost, s, template, {"below_m": below})
+
+
+def _gap(scene: Scene) -> Array:
+    """Return how far from a segment's end a flight passes on the stream's side, m; NaN if it does not pass it.
+
+    That is along the normal there; of a flight that never crosses it, below or above the end.
+    """
+    surface, gap = scene.contact.surface, scene.contact.arrival.gap
+    end_x, end_z, _ = point(surface, np.ones(1))
+    x, z, forward, downward, gravity = scene.solved.path
+    time = np.where(forward > 0.0, (end_x - x) / forward, np.nan)
+    beside = surface.side * (z - (downward + 0.5 * gravity * time) * time - end_z)
+    return np.where(np.isnan(gap) & (time >= 0.0), beside, gap)
 
 
 def _before_start(scene: Scene) -> Array:

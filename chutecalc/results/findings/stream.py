@@ -7,7 +7,7 @@ import numpy as np
 from chutecalc.results.criterion import Case, Scene, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
-from chutecalc.solver.segment_solution import TANGENT
+from chutecalc.solver.segment_solution import FIELD, TANGENT
 from chutecalc.spec.limits import LIMITS
 
 
@@ -88,8 +88,9 @@ def missing_load(scene: Scene) -> Iterator[Case]:
         " paper's law lays it on the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it"
         ' would be {equilibrium_friction} (friction_law = "equilibrium")'
     )
+    runs = scene.part.length() > 0.0  # not where the stream leaves at once
     yield Case(
-        missing.value > limit,
+        (missing.value > limit) & (runs | scene.segment.deflects),
         scene.distance(missing.share),
         template,
         {
@@ -141,6 +142,6 @@ def geometry_follows_flow(scene: Scene) -> Iterator[Case]:
         "the curve is drawn tangent to the stream of the spec, from {slope_deg}: another flow draws another curve; set"
         " from_slope_deg, or let `chutecalc freeze` write it down"
     )
-    s = scene.solved.start.distance
-    mask = slope < 90.0 - np.degrees(TANGENT)
+    s, first = scene.solved.start.distance, scene.solved.table[FIELD["strikes"]] == 0.0
+    mask = first & (slope < 90.0 - np.degrees(TANGENT))
     yield Case(mask, s, template, {"slope_deg": slope})

@@ -54,16 +54,22 @@ def hard_landing(scene: Scene) -> Iterator[Case]:
     Args:
         scene: the segment with the stream along it.
     """
-    received = scene.received
-    if not received:
+    received, belt = scene.received, scene.design.receiver
+    if not received or belt is None:
         return
     into, pressure = received["velocity_into_m_s"], received["impact_pressure_kpa"]
     fastest, greatest = scene.limit("max_velocity_into_m_s"), scene.limit("max_belt_impact_kpa")
-    advice = "expect wear and damage of the belt; end the chute closer to the slope of the belt"
+    advice = (
+        "it comes at a slope of {slope_deg} onto a belt of {belt_slope_deg}: expect wear and damage; end the chute"
+        " closer to the slope of the belt, and nearer above it"
+    )
+    slopes = {"slope_deg": received["landing_slope_deg"], "belt_slope_deg": np.degrees(belt.slope)}
     template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, rule of thumb): {advice}"
-    yield Case(into > fastest, scene.exit_distance, template, {"velocity_m_s": into, "limit_m_s": fastest})
+    yield Case(into > fastest, scene.exit_distance, template, {"velocity_m_s": into, "limit_m_s": fastest} | slopes)
     template = f"the stream lands on the belt with {{pressure_kpa}} (limit {{limit_kpa}}): {advice}"
-    yield Case(pressure > greatest, scene.exit_distance, template, {"pressure_kpa": pressure, "limit_kpa": greatest})
+    yield Case(
+        pressure > greatest, scene.exit_distance, template, {"pressure_kpa": pressure, "limit_kpa": greatest} | slopes
+    )
 
 
 @criterion(

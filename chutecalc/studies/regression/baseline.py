@@ -92,7 +92,7 @@ class Baseline(State):
     >>> chute = chutecalc.parse(chutecalc.STARTER)
     >>> now = baseline_of(chute, chutecalc.solve(chute), [])
     >>> list(now.visits()), [key.row for key, _ in now.rows() if key.segment == "fall"][:2]
-    ([('fall', 1), ('spoon', 1)], ['impact', 'station 1'])
+    ([('fall', 1), ('spoon', 1)], ['impact', 'loads'])
     >>> now.document()["status"]
     'ok'
     """

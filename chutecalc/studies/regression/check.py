@@ -5,7 +5,8 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from chutecalc.api.chute import Chute, solve
+from chutecalc.api.chute import Chute
+from chutecalc.api.solve import solve
 from chutecalc.errors import SpecError
 from chutecalc.runtime import cores, in_processes
 from chutecalc.studies.regression.baseline import TOLERANCE, Baseline

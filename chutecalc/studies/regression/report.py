@@ -68,18 +68,18 @@ def _print_failing(printer: Printer, verdict: Verdict) -> None:
 def _drifts(verdict: Verdict) -> Grid:
     """Return a row for each column that drifted: its first drift along the chute, and its largest."""
     table = Grid(indent=GAP)
-    for heading in ("column", "was", "is", "drift", "largest at", "s\nm", "first at", "s\nm"):
+    for heading in ("column", "was", "is", "drift", "largest at", "first at"):
         table.column(heading, left=heading in ("column", "first at", "largest at"), label=heading == "column")
     for first, most in first_and_largest(verdict.drifts):
-        table.row([most.column, *_values(most), f"{most.off:.1e}", *_where(most), *_where(first)])
+        table.row([most.column, *_values(most), f"{most.off:.1e}", _where(most), _where(first)])
     return table
 
 
-def _where(drift: Drift) -> tuple[str, str]:
+def _where(drift: Drift) -> str:
     """Return the segment of a drift, with the row unless that is a station, and its distance s."""
     row = "" if drift.key.row.startswith("station") else drift.key.row
-    s = "" if drift.s_m is None else COLUMNS["s_m"].shown(drift.s_m, "metric")
-    return f"{drift.key.segment} {row}".rstrip(), s
+    s = "" if drift.s_m is None else f", s = {COLUMNS['s_m'].shown(drift.s_m, 'metric')} m"
+    return f"{drift.key.segment} {row}".rstrip() + s
 
 
 def _values(drift: Drift) -> tuple[str, str]:
@@ -174,6 +174,6 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
 
 def _line(first: Drift, most: Drift) -> str:
     """Return the first and the largest drift of a column, in a line."""
-    begin, end = (f"{where}, s = {s} m" if s else where for where, s in (_where(first), _where(most)))
+    begin, end = _where(first), _where(most)
     was, now = _values(most)
     return f"{most.column}: first drift at {begin}; largest at {end}: {now}, was {was} (drift {most.off:.1e})"

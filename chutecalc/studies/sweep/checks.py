@@ -7,12 +7,15 @@ import numpy as np
 
 from chutecalc.api.chute import Chute
 from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.fields.units import same_quantity
 from chutecalc.output.dataset import Block
 from chutecalc.results.columns import AT_STATION, closest
+from chutecalc.spec.operating import case_values
 from chutecalc.spec.paths import with_values
 from chutecalc.studies.sweep.columns import own_columns, row_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import Parameter
+from chutecalc.studies.sweep.text_parameter import CASE
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
 """Columns of a sweep of designs where none are asked for."""
@@ -77,9 +80,29 @@ def chutes_by_names(chute: Chute, grid: Grid) -> dict[tuple[str, ...], Chute]:
             faults += error.faults if error.designs is None else ()
     if faults:
         raise SpecError(list(dict.fromkeys(faults)), chute.source)
+    _check_cases(chute, grid)
     whole = {path: each.values[0] for each in grid.parameters for path in each.paths}
     with_values(chute.data, whole, chute.source)  # where names and numbers meet at a key, it is given twice
     return found
+
+
+def _check_cases(chute: Chute, grid: Grid) -> None:
+    """Check that no case of a sweep sets a key that the sweep varies too: the column would state what does not hold."""
+    varied = {spelling: path for each in grid.parameters for path in each.paths for spelling in _spellings(path)}
+    names = {str(name) for each in grid.texts if each.name == CASE for name in each.values}
+    cases = {name: case_values(chute.data["cases"][name]) for name in chute.cases if name in names}
+    for spelling, path in varied.items():
+        if setting := [name for name, values in cases.items() if spelling in values]:
+            raise UsageError(
+                f"{path}: case{'s' * (len(setting) > 1)} {', '.join(setting)} set{'s' * (len(setting) == 1)} it too."
+                " Vary another key, or choose other cases (case=design,…)"
+            )
+
+
+def _spellings(path: str) -> list[str]:
+    """Return the paths of a quantity in each of its units."""
+    table, dot, key = path.rpartition(".")
+    return [f"{table}{dot}{each}" for each in same_quantity(key)]
 
 
 def _value_faults(chute: Chute, parameters: Sequence[Parameter]) -> list[Fault]:

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 
 from chutecalc.api.batch import exits
-from chutecalc.api.chute import Chute, solve
+from chutecalc.api.chute import Chute
 from chutecalc.api.solution import Solution
+from chutecalc.api.solve import solve
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import AT_EXIT

@@ -12,7 +12,9 @@ import numpy as np
 
 from chutecalc import __version__
 from chutecalc.api.batch import CHUNK
-from chutecalc.api.chute import Chute, check_tolerance, solve
+from chutecalc.api.chute import Chute
+from chutecalc.api.solve import solve
+from chutecalc.api.tolerance import check_tolerance
 from chutecalc.design import Status
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.output.dataset import Block

@@ -107,6 +107,8 @@ class FirstRows:
         sweep = self.sweep
         printer.text(sweep.chute.spec.title or sweep.chute.source)
         printer.text(f"{sweep.chute.source}: {_counted(sweep.count, 'design')}, {self._parameters_text()}")
+        if sweep.chute.spec.model.steel == "follows_stream":
+            printer.text("the steel follows the stream of each design")
         printer.text()
         if self.count:
             printer.table(self._table(printer.units))

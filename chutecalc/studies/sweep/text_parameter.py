@@ -8,7 +8,7 @@ import numpy as np
 from chutecalc.api.chute import Chute
 from chutecalc.errors import UsageError
 from chutecalc.fields.units import same_quantity
-from chutecalc.results.cases import DESIGN_POINT
+from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.spec.paths import value_at
 
 CASE = "case"
