@@ -5,13 +5,14 @@
 """
 
 from dataclasses import dataclass, field
-from math import acos, cos, degrees, hypot, inf, nan, radians, sin, sqrt, tan
+from math import acos, atan2, cos, degrees, exp, hypot, inf, nan, radians, sin, sqrt, tan
 from typing import Any
 
 import numpy as np
+from scipy.integrate import solve_ivp
 
-from tests.verification.second_flights import Flight, Landing, Surface, landing
-from tests.verification.second_roofs import Tube, height_of
+from tests.verification.second_flights import Flight, Landing, Surface, horizon, landing
+from tests.verification.second_roofs import Mouth, Tube, height_of
 from tests.verification.second_sections import Friction, atan_slope
 from tests.verification.second_slide import Setting, UndecidedError, slide
 
@@ -217,12 +218,14 @@ class Solver:
         self.inside = False
         surface = self.draw(table)
         setting = segment.setting = self.setting(table, surface)
-        u = 0.0
+        u, along = 0.0, False
         if self.opposite:
             self.fly()
+        came = self.stream, self.flight
         if self.flight is None:
             turn = surface.side * (self.stream.slope - surface.slope)
-            if abs(turn) <= EQUAL:
+            along = abs(turn) <= EQUAL
+            if along:
                 self.stream = Stream(self.stream.s, surface.x, surface.z, self.stream.v, surface.slope)
             elif turn > 0:
                 self.strike(segment, 0.0, turn)
@@ -243,17 +246,27 @@ class Solver:
                     self.pass_by(table, segment, number)
                     return
                 self.land(segment, surface, met)
-                u = met.u
+                u, along = met.u, met.incidence <= EQUAL and segment.entry is None
+            if along and table["kind"] == "hood" and setting.press(u, self.stream.v) < 0:
+                segment.impacts.clear()
+                self.stream, self.flight = came
+                if self.flight is None:
+                    self.fly()
+                self.pass_by(table, segment, number)
+                return
             if segment.entry is None:
                 segment.entry, segment.begin, segment.first = self.stream, u, setting
             if self.stream.v == 0:
                 segment.exit = self.stream
                 segment.status = "stall"
                 raise _FailedError("stall")
-            segment.status = "ok"
+            along, segment.status = False, "ok"
             if table["kind"] == "plate":
                 segment.exit = self.stream
                 segment.end = u
+                if setting.chokes(u, self.stream.v):
+                    segment.status = "choke"
+                    raise _FailedError("choke")
                 self.fly(touch=2)
                 assert self.flight is not None
                 self.flight.touch = 0
@@ -335,6 +348,7 @@ class Solver:
                 self.onto = None
                 self.pass_by(table, segment, number)
                 return
+            self.fits(segment, settings[0], tube.mouth, 0.0, left is not None)
             self.since = entered
         self.opposite = 0
         for _ in range(LEAPS):
@@ -342,6 +356,8 @@ class Solver:
                 on, met, t = tube.next(self.flight, left, self.since, joined)
                 self.flight.touch = 0
                 onto, self.onto = self.onto, None
+                if met is None:
+                    self.fits(segment, settings[0], tube.exit, tube.walls[0].length)
                 if on < 0:
                     self.falls_back(table, segment, number)
                     return
@@ -372,6 +388,17 @@ class Solver:
                 return
             self.lose(segment, u, touch=3)
         raise UndecidedError("goes from wall to wall again and again")
+
+    def fits(self, segment: Segment, setting: Setting, mouth: Mouth, u: float, begins: bool = False) -> None:
+        """A stream in flight through a mouth needs no more than all of it."""
+        flight = self.flight
+        assert flight is not None
+        crossed = mouth.crossed(flight, horizon(flight, setting.surface))
+        times = [0.0] if begins else [t for t, forwards, _ in crossed if forwards]
+        if times and setting.chokes(u, hypot(*flight.velocity(times[0]))):
+            self.onto = None
+            segment.status = "choke"
+            raise _FailedError("choke")
 
     def falls_back(self, table: dict[str, Any], segment: Segment, number: int) -> None:
         """The stream leaves through the mouth that it came in through."""
@@ -450,6 +477,8 @@ class Solver:
         gain = belt**2 - along**2
         reached = (belt - along) * bracket > 0
         length = gain / (2 * self.g * bracket) if reached else (inf if gain else 0.0)
+        if beside:
+            length = slipping(along, beside, belt, mu * self.g * cos(slope), self.g * sin(slope))
         self.result.receiver = {
             "velocity_along_m_s": along,
             "velocity_into_m_s": across,
@@ -461,6 +490,22 @@ class Solver:
             "acceleration_power_kw": self.rate * self.density * belt * (belt - along) / 1e3,
             "matching_slope_deg": nan,
         }
+
+
+def slipping(along: float, across: float, belt: float, brake: float, pull: float) -> float:
+    """Integrate the slip of a stream on a belt until there is none; return how far along the belt that is."""
+    if brake <= abs(pull):
+        return inf
+
+    first = hypot(along - belt, across)
+
+    def rates(fallen: float, state: np.ndarray) -> list[float]:
+        """With the logarithm of the slip falling at an even rate: its angle, and the way along the belt."""
+        slip, slowing = first * exp(-fallen), brake - pull * cos(state[0])
+        return [-pull * sin(state[0]) / slowing, (belt + slip * cos(state[0])) * slip / slowing]
+
+    found = solve_ivp(rates, (0, 40), [atan2(across, along - belt), 0.0], "DOP853", rtol=1e-12, atol=1e-14)
+    return float(found.y[1, -1])
 
 
 def solve(data: dict[str, Any]) -> Result:

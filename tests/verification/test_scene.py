@@ -5,6 +5,7 @@ import io
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import chutecalc
 from chutecalc.cli import main
@@ -172,6 +173,71 @@ def test_the_components_on_a_belt_are_those_of_vectors():
         assert found["into"] == pytest.approx(abs(stream @ normal), rel=1e-10, abs=1e-10)
         assert found["across"] == pytest.approx(-stream @ across, rel=1e-10, abs=1e-10)
         assert sum(value**2 for value in found.values()) == pytest.approx(stream @ stream, rel=1e-12)
+
+
+@pytest.mark.parametrize("slope", [-12.0, 0.0, 10.0])
+def test_friction_on_a_belt_acts_against_the_slip_along_and_across_it(slope):
+    """A block on a moving plane, integrated as vectors in the plane of the belt, with the friction of the impact."""
+    mu, ab, psi, v, drop = 0.6, np.radians(slope), np.radians(70.0), 3.0, 1.5
+    base = chute(
+        inlet={"velocity_m_s": v, "slope_deg": 0.0},
+        segments=[{"kind": "fall", "drop_m": drop}],
+        receiver={"velocity_m_s": 4.0, "slope_deg": slope, "friction_deg": float(np.degrees(np.arctan(mu)))}
+        | {"plan_angle_deg": 70.0},
+    )
+    found = {name: values[0] for name, values in chutecalc.solve(base).receiver.items()}
+    stream = np.array([v, 0.0, -np.sqrt(2 * G * drop)])
+    heading = np.array([np.cos(ab) * np.cos(psi), np.cos(ab) * np.sin(psi), -np.sin(ab)])
+    aside = np.array([-np.sin(psi), np.cos(psi), 0.0])
+    slip = np.array([stream @ heading - 4.0, stream @ aside])
+    into = abs(stream @ np.cross(heading, aside))
+    after = slip * max(1 - mu * into / np.hypot(*slip), 0.0)
+    assert found["landed_velocity_m_s"] == pytest.approx(4.0 + after[0], rel=1e-12)
+    for start, column in ((slip, "acceleration_length_m"), (after, "landed_acceleration_length_m")):
+        end = [4.0 * np.hypot(*start), 0.0]
+
+        def rates(_, state):
+            return [
+                4.0 + state[1],
+                G * np.sin(ab) - mu * G * np.cos(ab) * state[1] / np.hypot(state[1], state[2]),
+                -mu * G * np.cos(ab) * state[2] / np.hypot(state[1], state[2]),
+            ]
+
+        def left(_, state, whole=np.hypot(*start)):
+            return np.hypot(state[1], state[2]) - 1e-12 * whole
+
+        left.terminal = True
+        if np.hypot(*start) > 0:
+            block = solve_ivp(rates, (0.0, 50.0), [0.0, *start], "DOP853", events=left, rtol=1e-11, atol=1e-13)
+            end = block.y[:, -1]
+        else:
+            end = [0.0]
+        # the integration has its own 1e-11, and turns fast where little slip is left
+        assert found[column] == pytest.approx(end[0], rel=1e-8, abs=1e-12)
+
+
+def test_what_a_stream_does_not_fit_into_or_touch_is_a_failure():
+    """A mouth flown through, a plate with low walls, a hood drawn along a stream that curves away from it."""
+    inlet = {"velocity_m_s": 3.0, "slope_deg": 0.0}
+    wide = {"shape": "rectangular", "width_m": 1.0}
+    pipe = {"pipe": {"shape": "pipe", "radius_m": 0.15}, "open": wide}
+    straight = {"kind": "straight", "slope_deg": 5.0, "length_m": 0.1, "start_m": [0.5, -0.3], "section": "pipe"}
+    through = [ONTO, straight, {"kind": "fall", "drop_m": 1.0}]
+    for rate, status in ((10.0, "ok"), (3000.0, "choke")):
+        flown = chutecalc.solve(chute(flow={"rate_t_h": rate}, inlet=inlet, sections=pipe, segments=through))
+        assert flown.status[0] == status
+    assert any(finding.code == "choke" and "whole closed section" in finding.message() for finding in flown.findings())
+
+    plate = [{"kind": "plate", "slope_deg": 60.0, "length_m": 1.0}, {"kind": "fall", "drop_m": 1.0}]
+    for height, status in ((10.0, "ok"), (0.01, "choke")):
+        low = {"low": wide | {"wall_height_m": height}}
+        assert chutecalc.solve(chute(inlet=inlet, sections=low, segments=plate)).status[0] == status
+
+    for radius, status in ((0.5, "ok"), (2.0, "missed")):  # v²/g = 0.92 m
+        hood = {"kind": "hood", "radius_m": radius, "to_slope_deg": 60.0}
+        solution = chutecalc.solve(chute(inlet=inlet, segments=[hood, {"kind": "fall", "drop_m": 1.0}]))
+        assert solution.status[0] == status
+    assert [finding.code for finding in solution.findings() if finding.segment == "hood"][0] == "passed_by"
 
 
 def test_the_depth_on_the_feed_belt_follows_the_rate_and_all_edges_meet_the_hood_or_are_told():

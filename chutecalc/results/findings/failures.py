@@ -72,7 +72,14 @@ def choke(scene: Scene) -> Iterator[Case]:
             "the chute chokes: at {velocity_m_s} the stream fills the closed section up to its roof, {wall_height_m:in}"
             " above the floor; use a larger section, a steeper slope or a smaller rate"
         )
-        yield Case(choked, s, template, numbers)
+        entered = np.isfinite(solved.exit.distance)
+        yield Case(choked & entered, s, template, numbers)
+        template = (
+            "the chute chokes: the stream that flies off at {velocity_m_s} needs more than the whole closed section,"
+            " which is {wall_height_m:in} high; use a larger section or a smaller rate"
+        )
+        numbers = {"wall_height_m": scene.segment.wall_height(np.zeros(1)), "velocity_m_s": solved.start.velocity}
+        yield Case(choked & ~entered, solved.start.distance, template, numbers)
         return
     begin = "the chute chokes: at {velocity_m_s} the depth exceeds the wall height of {wall_height_m:in};"
     further = (beyond - share) * scene.contact.surface.length
@@ -89,8 +96,8 @@ def choke(scene: Scene) -> Iterator[Case]:
     ):
         mask, template = choked & (end == status), f"{begin} {fate}"
         yield Case(mask, s, template, numbers | {"further_m": further})
-    template = (
-        f"{begin} use a wider section or higher walls, with which the stream would run on to the end of the segment"
+    template = f"{begin} use a wider section or higher walls" + (
+        "" if scene.segment.deflects else ", with which the stream would run on to the end of the segment"
     )
     yield Case(choked & (end == Status.OK), s, template, numbers)
 

@@ -32,6 +32,8 @@ def passed_by(scene: Scene) -> Iterator[Case]:
         "the stream comes at {velocity_m_s} and a slope of {slope_deg} and flies past the segment, {gap_m} from its"
         " end, without touching it; move it into the stream or make it longer, or say may_be_passed = true"
     )
+    if scene.segment.deflects:
+        template += ". A plate is struck on its lower face, by a stream flatter than it; a floor is a straight"
     yield Case((solved.status == Status.MISSED) & (gap > 0.0), s, template, numbers)
     template = "the stream comes at {velocity_m_s} and a slope of {slope_deg} and flies past the segment, as it may"
     if scene.segment.closed:
