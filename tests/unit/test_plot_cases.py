@@ -6,6 +6,7 @@ import pytest
 import chutecalc
 from chutecalc.output.plots.flights import STATIONS
 from chutecalc.output.plots.layout import PANELS
+from chutecalc.output.plots.run import draw_run
 from chutecalc.output.plots.style import INK
 from chutecalc.results.columns import COLUMNS
 from tests.conftest import chute
@@ -129,6 +130,17 @@ def test_a_case_that_stalls_has_a_cross_where_it_stops():
 def test_a_solution_plots_itself_without_cases():
     axes = {each.get_label(): each for each in chutecalc.solve(load("transfer_90")).plot().axes}
     assert not by_name(axes["side"], "case")
+
+
+def test_one_case_alone_is_drawn_as_the_chute_and_named_in_the_title():
+    loaded = load("transfer_90")
+    figure = draw_run([chutecalc.solve_cases(loaded, only="wet")])
+    axes = {each.get_label(): each for each in figure.axes}
+    assert figure.get_suptitle() == "90° transfer: coal, 1800 t/h — case wet"
+    assert not by_name(axes["side"], "case")
+    (line,) = by_name(axes["velocity_m_s"], "velocity_m_s")
+    wet = states("transfer_90")["wet"].stations(points=STATIONS)
+    assert np.array_equal(line.get_ydata()[: wet["s_m"].shape[1]], wet["velocity_m_s"][0])
 
 
 def test_names_that_matplotlib_would_hide_are_in_the_legend():
