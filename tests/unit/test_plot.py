@@ -324,6 +324,14 @@ def test_several_chutes_are_lines_to_compare():
     assert [line.get_linestyle() for line in lines] == ["-", "--", "-", "--"]  # the shape, whatever the radius
 
 
+def test_a_comparison_follows_what_misses_and_marks_where():
+    _, axes, _ = drawn(load("fails/missed_spoon"), load("vee"))
+    for name in ("side", "velocity_m_s"):
+        (path,), (end,) = by_name(axes[name], "missed"), by_name(axes[name], "end")
+        assert (end.get_xydata()[0] == path.get_xydata()).all(axis=1).any()
+        assert end.get_color() == path.get_color()
+
+
 @pytest.mark.parametrize(("count", "length"), [(8, 60), (2, 300)])
 def test_the_legend_of_long_titles_stays_on_the_page_and_leaves_the_panels_their_room(count, length):
     data = tomllib.loads(chutecalc.STARTER)

@@ -112,3 +112,25 @@ def test_the_same_picture_is_the_same_file():
         return stream.getvalue()
 
     assert file() == file()
+
+
+def test_cases_stand_side_by_side_under_their_names_and_lines_beside_each_other():
+    sweep = sweep_of("transfer_90", "case", "model.friction_law=paper,equilibrium", columns=["exit_velocity_m_s"])
+    _, axes, block = drawn(sweep)
+    panel = axes["exit_velocity_m_s"]
+    assert [text.get_text() for text in panel.get_xticklabels()] == ["design", "dry", "wet", "surge", "slow_belt"]
+    assert panel.get_xlim() == (-0.5, 4.5)
+    first, second = (line for line in panel.lines if line.get_gid() == "line")
+    assert np.allclose(second.get_xdata() - first.get_xdata(), 0.25)  # a quarter of the distance of names
+    assert np.allclose(0.5 * (first.get_xdata() + second.get_xdata()), range(5))
+    assert np.array_equal(first.get_ydata(), block["exit_velocity_m_s"][block["model.friction_law"] == "paper"])
+
+
+def test_long_names_slant():
+    long = ["ceramic_tiles_of_the_hood", "hardened_steel_of_the_hood", "chromium_carbide_of_the_hood"]
+    loaded = chutecalc.load(ROOT / "specs" / "transfer_90.toml")
+    liners = loaded.data["liners"] | {name: {"friction_deg": 20.0 + k} for k, name in enumerate(long)}
+    named = chutecalc.parse(loaded.data | {"liners": liners})
+    parameters = read_parameters([f"segments.hood.liner={','.join(long)}"], named)
+    _, axes, _ = drawn(Sweep(named, parameters, columns=["exit_velocity_m_s", "max_depth_m"]))
+    assert {text.get_rotation() for text in axes["exit_velocity_m_s"].get_xticklabels()} == {30.0}

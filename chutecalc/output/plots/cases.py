@@ -44,7 +44,7 @@ class CaseLine(NamedTuple):
     def lines(self) -> list[Line]:
         """The line in the middle of its stream, m; then that on which it flies on where nothing catches it."""
         stream = np.concatenate([trace.middle for trace in self.seen.stream], axis=1)
-        return [stream, *([self.seen.lost.path] if self.seen.lost else [])]
+        return [stream, *([self.seen.lost.middle] if self.seen.lost else [])]
 
     @property
     def stroke(self) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from chutecalc.output.plots.text import legend_columns, legend_rows
 from chutecalc.output.plots.traces import extent
 from chutecalc.output.plots.view import view
 from chutecalc.results.cases import Cases
+from chutecalc.spec.operating import DESIGN_POINT
 
 KEY: dict[str, Any] = {"handlelength": 2.2, "columnspacing": 1.4, "borderaxespad": 0.0, "borderpad": 0.0}
 """Look of the legends of the side view: of what is drawn, in one line, and of the operating states below it."""
@@ -48,6 +49,8 @@ def _one(states: Cases, units: str) -> Figure:
     lines, marks = notes(solution, seen, units, WIDTH)
     lines += case_notes(states, units, WIDTH)
     title, named = solution.spec.title or solution.source, handles(cases)
+    if states.main != DESIGN_POINT:
+        title += f" — case {states.main}"
     columns = legend_columns([*named], WIDTH)
     size = extent([*seen.lines, *(line for case in cases for line in case.lines)])
     figure, axes = page(title, size, units, notes=len(lines), key=1 + (legend_rows([*named], columns) if named else 0))

@@ -44,9 +44,10 @@ class Trace(NamedTuple):
 
     @property
     def middle(self) -> Line:
-        """The line in the middle between its edges, m."""
-        middle: Line = 0.5 * (self.edges[0] + self.edges[-1])
-        return middle
+        """The line in the middle between its edges, m, or the middle one of three; the path where it comes to rest."""
+        count = len(self.edges)
+        middle = 0.5 * (self.edges[(count - 1) // 2] + self.edges[count // 2])
+        return np.where(np.isfinite(middle), middle, self.path)
 
     @property
     def is_plate(self) -> bool:
