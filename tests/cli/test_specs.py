@@ -18,6 +18,6 @@ def test_a_standard_design_runs(spec, capsys):
     assert document["error_estimate"] is None or document["error_estimate"] < 1e-10
     for segment in document["segments"]:
         reached = segment["entry"]["s_m"] is not None
-        visits = {k for k, each in enumerate(segment["stations"]) if k % 5 == 0 and each["s_m"] is not None}
-            assert len(segment["stations"]) == 5 * len(visits)
-            assert bool(visits) == reached  # several where the stream crosses from wall to wall
+        count = len(segment["stations"])
+        assert (count > 0) == reached
+        assert count % 5 == 0  # several times 5 where the stream crosses from wall to wall

@@ -39,7 +39,7 @@ def test_a_limit_is_quoted_as_it_is_in_force():
     many = chutecalc.solve(base.vary({"limits.max_impact_angle_deg": [10.0, 17.0, 19.0]}))
     (steep,) = of(many, "steep_impact")
     assert steep.mask.tolist() == [True, True, False]
-    assert "(limit 17°, rule of thumb)" in steep.message(1)
+    assert "(limit 17°, set in the spec)" in steep.message(1)
     radians = chutecalc.solve(base.put({"limits.max_impact_angle_rad": 0.2}))
     assert len(of(radians, "steep_impact")) == 1
 

@@ -534,20 +534,21 @@ def test_a_batch_that_nobody_carries_on():
     assert next(finding.code for finding in solution.findings()) == "stall"
 
 
-def test_a_curve_below_a_vertical_fall_keeps_its_slope_and_place_under_a_slanting_stream():
-    """Steel that stands still is struck further down; steel that follows the stream has its start moved under it."""
+def test_the_slope_of_the_inlet_belongs_to_the_drawing():
+    """A curve below is drawn tangent to each stream; no case may change it."""
     tables = with_tables(
         inlet={"velocity_m_s": 2.0, "slope_deg": 90.0},
         segments=[{"kind": "fall", "drop_m": 1}, {"kind": "curve", "radius_m": 2, "to_slope_deg": 20}],
     )
+    tangent = np.degrees(np.arctan(np.sqrt(3.0 + 2.0 * 9.80665)))  # after 1 m at 1 m/s forward, from 60°
     for steel in ("fixed", "follows_stream"):
         base = chutecalc.parse(tables | {"model": {"steel": steel}})
         slanting = chutecalc.solve(base.vary({"inlet.slope_deg": [90.0, 60.0]}))
         surface = slanting.trajectory.segment_solutions[1].contact.surface
-        assert np.degrees(np.broadcast_to(surface.slope, 2)).tolist() == [90.0, 90.0]
+        assert np.degrees(np.broadcast_to(surface.slope, 2)).tolist() == pytest.approx([90.0, tangent], rel=1e-12)
         assert slanting.status.tolist() == ["ok", "ok"]
-        start = np.broadcast_to(surface.x, 2)
-        assert (start[1] == start[0]) == (steel == "fixed")
+    with pytest.raises(chutecalc.SpecError, match="belongs to the drawing"):
+        chutecalc.parse(tables | {"cases": {"steep": {"inlet.slope_deg": 60.0}}}).cases  # noqa: B018
 
 
 @pytest.mark.parametrize(
