@@ -14,6 +14,7 @@ from chutecalc.core import (
     solution_rows,
     state,
     stepping,
+    surface,
 )
 
 MAX_STRIKES = 50  # on one segment; a bound, so that no input can hang
@@ -104,14 +105,19 @@ def fail_to_meet(chute: "records.ChuteState", segment: "records.Segment", status
 
 
 def slips_off(chute: "records.ChuteState", segment: "records.Segment", stream: "state.Stream") -> bool:
-    """Return whether a stream that touches a hood, drawn along it, leaves it at once: it has not been deflected."""
-    return (
-        stream.status == state.CONTACT_LOST
-        and stream.share == chute.arrival.share
-        and chute.arrival.incidence == 0.0
-        and stream.guide.side < 0.0
-        and not segment.closed
-    )
+    """Return whether a stream that touches a hood, drawn along it, leaves it at once and for good: it is not guided."""
+    if (
+        stream.status != state.CONTACT_LOST
+        or stream.share != chute.arrival.share
+        or chute.arrival.incidence != 0.0
+        or stream.guide.side > 0.0
+        or segment.closed
+    ):
+        return False
+    flight.launch(chute.flight, chute.entry, chute.gravity)
+    time, _, _ = surface.land(stream.guide, chute.flight, chute.clearance, 2)
+    flight.launch(chute.flight, chute.current, chute.gravity)
+    return time != time
 
 
 def enter_surface(chute: "records.ChuteState", segment: "records.Segment", guide: "guide_surface.Guide") -> None:

@@ -247,7 +247,7 @@ class Solver:
                     return
                 self.land(segment, surface, met)
                 u, along = met.u, met.incidence <= EQUAL and segment.entry is None
-            if along and table["kind"] == "hood" and setting.press(u, self.stream.v) < 0:
+            if along and table["kind"] == "hood" and setting.press(u, self.stream.v) < 0 and not self.returns(surface):
                 segment.impacts.clear()
                 self.stream, self.flight = came
                 if self.flight is None:
@@ -279,6 +279,15 @@ class Solver:
                 return
             self.lose(segment, u, touch=3)
         raise UndecidedError("strikes the same surface again and again")
+
+    def returns(self, surface: Surface) -> bool:
+        """Return whether the stream, which starts along a surface, meets it again if it flies."""
+        kept = self.took_off, self.since, self.opposite, self.flight
+        self.fly(touch=2)
+        assert self.flight is not None
+        met, _ = landing(self.flight, surface)
+        self.took_off, self.since, self.opposite, self.flight = kept
+        return met is not None
 
     def run_along(self, segment: Segment, u: float) -> tuple[str, float]:
         """Slides from u along the segment's wall, to its end or to where contact is lost."""
