@@ -18,10 +18,11 @@ from chutecalc.output.dataset import Dataset
 from chutecalc.output.formats.csv import CsvRows
 from chutecalc.output.run import run_dataset
 from chutecalc.output.table import Printer
-from chutecalc.results.cases import DESIGN_POINT, Cases
+from chutecalc.results.cases import Cases
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
+from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.spec.parse import parse_text
 
 SPECS = Path(__file__).parents[1] / "specs"
