@@ -95,7 +95,6 @@ def _print(
     from chutecalc.output.table import Printer
     from chutecalc.results.columns import IN_TABLES
 
-    solutions = [states.main_solution for states in cases]
     if data := outputs.to_standard_output:
         printer = Printer(outputs.units, sys.stderr)
         for states in cases if data.document is None else ():
@@ -103,23 +102,23 @@ def _print(
             printer.case_findings(states)
         return
     printer = Printer(outputs.units, columns=columns or IN_TABLES)
-    for number, solution in enumerate(solutions):
+    for number, states in enumerate(cases):
         if number:
             printer.text()
-        printer.report(solution, cases[number].main)
-        if len(cases[number].names) > 1:
-            printer.cases(cases[number])
+        printer.report(states.main_solution, states.main)
+        if len(states.names) > 1:
+            printer.cases(states)
         if tables:
             printer.text()
-            printer.stations(tables[number][cases[number].main])
+            printer.stations(tables[number][states.main])
         if outputs.chart:
             from chutecalc.output.chart import print_chart
 
             printer.text()
-            print_chart(printer, solution)
-    if len(solutions) > 1:
+            print_chart(printer, states.main_solution)
+    if len(cases) > 1:
         printer.text()
-        printer.comparison(solutions)
+        printer.comparison([states.main_solution for states in cases])
 
 
 def _status(cases: Sequence[Cases], strict: bool) -> int:

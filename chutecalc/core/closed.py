@@ -144,9 +144,7 @@ def fly_to_mouth(chute: "records.ChuteState") -> None:
     flight.launch(chute.flight, chute.current, chute.gravity)
     time = chute.mouth_time
     chute.current.distance += flight.path_length(chute.flight, time)
-    chute.current.x, chute.current.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
-    chute.current.velocity = flight.velocity_at(chute.flight, time)
-    chute.current.slope = flight.slope_at(chute.flight, time)
+    flight.set_point(chute.flight, time, chute.current)
 
 
 MOUTH_TOLERANCE = 1e-9

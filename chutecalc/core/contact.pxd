@@ -5,10 +5,8 @@ from chutecalc.core cimport closed, flight, floats, friction, guide_surface, joi
 cdef int MAX_STRIKES
 
 cdef void solve_contact(records.ChuteState chute, state.SolverOptions options, records.Segment segment, int known_roots) noexcept nogil
-@cython.locals(goes_on=bint)
 cdef void solve_surface(records.ChuteState chute, state.SolverOptions options, records.Segment segment, state.Stream stream, int known_roots) noexcept nogil
-@cython.locals(caught=bint)
-cdef void fail_to_meet(records.ChuteState chute, records.Segment segment, int status) noexcept nogil
+cdef bint may_be_caught(records.ChuteState chute, records.Segment segment) noexcept nogil
 cdef bint slips_off(records.ChuteState chute, records.Segment segment, state.Stream stream) noexcept nogil
 cdef void enter_surface(records.ChuteState chute, records.Segment segment, guide_surface.Guide guide) noexcept nogil
 @cython.locals(choked=bint)

@@ -54,11 +54,9 @@ def solve_surface(
         joint.meet_segment(chute, segment, stream.guide, known_roots)
     chute.flight_time = chute.arrival.time
     if chute.arrival.status > state.STALL:
-        fail_to_meet(chute, segment, chute.arrival.status)
-    chute.segment_status = chute.arrival.status
-    if chute.arrival.status > state.STALL:
         miss_segment(chute, segment)
         return
+    chute.segment_status = chute.arrival.status
     enter_surface(chute, segment, stream.guide)
     error = joint.entry_error(chute, stream.guide)
     if error < 0.0:  # errors are positive: change the sign of all others
@@ -80,28 +78,22 @@ def solve_surface(
             return
         if slips_off(chute, segment, stream):
             joint.miss_segment(chute, stream.guide)
-            fail_to_meet(chute, segment, state.MISSED)
-            chute.segment_status = chute.arrival.status
             miss_segment(chute, segment)
             return
         leave_surface(chute, segment, stream)
     records.copy_point(chute.current, chute.end)
     chute.status, chute.airborne = chute.segment_status, False
     solution_rows.write_solution(chute, segment, stream, stream.store.count - before)
-    goes_on = not segment.final or chute.belt_x == chute.belt_x
-    if chute.segment_status == state.CONTACT_LOST and goes_on:
+    if chute.segment_status == state.CONTACT_LOST and may_be_caught(chute, segment):
         chute.status = state.OK
         chute.airborne = True
     elif segment.plate and chute.segment_status == state.OK:
         chute.airborne = True
 
 
-def fail_to_meet(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:
-    """Write the status of an arrival that meets no surface: a choked mouth, or a stream that passes or misses."""
-    caught = not segment.final or chute.belt_x == chute.belt_x  # later
-    if status != state.CHOKED and status != state.PASSED:  # PASSED: inside a pipe
-        status = state.PASSED if segment.may_be_passed and caught else state.MISSED
-    chute.arrival.status = status
+def may_be_caught(chute: "records.ChuteState", segment: "records.Segment") -> bool:
+    """Return whether a stream that flies on from a segment may land: on a later one, or on a belt with a place."""
+    return not segment.final or chute.belt_x == chute.belt_x
 
 
 def slips_off(chute: "records.ChuteState", segment: "records.Segment", stream: "state.Stream") -> bool:
@@ -162,7 +154,13 @@ def contact_loss_error(guide: "guide_surface.Guide", share: float, y: float, err
 
 
 def miss_segment(chute: "records.ChuteState", segment: "records.Segment") -> None:
-    """Handle a flight that does not meet its segment: it continues to the next one, or the chute ends."""
+    """Handle a flight that meets no surface of its segment: it continues to the next one, or the chute ends.
+
+    In a closed segment the arrival says already that the stream passes inside it, or that its mouth chokes.
+    """
+    if chute.arrival.status == state.MISSED and segment.may_be_passed and may_be_caught(chute, segment):
+        chute.arrival.status = state.PASSED
+    chute.segment_status = chute.arrival.status
     records.clear_point(chute.entry)
     records.clear_point(chute.end)
     chute.impact.velocity_after = segment.stream.share = segment.stream.y = floats.NAN

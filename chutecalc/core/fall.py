@@ -59,11 +59,7 @@ def set_flight_end(chute: "records.ChuteState", time: float) -> None:
     """Set ``end`` to the stream after a time of flight, without its errors."""
     chute.arrival.distance = flight.path_length(chute.flight, time)
     chute.end.distance = chute.start.distance + chute.arrival.distance
-    chute.end.x, chute.end.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
-    chute.end.velocity, chute.end.slope = (
-        flight.velocity_at(chute.flight, time),
-        flight.slope_at(chute.flight, time),
-    )
+    flight.set_point(chute.flight, time, chute.end)
 
 
 def fall_onto_next(

@@ -56,6 +56,12 @@ def time_to_run(flight: "records.Flight", run: float) -> float:
     return run / flight.forward if flight.forward > 0.0 and run >= 0.0 else floats.NAN
 
 
+def set_point(flight: "records.Flight", time: float, point: "records.Point") -> None:
+    """Set position, velocity and slope of a point to those of a flight at a time."""
+    point.x, point.z = x_at(flight, time), z_at(flight, time)
+    point.velocity, point.slope = velocity_at(flight, time), slope_at(flight, time)
+
+
 def passage(flight: "records.Flight", x: float, z: float) -> tuple[float, float]:
     """Return when a flight passes a point, and how far from it then: at the same height, below or above it, or now.
 

@@ -17,9 +17,7 @@ def land_on_belt(chute: "records.ChuteState") -> None:
         flight.launch(chute.flight, chute.current, chute.gravity)
         time = time_to_line(chute.flight, chute.belt_x, chute.belt_z, chute.belt_slope)
         if chute.flight.z - flight.z_at(chute.flight, time) <= fall.MAX_FALL:
-            chute.landing.x, chute.landing.z = flight.x_at(chute.flight, time), flight.z_at(chute.flight, time)
-            chute.landing.velocity = flight.velocity_at(chute.flight, time)
-            chute.landing.slope = flight.slope_at(chute.flight, time)
+            flight.set_point(chute.flight, time, chute.landing)
         else:
             records.clear_point(chute.landing)
             chute.status = state.MISSED

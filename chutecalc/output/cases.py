@@ -47,7 +47,7 @@ def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str
     for name in cases.names:
         for finding in cases.findings(name):
             if finding.severity in CONCERNED:
-                rest = f"  {name}: {finding.segment or finding.key}: {finding.message(0, units)}"
+                rest = f"  {name}: {finding.subject}: {finding.message(0, units)}"
                 yield finding.severity, f"{finding.severity} {finding.code}", rest
 
 

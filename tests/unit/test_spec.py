@@ -548,7 +548,7 @@ def test_the_slope_of_the_inlet_belongs_to_the_drawing():
         assert np.degrees(np.broadcast_to(surface.slope, 2)).tolist() == pytest.approx([90.0, tangent], rel=1e-12)
         assert slanting.status.tolist() == ["ok", "ok"]
     with pytest.raises(chutecalc.SpecError, match="belongs to the drawing"):
-        chutecalc.parse(tables | {"cases": {"steep": {"inlet.slope_deg": 60.0}}}).cases  # noqa: B018
+        chutecalc.parse(tables | {"cases": {"steep": {"inlet.slope_deg": 60.0}}})
 
 
 @pytest.mark.parametrize(
@@ -578,5 +578,9 @@ def test_a_closed_section_has_no_wall_height(body):
 def test_a_bend_of_a_pipe_may_be_as_tight_as_its_height_on_the_outside():
     """On a crest the roof is the longer wall; in a spoon it is the shorter one, and has to have a length."""
     pipe = {"body": {"shape": "pipe", "radius_m": 0.3}}
-    chutecalc.parse(spec(sections=pipe, segments=[{"kind": "curve", "radius_m": 0.5, "to_slope_deg": 60.0}]))
-    chutecalc.parse(spec(sections=pipe, segments=[{"kind": "curve", "radius_m": 0.601, "to_slope_deg": 10.0}]))
+    for radius, slope in ((0.5, 60.0), (0.601, 10.0)):
+        bend = [{"kind": "curve", "radius_m": radius, "to_slope_deg": slope}]
+        (drawn,) = chutecalc.parse(spec(sections=pipe, segments=bend)).design.segments
+        assert drawn.radius.tolist() == [radius]
+    bend = [{"kind": "curve", "radius_m": 0.599, "to_slope_deg": 10.0}]
+    assert [fault.path for fault in faults(spec(sections=pipe, segments=bend))] == ["segments.1.radius_m"]

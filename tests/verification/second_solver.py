@@ -254,12 +254,7 @@ class Solver:
                     self.fly()
                 self.pass_by(table, segment, number)
                 return
-            if segment.entry is None:
-                segment.entry, segment.begin, segment.first = self.stream, u, setting
-            if self.stream.v == 0:
-                segment.exit = self.stream
-                segment.status = "stall"
-                raise _FailedError("stall")
+            self.settle(segment, setting, u)
             along, segment.status = False, "ok"
             if table["kind"] == "plate":
                 segment.exit = self.stream
@@ -279,6 +274,15 @@ class Solver:
                 return
             self.lose(segment, u, touch=3)
         raise UndecidedError("strikes the same surface again and again")
+
+    def settle(self, segment: Segment, setting: Setting, u: float) -> None:
+        """Note where the stream first is on the segment's wall; one that the impact has stopped has stalled there."""
+        if segment.entry is None:
+            segment.entry, segment.begin, segment.first = self.stream, u, setting
+        if self.stream.v == 0:
+            segment.exit = self.stream
+            segment.status = "stall"
+            raise _FailedError("stall")
 
     def returns(self, surface: Surface) -> bool:
         """Return whether the stream, which starts along a surface, meets it again if it flies."""
@@ -379,12 +383,7 @@ class Solver:
                 self.land(segment, tube.walls[on], met)
                 u = met.u
             setting = segment.setting = settings[on]
-            if segment.entry is None:
-                segment.entry, segment.begin, segment.first = self.stream, u, setting
-            if self.stream.v == 0:
-                segment.exit = self.stream
-                segment.status = "stall"
-                raise _FailedError("stall")
+            self.settle(segment, setting, u)
             segment.status = "ok"
             left, joined = on, False
             if setting.press(u, self.stream.v) < -1e-14:  # but upright
