@@ -39,6 +39,8 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
             return row
         if chute.mouth_time == chute.mouth_time and chute.last.closed and chute.status == state.OK:
             closed.fly_to_mouth(chute)
+        elif chute.segment_status == state.PASSED and chute.launch.velocity == chute.launch.velocity:
+            records.copy_point(chute.current, chute.launch)  # it flies past the drawn end of a fall
         receiver.land_on_belt(chute)
         if chute.last.on_roof:
             write_ends(chute, chute.last, chute.last.roof)

@@ -17,6 +17,7 @@ def start_at_inlet(chute: "records.ChuteState") -> None:
     chute.on_roof, chute.mouth_time = False, floats.NAN
     if not chute.inlet.velocity > 0.0:
         chute.current.slope = 0.5 * math.pi
+    records.clear_point(chute.launch)
     chute.drawn_x, chute.drawn_z = chute.current.x, chute.current.z
     chute.drawn_x_error = chute.drawn_z_error = chute.error = 0.0
     # Steel that stands still: a stream from a belt of another velocity comes to it through the air.
@@ -51,6 +52,7 @@ def solve_from(chute: "records.ChuteState", options: "state.SolverOptions", segm
 def save_start(chute: "records.ChuteState") -> None:
     """Save the state of the stream where the designs of a batch begin to differ."""
     records.copy_point(chute.saved, chute.current)
+    records.copy_point(chute.saved_launch, chute.launch)
     chute.saved_status, chute.saved_airborne, chute.saved_on_roof = chute.status, chute.airborne, chute.on_roof
     chute.saved_mouth_time = chute.mouth_time
     chute.saved_x, chute.saved_z = chute.drawn_x, chute.drawn_z
@@ -61,6 +63,7 @@ def save_start(chute: "records.ChuteState") -> None:
 def restore_start(chute: "records.ChuteState") -> None:
     """Restore the state of the stream where the designs of a batch begin to differ."""
     records.copy_point(chute.current, chute.saved)
+    records.copy_point(chute.launch, chute.saved_launch)
     chute.status, chute.airborne, chute.already_landed, chute.strikes = (
         chute.saved_status,
         chute.saved_airborne,

@@ -57,6 +57,7 @@ def solve_surface(
         miss_segment(chute, segment)
         return
     chute.segment_status = chute.arrival.status
+    records.clear_point(chute.launch)
     enter_surface(chute, segment, stream.guide)
     error = joint.entry_error(chute, stream.guide)
     if error < 0.0:  # errors are positive: change the sign of all others
@@ -182,6 +183,7 @@ def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions",
             return
         status, airborne, before, sign = chute.status, chute.airborne, chute.count, segment.error_sign
         on_roof = segment.on_roof
+        share, y = segment.stream.share, segment.stream.y
         chute.status, chute.airborne = state.OK, True
         chute.strikes += 1
         if segment.on_roof:
@@ -194,6 +196,6 @@ def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions",
             chute.status, chute.airborne = status, airborne
             records.copy_point(chute.current, chute.start)
             chute.segment_status, segment.error_sign = state.NOT_REACHED, sign
-            segment.on_roof = on_roof
+            segment.on_roof, segment.stream.share, segment.stream.y = on_roof, share, y
             if chute.mouth_time == chute.mouth_time:  # out of the end of a closed section
                 chute.status, chute.airborne = state.OK, True

@@ -31,6 +31,8 @@ def fall_to_level(chute: "records.ChuteState", segment: "records.Segment") -> No
     if segment.start_x == segment.start_x:
         chute.drawn_x, chute.drawn_z = segment.start_x, segment.start_z
         chute.drawn_x_error = chute.drawn_z_error = 0.0
+    if chute.launch.velocity != chute.launch.velocity:
+        records.copy_point(chute.launch, chute.current)
     flight.launch(chute.flight, chute.current, chute.gravity)
     if segment.drop == segment.drop:
         time = flight.time_to_drop(chute.flight, chute.current.z - chute.drawn_z + segment.drop)

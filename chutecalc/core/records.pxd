@@ -33,7 +33,7 @@ cdef class Segment:
 @cython.final
 cdef class ChuteState:
     cdef public Segment first, last, first_varied
-    cdef public Point saved, inlet, current, start, entry, end, landing
+    cdef public Point saved, saved_launch, launch, inlet, current, start, entry, end, landing
     cdef public Flight flight
     cdef public Arrival arrival
     cdef public Impact impact, perturbed

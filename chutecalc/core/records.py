@@ -99,6 +99,8 @@ class ChuteState:
         self.inlet, self.current, self.start, self.entry, self.end = Point(), Point(), Point(), Point(), Point()
         """The stream at the inlet; now; and on a segment: as it came, on the surface after an impact, and at the
         end."""
+        self.launch = Point()
+        """The stream where it came into the air, if it has fallen since to a level or a distance; else NaN."""
         self.flight, self.arrival, self.impact, self.perturbed = Flight(), Arrival(), Impact(), Impact()
         """``perturbed`` is an impact changed a little, to see how an error grows."""
         self.landing = Point()
@@ -121,7 +123,7 @@ class ChuteState:
         self.fault_slope, self.fault_number, self.faults = 0.0, 0, 0
         """Slope of a stream that a curve cannot be tangent to, rad; number of that curve; and how many designs have
         one."""
-        self.saved = Point()
+        self.saved, self.saved_launch = Point(), Point()
         self.saved_status, self.saved_airborne, self.saved_on_roof = 0, False, False
         self.error = self.saved_error = 0.0
         """Error on the last segment that the stream touched: of the velocity, relative, or after a stall of the

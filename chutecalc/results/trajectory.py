@@ -126,7 +126,7 @@ class Trajectory:
         found = {name: np.full(self.count, np.nan) for name in names}
         open_ = self.status_numbers == Status.OK  # designs whose end is not found yet
         for part in reversed(self.parts):  # one that was left and struck again, or may be passed, is not the only last
-            if part.is_flight:
+            if part.contact is None and part is not self.parts[-1]:  # a fall is the end of a chute only as its last
                 continue
             if part.segment.closed:  # out of its mouth, without touching it again
                 through = open_ & np.isin(part.solved.status, (Status.PASSED, Status.CONTACT_LOST))
@@ -137,7 +137,7 @@ class Trajectory:
                 found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
             if not open_.any():
                 return found
-        # What is left is the inlet, for a stream that flies past all segments onto its belt.
+        # What is left flew past all that came after the surface it left, or after the inlet, onto its belt.
         return self._from_air(found, open_)
 
     def _from_air(self, found: Numbers, chosen: Mask) -> Numbers:
