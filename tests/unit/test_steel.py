@@ -137,6 +137,44 @@ def test_functions_run_on_the_steel():
     assert mixed(3.2, 2.5) == pytest.approx(chutecalc.solve(both).exit_velocity[0], rel=1e-10)
 
 
+AT_EXIT = ("s_m", "x_m", "z_m", "slope_deg", "velocity_m_s", "depth_m")
+
+
+def exits_by_every_way(base, path, value):
+    """Return the exit of a chute at its design point, on its steel, in a batch, as a function, and frozen."""
+    variants = base.vary({path: [value, value]})
+    function = base.function([path], [f"exit_{name}" for name in AT_EXIT])
+    frozen = chutecalc.parse(chutecalc.freeze(base)) if chutecalc.solve(base).ok[0] else base
+    return [
+        *([solution.exit[name][0] for name in AT_EXIT] for solution in map(chutecalc.solve, (base, variants, frozen))),
+        *([chutecalc.exits(chute, columns=AT_EXIT).exit[name][0] for name in AT_EXIT] for chute in (base, variants)),
+        list(function(value)),
+        [column[0] for column in function([value, value])],
+    ]
+
+
+def test_a_stream_that_flies_past_the_last_segment_leaves_the_chute_where_it_left_steel():
+    plate = {"name": "plate", "kind": "plate", "slope_deg": 30.0, "length_m": 1.0, "may_be_passed": True}
+    receiver = {"velocity_m_s": 2.0, "friction_deg": 28.0, "at_m": [0.0, -4.0]}
+    base = chute(segments=[{"kind": "fall", "drop_m": 2.0}, plate | {"liner": "wall"}], receiver=receiver)
+    for found in exits_by_every_way(base, "inlet.velocity_m_s", 3.0):
+        assert found == pytest.approx([0.0, 0.0, 0.0, 0.0, 3.0, np.nan], nan_ok=True, abs=0.0)
+    landing = 3.0 * np.sqrt(2 * 4.0 / 9.80665)
+    assert chutecalc.solve(base).receiver["landing_x_m"][0] == pytest.approx(landing, rel=1e-12)
+    ended = chute(segments=[{"kind": "fall", "drop_m": 2.0}])  # a fall that is the last is where the chute ends
+    assert chutecalc.solve(ended).exit["z_m"][0] == pytest.approx(-2.0, rel=1e-12)
+
+
+def test_a_stream_that_lifts_off_its_last_curve_has_the_depth_of_there():
+    crest = {"name": "crest", "kind": "curve", "radius_m": 1.0, "from_slope_deg": 20.0, "to_slope_deg": 60.0}
+    inlet = {"velocity_m_s": 5.0, "slope_deg": 20.0}  # v² > g r cos 20°: it leaves at once
+    receiver = {"velocity_m_s": 2.0, "friction_deg": 28.0, "at_m": [0.0, -4.0]}
+    base = chute(segments=[crest | {"liner": "wall"}], inlet=inlet, receiver=receiver)
+    depth = 1000.0 / 3.6 / 800.0 / 5.0 / 0.8
+    for found in exits_by_every_way(base, "inlet.velocity_m_s", 5.0):
+        assert found[4:] == pytest.approx([5.0, depth], rel=1e-12)
+
+
 @pytest.mark.parametrize("first", range(0, 300, 60))
 def test_random_chutes_meet_their_steel_as_a_second_solver_has_it(first):
     """The second solver draws the chute itself, writes down the places, and runs another stream on them."""
