@@ -98,7 +98,7 @@ class Solver:
         self.ratio = (1 - sin(self.delta)) / (1 + sin(self.delta)) if ratio is None else ratio  # type: ignore[arg-type]
         self.law = data.get("model", {}).get("friction_law", "paper")
         self.result = Result()
-        self.stream = inlet_of(data, self.g)
+        self.stream = self.inlet = inlet_of(data, self.g)
         self.flight: Flight | None = None  # while nothing carries the stream
         self.took_off = self.stream
         self.since = 0.0  # of the flight's time, spent inside closed segments that it has flown through
@@ -128,10 +128,18 @@ class Solver:
             if self.flight is not None and not struck and not self.placed:
                 self.nothing_catches()
             self.receive()
-            self.result.exit = self.stream
+            through = tables[-1]["kind"] not in ("fall", "plate") and self.heights(tables[-1]) is not None
+            passed = self.result.segments[-1].status == "passed" and not through
+            self.result.exit = self.left_steel() if passed else self.stream
         except _FailedError as failure:
             self.result.status = str(failure)
         return self.result
+
+    def left_steel(self) -> Stream:
+        """Return the stream where it left the last wall that it touched, or at the inlet."""
+        kinds = [table["kind"] for table in self.data["segments"]]
+        walls = [each.exit for each, kind in zip(self.result.segments, kinds, strict=True) if kind != "fall"]
+        return next((each for each in reversed(walls) if each is not None), self.inlet)
 
     def nothing_catches(self) -> None:
         last = self.result.segments[-1]
