@@ -1,0 +1,79 @@
+"""Many variants of a chute in all the states that it has to serve, for aims, optimisers and samples."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from chutecalc.api.chute import Chute
+from chutecalc.output.dataset import Block
+from chutecalc.spec.operating import DESIGN_POINT
+from chutecalc.studies.sweep.block import joined
+from chutecalc.studies.sweep.parameters import AnyParameter
+from chutecalc.studies.sweep.sweep import Sweep
+from chutecalc.studies.sweep.text_parameter import case_parameter
+
+DESIGN_ALONE = (DESIGN_POINT,)
+
+
+class Variants:
+    """Variants of a chute, as rows of a sweep whose lists run side by side.
+
+    >>> import chutecalc
+    >>> from chutecalc.studies.sweep.parameters import read_parameters
+    >>> chute = chutecalc.parse(chutecalc.STARTER)
+    >>> variants = Variants(chute, read_parameters(["radius=1:4:1"], chute), ["exit_velocity_m_s"])
+    >>> variants([np.array([2.0, 3.0])])["exit_velocity_m_s"].round(3).tolist()
+    [[3.578, 3.878]]
+    """
+
+    def __init__(
+        self,
+        chute: Chute,
+        parameters: Sequence[AnyParameter],
+        columns: Sequence[str],
+        states: Sequence[str] = DESIGN_ALONE,
+        rtol: float = 1e-10,
+        jobs: int | None = None,
+    ) -> None:
+        """Take what varies and what to compute.
+
+        Args:
+            chute: a chute of one design.
+            parameters: what varies, as :func:`chutecalc.studies.sweep.parameters.read_parameters` returns it; their
+                values are the first to be checked, and are not solved.
+            columns: names of columns, as for :class:`chutecalc.studies.sweep.sweep.Sweep`.
+            states: names of operating states of the spec, ``design`` for the spec as written.
+            rtol: relative tolerance, as in :func:`chutecalc.solve`.
+            jobs: number of threads; one for each core by default. Values do not depend on it.
+
+        Raises:
+            UsageError: there is no such column or state.
+            SpecError: a path is not in the spec, or a value is out of bounds.
+        """
+        self.chute, self.parameters, self.rtol, self.jobs = chute, tuple(parameters), rtol, jobs
+        self.states = tuple(states)
+        self._by_case = [] if self.states == DESIGN_ALONE else [case_parameter(",".join(self.states), chute)]
+        ends = [each.values[[0, -1]] for each in self.parameters]
+        self.columns = list(self._sweep(ends, columns).columns)
+
+    def __call__(self, values: Sequence[Any]) -> Block:
+        """Solve variants.
+
+        Args:
+            values: for each parameter an array of numbers or names, shape (variants,).
+
+        Returns:
+            ``status`` and the columns by name, each of shape (states, variants): NaN where a variant fails.
+        """
+        sweep = self._sweep(values, self.columns)
+        block = joined([block for _, block in sweep.blocks(range(sweep.block_count), self.jobs)])
+        return {name: block[name].reshape(len(self.states), -1) for name in ("status", *self.columns)}
+
+    def _sweep(self, values: Sequence[Any], columns: Sequence[str]) -> Sweep:
+        """Return a sweep over rows of values, in one state after the other."""
+        count = len(values[0])
+        given = zip(self.parameters, values, strict=True)
+        varied = [each._replace(values=np.tile(own, len(self.states))) for each, own in given]
+        cases = [each._replace(values=np.repeat(each.values, count)) for each in self._by_case]
+        return Sweep(self.chute, [*cases, *varied], parallel=True, columns=columns, rtol=self.rtol)
