@@ -1,0 +1,107 @@
+"""What a stream is to do where it strikes a segment."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+from chutecalc.errors import UsageError
+from chutecalc.fields.ranges import read_values
+from chutecalc.fields.units import UNITS, convert, first_unit
+from chutecalc.results.columns import closest
+
+DIMENSIONS = {"incidence": "angle", "x": "length", "z": "length", "share": "number"}
+"""Dimension of each wish, by its name without a unit."""
+BOUNDS = {"incidence": (0.0, 90.0), "x": (-1e5, 1e5), "z": (-1e5, 1e5), "share": (0.0, 1.0)}
+"""Least and greatest value of each; a share of 1 is not allowed, as nothing of the segment would be left."""
+
+
+@dataclass(frozen=True)
+class Wish:
+    """How the middle of the stream is to strike a segment; None for what is left open."""
+
+    incidence_deg: float | None = None
+    """Angle between stream and surface, 0 for a stream that comes along it."""
+    x_m: float | None = None
+    """Where it strikes: x,"""
+    z_m: float | None = None
+    """or z instead."""
+    share: float = 0.0
+    """Share of the segment's length from its drawn start that lies before the strike, below 1."""
+
+
+def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
+    """Return a wish from its keys.
+
+    Args:
+        segment: name of the segment, for messages.
+        given: ``incidence``, ``x`` or ``z``, and ``share``, each in its first unit or with a unit, such as ``x_ft``.
+
+    Raises:
+        UsageError: all faults of the keys and values.
+
+    >>> read_wish("hood", {"incidence": 10, "x_mm": 1200, "share": 0.1})
+    Wish(incidence_deg=10.0, x_m=1.2, z_m=None, share=0.1)
+    """
+    found: dict[str, float] = {}
+    faults = []
+    for key, value in given.items():
+        name, _, unit = key.partition("_")
+        dimension = DIMENSIONS.get(name)
+        if dimension is None or unit not in ("", *UNITS[dimension]):
+            faults.append(f"{segment}: there is no {key}. {closest([key], DIMENSIONS)}Use {', '.join(DIMENSIONS)}.")
+            continue
+        number = float(convert(_number(value), dimension, unit or first_unit(dimension), first_unit(dimension)))
+        low, high = BOUNDS[name]
+        if not low <= number <= high or (name == "share" and number == high):
+            faults.append(f"{segment}: {key} must be from {low:g} to {high:g}, not {value}.")
+        if name in found:
+            faults.append(f"{segment}: {name} is given twice. Keep one.")
+        found[name] = number
+    if {"x", "z"} <= found.keys():
+        faults.append(f"{segment}: x and z together are one too many: the stream decides the other. Give one of them.")
+    if not faults and not {"incidence", "x", "z"} & found.keys():
+        faults.append(f"{segment}: nothing is asked. Give incidence=DEG, x=M or z=M, such as incidence=10 x=1.2.")
+    if faults:
+        raise UsageError("\n".join(faults))
+    names = {each.name.partition("_")[0]: each.name for each in fields(Wish)}
+    return Wish(**{names[name]: number for name, number in found.items()})
+
+
+def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float]]:
+    """Return the wishes that arguments stand for, by segment in order.
+
+    Args:
+        arguments: names of segments, each followed by its wishes as ``KEY=NUMBER``.
+
+    Raises:
+        UsageError: a wish comes before the first segment, a segment is given twice, or a value is not a number.
+
+    >>> read_wishes(["hood", "incidence=10", "x=1.2", "spoon", "incidence=8"])
+    {'hood': {'incidence': 10.0, 'x': 1.2}, 'spoon': {'incidence': 8.0}}
+    """
+    found: dict[str, dict[str, float]] = {}
+    for argument in arguments:
+        key, equals, text = (part.strip() for part in argument.partition("="))
+        if not equals:
+            if argument in found:
+                raise UsageError(f"{argument} is given twice: give all its wishes together")
+            found[argument] = {}
+            continue
+        if not found:
+            raise UsageError(f"{argument}: name the segment first, such as hood {argument}")
+        values = read_values(key, text)
+        wishes = found[next(reversed(found))]
+        if len(values) != 1:
+            raise UsageError(f"{argument}: place takes one value, not {len(values)}")
+        if key in wishes:
+            raise UsageError(f"{argument}: {key} is given twice. Keep one")
+        wishes[key] = float(values[0])
+    return found
+
+
+def _number(value: Any) -> float:
+    """Return a value as a number, NaN for what is none: it is within no bounds."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return float("nan")
