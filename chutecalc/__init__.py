@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
+    from chutecalc.studies.place.placement import Placement, place
 
 __all__ = [
     "STARTER",
@@ -46,6 +47,7 @@ __all__ = [
     "Fault",
     "Finding",
     "Function",
+    "Placement",
     "SegmentResult",
     "Solution",
     "SpecError",
@@ -55,6 +57,7 @@ __all__ = [
     "freeze",
     "load",
     "parse",
+    "place",
     "solve",
     "solve_cases",
 ]
@@ -71,6 +74,7 @@ _MODULES = {
     "Fault": "chutecalc.errors",
     "Finding": "chutecalc.results.finding",
     "Function": "chutecalc.api.function",
+    "Placement": "chutecalc.studies.place.placement",
     "SegmentResult": "chutecalc.results.segments",
     "Solution": "chutecalc.api.solution",
     "SpecError": "chutecalc.errors",
@@ -79,6 +83,7 @@ _MODULES = {
     "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.load",
     "parse": "chutecalc.api.load",
+    "place": "chutecalc.studies.place.placement",
     "solve": "chutecalc.api.solve",
     "solve_cases": "chutecalc.api.cases",
 }

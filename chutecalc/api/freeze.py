@@ -6,12 +6,14 @@ import tomli_w
 from chutecalc.api.chute import Chute
 from chutecalc.design import Contact
 from chutecalc.errors import UsageError
+from chutecalc.fields.units import same_quantity
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.frozen import Drawn, frozen_text
 from chutecalc.spec.parse import parse_text
 
 DECIMALS = 12
 """Decimals of written places, m and degrees."""
+FROM_SLOPE = same_quantity("from_slope_deg")
 
 
 def freeze(chute: Chute) -> str:
@@ -45,7 +47,9 @@ def freeze(chute: Chute) -> str:
         turns = None if segment.radius is None else slope
         if not np.isfinite([*(start or ()), *np.ravel(turns if turns is not None else 0.0)]).all():
             unknown.append(segment.name)
-        drawn[number] = Drawn(start, None if turns is None else _written(np.degrees(turns)))
+        given = any(key in chute.data["segments"][number] for key in FROM_SLOPE)
+        slopes = {} if given or turns is None else {FROM_SLOPE[0]: _written(np.degrees(turns))}
+        drawn[number] = Drawn(start, slopes)
     if unknown:
         raise UsageError(
             f"{chute.source}: the stream does not get to {', '.join(unknown)} at the design point, so it is not known"

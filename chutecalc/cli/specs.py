@@ -6,6 +6,7 @@ import re
 import sys
 import tomllib
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.errors import AllSpecsError, SpecError, UsageError
@@ -35,6 +36,17 @@ def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
     if spec == "-":
         return parse(decode(sys.stdin.buffer.read(), STANDARD_INPUT), STANDARD_INPUT, changes)
     return load(spec, changes)
+
+
+def read_source(spec: str) -> str:
+    """Return the text of a spec that may lack what a command is to find.
+
+    Args:
+        spec: path of its file, or ``-`` for standard input.
+    """
+    from chutecalc.spec.parse import decode, read_text
+
+    return decode(sys.stdin.buffer.read(), STANDARD_INPUT) if spec == "-" else read_text(Path(spec))
 
 
 def read_chutes(specs: Sequence[str], settings: Sequence[str]) -> list[Chute]:

@@ -25,12 +25,11 @@ class Arc(Guide):
 
     placed: ClassVar[dict[str, str]] = {**Guide.placed, "from_slope_deg": "from_slope_deg"}
 
-    def arc(self, context: Context, side: float) -> Contact:
+    def arc(self, context: Context) -> Contact:
         """Return an arc that begins at its own slope, or tangent to what comes before it.
 
         Args:
             context: what the numbers follow from, beside this table.
-            side: sign of the surface, ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
         """
         exit_ = in_si(self.to_slope_deg, "angle")
         entry = context.tangent if self.from_slope_deg is None else in_si(self.from_slope_deg, "angle")
@@ -38,10 +37,10 @@ class Arc(Guide):
             wrong, problem, remedy = self.check_turn(entry, exit_)
             context.faults.note(wrong, (*context.location, "to_slope_deg"), self.to_slope_deg, problem, remedy)
         radius = in_si(self.radius_m, "length")
-        contact = self.contact(context, side, entry, exit_, radius=radius)
+        contact = self.contact(context, entry, exit_, radius=radius)
         # Until it is solved, a falling stream is taken as steeper than a floor, hence a spoon, and flatter than a roof.
-        wrong, problem, remedy = self.check_bend(contact, side * VERTICAL if entry is None else entry, radius)
-        if entry is None and side == FLOOR:
+        wrong, problem, remedy = self.check_bend(contact, self.side * VERTICAL if entry is None else entry, radius)
+        if entry is None and self.side == FLOOR:
             remedy += ", or give from_slope_deg if it is a crest"
         context.faults.note(wrong, (*context.location, "radius_m"), self.radius_m, problem, remedy)
         return contact

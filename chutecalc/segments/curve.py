@@ -3,7 +3,6 @@
 from typing import ClassVar, Literal
 
 from chutecalc.design import Contact
-from chutecalc.physics.motion import FLOOR
 from chutecalc.segments.arc import Arc
 from chutecalc.segments.base import Context
 
@@ -25,4 +24,4 @@ to_slope_deg = 0                # turns from the slope before it to this one
         Args:
             context: what the numbers follow from, beside this table.
         """
-        return self.arc(context, FLOOR)
+        return self.arc(context)

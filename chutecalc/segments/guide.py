@@ -9,6 +9,7 @@ from chutecalc.fields.faults import ALL_DESIGNS
 from chutecalc.fields.quantities import Position
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.motion import FLOOR
 from chutecalc.segments.base import Context, Segment
 
 
@@ -24,12 +25,13 @@ class Guide(Segment):
         False, description="true if a stream may fly past it without touching it; otherwise that is a failure"
     )
 
+    side: ClassVar[float] = FLOOR
+    """Sign of the surface, ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`."""
     placed: ClassVar[dict[str, str]] = {"start_m": "start_m = [x, z]"}
 
     def contact(
         self,
         context: Context,
-        side: float,
         entry_slope: Array | None,
         exit_slope: Array,
         radius: Array | None = None,
@@ -40,7 +42,6 @@ class Guide(Segment):
 
         Args:
             context: what the numbers follow from, beside this table.
-            side: sign of the surface, ``FLOOR`` or ``ROOF`` of :mod:`chutecalc.physics.motion`.
             entry_slope: at its start, rad below horizontal; None if it is tangent to the stream that falls into it.
             exit_slope: at its end, rad below horizontal.
             radius: of an arc, m; None for a straight.
@@ -53,7 +54,7 @@ class Guide(Segment):
         return Contact(
             name=context.name,
             kind=self.kind,
-            side=side,
+            side=self.side,
             deflects=deflects,
             entry_slope=entry_slope,
             exit_slope=exit_slope,

@@ -18,6 +18,7 @@ class Hood(Arc):
     kind: Literal["hood"]
     to_slope_deg: Slope = Field(description="slope at its end, below horizontal; steeper than at its start")
 
+    side: ClassVar = ROOF
     example: ClassVar = """\
 kind = "hood"                   # a curved roof that guides the stream and must steepen
 radius_m = 2.0
@@ -30,7 +31,7 @@ to_slope_deg = 80
         Args:
             context: what the numbers follow from, beside this table.
         """
-        return self.arc(context, ROOF)
+        return self.arc(context)
 
     def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
         """Return the mask of designs whose hood does not steepen, with problem and remedy.

@@ -14,6 +14,7 @@ class Plate(Flat):
 
     kind: Literal["plate"]
 
+    side: ClassVar = ROOF
     example: ClassVar = """\
 kind = "plate"                  # a flat roof that the stream strikes and leaves
 slope_deg = 70
@@ -28,4 +29,4 @@ length_m = 0.8
         """
         slope = in_si(self.slope_deg, "angle")
         length = self.measured_length(context, slope)
-        return self.contact(context, ROOF, slope, slope, length=length, deflects=True)
+        return self.contact(context, slope, slope, length=length, deflects=True)

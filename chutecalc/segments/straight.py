@@ -11,7 +11,6 @@ from chutecalc.fields.quantities import Slope
 from chutecalc.fields.quantity import in_si
 from chutecalc.fields.rules import is_numeric
 from chutecalc.fields.table import Violation
-from chutecalc.physics.motion import FLOOR
 from chutecalc.segments.base import Context
 from chutecalc.segments.flat import Flat
 
@@ -49,4 +48,4 @@ length_m = 1.5                  # or drop_m, or run_m
             context: what the numbers follow from, beside this table.
         """
         slope = in_si(self.slope_deg, "angle")
-        return self.contact(context, FLOOR, slope, slope, length=self.measured_length(context, slope))
+        return self.contact(context, slope, slope, length=self.measured_length(context, slope))

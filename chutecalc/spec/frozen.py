@@ -15,7 +15,6 @@ FALL = next(kind for kind, table in KINDS.items() if table is Fall)
 """Kind of a fall."""
 FALL_ENDS = (*same_quantity("drop_m"), *same_quantity("run_m"))
 """Keys of a fall that say where it ends."""
-FROM_SLOPE = same_quantity("from_slope_deg")
 
 
 class Drawn(NamedTuple):
@@ -23,8 +22,8 @@ class Drawn(NamedTuple):
 
     start_m: tuple[float, ...] | None
     """x and z of its start, m; None if that is the drawn end of the segment before it."""
-    from_slope_deg: float | None
-    """Slope at the start of an arc, below horizontal; None for others."""
+    slopes: Mapping[str, float]
+    """Further keys, such as the slope at the start of an arc; each replaces the same quantity in another unit."""
 
 
 def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
@@ -39,14 +38,10 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
     document: Any = tomlkit.parse(text)
     tables = document["segments"]
     for number, segment in drawn.items():
-        added: dict[str, Any] = {}
-        if segment.start_m is not None:
-            added["start_m"] = list(segment.start_m)
-            if number:
-                _change(tables, number - 1, {"onto_next": True}, FALL_ENDS)
-        if segment.from_slope_deg is not None and not any(key in tables[number] for key in FROM_SLOPE):
-            added["from_slope_deg"] = segment.from_slope_deg
-        _change(tables, number, added)
+        start = {} if segment.start_m is None else {"start_m": list(segment.start_m)}
+        if start and number:
+            _change(tables, number - 1, {"onto_next": True}, FALL_ENDS)
+        _change(tables, number, start | dict(segment.slopes))
     if 0 in drawn and drawn[0].start_m is not None:
         inline = isinstance(tables[0], InlineTable)
         fall: Any = tomlkit.inline_table() if inline else tomlkit.table()
@@ -78,8 +73,15 @@ def _values(table: Any, above: str = "") -> Iterator[tuple[str, Any, str]]:
 
 
 def _change(tables: Any, number: int, added: Mapping[str, Any], removed: Collection[str] = ()) -> None:
-    """Put keys below the own ones of a table, before the blank lines and comments that lead to the next table."""
+    """Put keys into a table: where they are already, or else below its own ones.
+
+    That is before the blank lines and comments that lead to the next table.
+    """
     table = tables[number]
+    removed = {*removed, *(other for key in added for other in same_quantity(key) if other != key)}
+    for key in [key for key in added if key in table]:
+        table[key] = added[key]
+    added = {key: value for key, value in added.items() if key not in table}
     if isinstance(table, InlineTable):
         for key in removed:
             table.pop(key, None)

@@ -8,7 +8,7 @@ It strikes a surface of slope b from its side σ at the incidence i = σ (a - b)
 slope of the stream, and that and the incidence the slope of the surface; or the other way round.
 """
 
-from math import atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt, tan
+from math import atan2, cos, degrees, hypot, inf, pi, sin, sqrt, tan
 from typing import NamedTuple
 
 from chutecalc.errors import ChutecalcError, UsageError
@@ -84,10 +84,10 @@ class Launch(NamedTuple):
         if self.forward == 0.0:
             if x == self.x:
                 raise UsageError(f"the stream falls straight down at x {x:g} m: give z instead")
-            raise NotReachedError(f"it falls straight down: the nearest is x {self.x:.6g} m, where z says how far down")
+            raise NotReachedError(f"the stream falls straight down: the nearest is x {self.x:z.6g} m. Give z instead")
         time = (x - self.x) / self.forward
         if time < 0.0:
-            raise NotReachedError(f"its flight begins at x {self.x:.6g} m: that is the nearest")
+            raise NotReachedError(f"its flight begins at x {self.x:z.6g} m: that is the nearest")
         return time
 
     def time_to_z(self, z: float) -> float:
@@ -106,7 +106,7 @@ class Launch(NamedTuple):
         time = (sqrt(under) - self.downward) / self.gravity if under >= 0.0 else -1.0
         if time < 0.0:
             top = self.z + min(self.downward, 0.0) ** 2 / (2.0 * self.gravity)
-            raise NotReachedError(f"its flight begins to fall at z {top:.6g} m: that is the nearest")
+            raise NotReachedError(f"its flight begins to fall at z {top:z.6g} m: that is the nearest")
         return time
 
     def time_to_slope(self, slope: float) -> float:
@@ -136,7 +136,7 @@ def strike_at(launch: Launch, side: float, time: float, incidence: float) -> Str
 
     Args:
         launch: of the flight.
-        side: σ, 1 for a floor and -1 for a roof.
+        side: σ, dimensionless, 1 for a floor and -1 for a roof.
         time: of the flight, s.
         incidence: rad.
     """
@@ -148,7 +148,7 @@ def strike_on(launch: Launch, side: float, slope: float, incidence: float) -> St
 
     Args:
         launch: of the flight.
-        side: σ, 1 for a floor and -1 for a roof.
+        side: σ, dimensionless, 1 for a floor and -1 for a roof.
         slope: of the surface where it is struck, rad below horizontal.
         incidence: rad.
 
@@ -156,7 +156,8 @@ def strike_on(launch: Launch, side: float, slope: float, incidence: float) -> St
         NotReachedError: the stream never has the slope for it.
 
     >>> flat = Launch(x=0.0, z=0.0, slope=0.0, velocity=3.0, gravity=10.0)
-    >>> round(strike_on(flat, 1.0, radians(35.0), radians(10.0)).time, 9)  # where the stream has 45°
+    >>> from math import pi
+    >>> round(strike_on(flat, 1.0, 0.25 * pi - 0.2, 0.2).time, 9)  # where the stream has 45°
     0.3
     """
     time = launch.time_to_slope(slope + side * incidence)
@@ -165,8 +166,8 @@ def strike_on(launch: Launch, side: float, slope: float, incidence: float) -> St
     reached = launch.slope if time < 0.0 else pi / 2
     nearest = degrees(side * (reached - slope))
     where = "as its flight begins" if time < 0.0 else "after a long fall"
-    possible = "" if nearest < 0.0 else f"; the nearest is an incidence of {nearest:.6g}°, {where}"
+    possible = "" if nearest < 0.0 else f"; the nearest is an incidence of {nearest:z.6g}°, {where}"
     raise NotReachedError(
-        f"it would need a slope of {degrees(slope + side * incidence):.6g}° there, and has"
-        f" {degrees(launch.slope):.6g}° to 90° on its way, with the surface at {degrees(slope):.6g}°{possible}"
+        f"it would need a slope of {degrees(slope + side * incidence):z.6g}° there, and has"
+        f" {degrees(launch.slope):z.6g}° to 90° on its way, with the surface at {degrees(slope):z.6g}°{possible}"
     )

@@ -1,0 +1,94 @@
+"""The part of a chute before a segment that is to be placed: the flight that leads to it, and how it arrives."""
+
+from typing import Any
+
+import numpy as np
+
+from chutecalc.api.chute import Chute
+from chutecalc.api.solution import Solution
+from chutecalc.api.solve import solve
+from chutecalc.design import Status
+from chutecalc.errors import UsageError
+from chutecalc.spec.frozen import FALL
+from chutecalc.studies.place.strike import Launch
+
+RTOL = 1e-12
+"""Relative tolerance of the velocity with which the stream before a segment is solved."""
+A_FALL = {"kind": FALL, "drop_m": 1.0}
+ONTO_NEXT = {"kind": FALL, "onto_next": True}
+"""The fall before a segment that has a place."""
+NOT_YET = ("cases", "receiver", "uncertainty")
+"""Tables of a spec that may name what is not placed yet."""
+
+
+def arrival_on_last(solution: Solution) -> Any:
+    """Return how the stream first meets the last segment.
+
+    Args:
+        solution: of a chute of one design that ends with a guiding segment.
+    """
+    number = len(solution.design.segments) - 1
+    first = next(solved for solved in solution.trajectory.segment_solutions if solved.number == number)
+    assert first.contact is not None
+    return first.contact.arrival
+
+
+def chute_up_to(data: dict[str, Any], number: int, table: dict[str, Any], source: str) -> Chute:
+    """Return the chute up to a segment, which lies after a flight.
+
+    Args:
+        data: tables of the spec.
+        number: of the segment, from 0.
+        table: of the segment, with its place.
+        source: name of the spec in messages.
+
+    Raises:
+        SpecError: the spec has faults.
+    """
+    return chute_of(data, [*data["segments"][: max(number - 1, 0)], ONTO_NEXT, table], source)
+
+
+def chute_of(data: dict[str, Any], segments: list[dict[str, Any]], source: str) -> Chute:
+    """Return a chute of other segments, without what need not be there yet.
+
+    Args:
+        data: tables of the spec.
+        segments: tables of its segments.
+        source: name of the spec in messages.
+
+    Raises:
+        SpecError: the spec has faults.
+    """
+    own = {key: value for key, value in data.items() if key not in NOT_YET}
+    return Chute(own | {"segments": segments}, source)
+
+
+def launch_to(data: dict[str, Any], number: int, source: str) -> Launch:
+    """Return the stream where the flight to a segment begins: at the inlet, or where it leaves what comes before.
+
+    Args:
+        data: tables of the spec.
+        number: of the segment, from 0.
+        source: name of the spec in messages.
+
+    Raises:
+        UsageError: it does not get that far.
+        SpecError: the spec has faults.
+    """
+    if number < 2:
+        design = chute_of(data, [A_FALL], source).design
+        start, velocity = design.inlet_position, design.inlet_velocity.item()
+        slope = design.inlet_slope.item() if velocity else np.pi / 2
+        return Launch(start[0].item(), start[1].item(), slope, velocity, design.gravity.item())
+    solution = solve(chute_of(data, data["segments"][: number - 1], source), RTOL)
+    status, ends = str(solution.status[0]), solution.trajectory.ends
+    if status == "ok":
+        at = ends.x, ends.z, ends.slope, ends.velocity
+    elif status == "contact_lost":  # it flies on from there
+        left = solution.trajectory.segment_solutions[-1].exit
+        at = left.x, left.z, left.slope, left.velocity
+    else:
+        failed = next(part.name for part in solution.trajectory.parts if part.status().item() != Status.OK)
+        raise UsageError(f"the stream does not get there: {status} at {failed}. Place that first")
+    x, z, slope, velocity = (each.item() for each in at)
+    return Launch(x, z, slope, velocity, solution.design.gravity.item())
