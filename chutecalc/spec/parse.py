@@ -2,6 +2,7 @@
 
 import re
 import tomllib
+from codecs import BOM_UTF8
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +26,20 @@ def read_text(path: Path) -> str:
     Raises:
         SpecError: The file does not exist, cannot be read, or is not UTF-8.
     """
+    return decode(read_bytes(path), str(path))
+
+
+def read_bytes(path: Path) -> bytes:
+    """Return the content of a spec file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        SpecError: The file does not exist, or cannot be read.
+    """
     try:
-        return decode(path.read_bytes(), str(path))
+        return path.read_bytes()
     except FileNotFoundError:
         raise SpecError(
             [Fault("", "there is no such file", "check the name, or create one with chutecalc new")], str(path)
@@ -52,6 +65,21 @@ def decode(data: bytes, source: str) -> str:
     except UnicodeDecodeError as error:
         problem = f"is not UTF-8 (byte {error.start})"
         raise SpecError([Fault("", problem, "save it as UTF-8")], source) from None
+
+
+def encode(text: str, like: bytes) -> bytes:
+    r"""Return text as the content of a file, with the byte order mark and the line ends of another.
+
+    Args:
+        text: with line feeds at the ends of its lines.
+        like: content of the other file; its first line end counts.
+
+    >>> encode("title = 'Spoon'\n", like=b"title = 'Chute'\r\n")
+    b"title = 'Spoon'\r\n"
+    """
+    mark = BOM_UTF8 if like.startswith(BOM_UTF8) else b""
+    ends = "\r\n" if like.partition(b"\n")[0].endswith(b"\r") else "\n"
+    return mark + text.replace("\n", ends).encode()
 
 
 def parse_text(text: str, source: str) -> dict[str, Any]:
