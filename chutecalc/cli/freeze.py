@@ -14,8 +14,8 @@ def freeze(
     """Write a spec in which the steel no longer depends on the stream.
 
     What the stream places, start_m after a fall and from_slope_deg of a curve, is written as it is drawn at the design
-    point. Comments and line ends stay. The chute remains the same; from then on, edits of the flow leave its steel where
-    it is.
+    point. Comments and line ends stay. The chute remains the same; from then on, edits of the flow leave its steel
+    where it is.
     """
     from chutecalc.api.freeze import freeze as frozen
     from chutecalc.cli.specs import read_with_content

@@ -3,6 +3,7 @@
 import re
 import tomllib
 from codecs import BOM_UTF8
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -147,7 +148,15 @@ def key_lines(text: str) -> dict[Location, int]:
 def _keys(dotted: str) -> Location:
     """Return the parts of a dotted key."""
     parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
-    return tuple(part.strip("\"'") for part in parts)
+    return tuple(_unquoted(part) for part in parts)
+
+
+def _unquoted(key: str) -> str:
+    """Return a key without its quotes, and with the characters that its escape sequences stand for."""
+    if key.startswith('"') and "\\" in key:
+        with suppress(tomllib.TOMLDecodeError):  # in a line that is part of a value
+            return next(iter(tomllib.loads(f"{key} = 0")))
+    return key.strip("\"'")
 
 
 def _numbered(keys: Location, counts: dict[Location, int], is_list: bool) -> Location:
