@@ -5,10 +5,11 @@ from typing import ClassVar
 import numpy as np
 from pydantic import Field
 
-from chutecalc.design import Contact
+from chutecalc.design import VERTICAL, Contact
 from chutecalc.fields.quantities import Length, Slope
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array, Mask
+from chutecalc.physics.motion import FLOOR
 from chutecalc.segments.base import Context
 from chutecalc.segments.guide import Guide
 
@@ -38,9 +39,11 @@ class Arc(Guide):
             context.faults.note(wrong, (*context.location, "to_slope_deg"), self.to_slope_deg, problem, remedy)
         radius = in_si(self.radius_m, "length")
         contact = self.contact(context, side, entry, exit_, radius=radius)
-        if entry is not None:
-            wrong, problem, remedy = self.check_bend(contact, entry, radius)
-            context.faults.note(wrong, (*context.location, "radius_m"), self.radius_m, problem, remedy)
+        # Until it is solved, a falling stream is taken as steeper than a floor, hence a spoon, and flatter than a roof.
+        wrong, problem, remedy = self.check_bend(contact, side * VERTICAL if entry is None else entry, radius)
+        if entry is None and side == FLOOR:
+            remedy += ", or give from_slope_deg if it is a crest"
+        context.faults.note(wrong, (*context.location, "radius_m"), self.radius_m, problem, remedy)
         return contact
 
     def check_bend(self, contact: Contact, entry: Array, radius: Array) -> tuple[Mask, str, str]:
@@ -59,7 +62,7 @@ class Arc(Guide):
                 height = np.maximum(height, section.wall_height)
         inwards = np.where(entry > contact.exit_slope, contact.side, -contact.side)  # the sign of κ σ
         problem = f"leaves the inner wall of the bend no length: the section is {height.flat[0]:.6g} m high"
-        return radius <= inwards * height, problem, "give a larger radius, or a smaller section"
+        return radius <= inwards * height, problem, "give a larger radius or a smaller section"
 
     def check_turn(self, entry: Array, exit_: Array) -> tuple[Mask, str, str]:
         """Return the mask of designs whose arc does not turn as it has to, with problem and remedy.

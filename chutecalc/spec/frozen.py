@@ -1,6 +1,7 @@
 """Writes into the text of a spec where its segments are drawn, with all comments kept."""
 
-from collections.abc import Collection, Mapping
+import re
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import tomlkit
@@ -35,46 +36,56 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
         text: TOML of the spec.
         drawn: segments that guide the stream, by number from 0.
     """
-    document: Any = tomlkit.parse(text)
+    end = "" if text.endswith("\n") else "\n"  # of the last line, which may gain keys below it
+    document: Any = tomlkit.parse(text + end)
     tables = document["segments"]
     for number, segment in drawn.items():
         added: dict[str, Any] = {}
         if segment.start_m is not None:
             added["start_m"] = list(segment.start_m)
             if number:
-                tables[number - 1] = _with(tables[number - 1], {"onto_next": True}, FALL_ENDS)
+                _change(tables, number - 1, {"onto_next": True}, FALL_ENDS)
         if segment.from_slope_deg is not None and not any(key in tables[number] for key in FROM_SLOPE):
             added["from_slope_deg"] = segment.from_slope_deg
-        tables[number] = _with(tables[number], added)
+        _change(tables, number, added)
     if 0 in drawn and drawn[0].start_m is not None:
         inline = isinstance(tables[0], InlineTable)
-        fall = _with(tomlkit.inline_table() if inline else tomlkit.table(), {"kind": FALL, "onto_next": True})
+        fall: Any = tomlkit.inline_table() if inline else tomlkit.table()
+        fall.update({"kind": FALL, "onto_next": True})
         if not inline:
             fall.append(None, tomlkit.nl())
         tables.insert(0, fall)
         for case in document.get("cases", {}).values():
-            _shift_numbers(case, "segments.")
-            _shift_numbers(case.get("segments", {}), "")
-    return tomlkit.dumps(document)
+            _shift_numbers(case)
+    return tomlkit.dumps(document).removesuffix(end)
 
 
-def _shift_numbers(table: Any, above: str) -> None:
-    """Add 1 to the numbers of segments in the keys of a table: a segment has been added before them."""
+def _shift_numbers(case: Any) -> None:
+    """Add 1 to the numbers of segments in the key paths of a case: a segment has been added before them."""
     shifted = {}
-    for key in list(table):
-        number, dot, rest = key.removeprefix(above).partition(".")
-        if key.startswith(above) and number.isdigit():
-            shifted[f"{above}{int(number) + 1}{dot}{rest}"] = table.pop(key)
-    table.update(shifted)
+    for path, table, key in list(_values(case)):
+        if found := re.fullmatch(r"segments\.(\d+)\.(.*)", path):
+            shifted[f"segments.{int(found[1]) + 1}.{found[2]}"] = table.pop(key)
+    case.update(shifted)
 
 
-def _with(table: Any, added: Mapping[str, Any], removed: Collection[str] = ()) -> Any:
-    """Return a table with keys below its own ones, before the blank lines and comments that lead to the next table."""
+def _values(table: Any, above: str = "") -> Iterator[tuple[str, Any, str]]:
+    """Yield the path of each value in a table, with the table that it stands in and its key there."""
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from _values(value, f"{above}{key}.")
+        else:
+            yield f"{above}{key}", table, key
+
+
+def _change(tables: Any, number: int, added: Mapping[str, Any], removed: Collection[str] = ()) -> None:
+    """Put keys below the own ones of a table, before the blank lines and comments that lead to the next table."""
+    table = tables[number]
     if isinstance(table, InlineTable):
         for key in removed:
             table.pop(key, None)
         table.update(added)
-        return table
+        return
     entries = [(key, item) for key, item in table.value.body if key is None or key.key not in removed]
     own = max((number for number, (key, _) in enumerate(entries, 1) if key is not None), default=0)
     lost = [item for key, item in table.value.body if key is not None and key.key in removed and item.trivia.comment]
@@ -88,4 +99,5 @@ def _with(table: Any, added: Mapping[str, Any], removed: Collection[str] = ()) -
         found.append(name, value)
     for key, item in entries[own:]:
         found.append(key, item)
-    return found
+    del tables[number]  # tomlkit takes no other table in its place before 0.13.3
+    tables.insert(number, found)

@@ -167,6 +167,28 @@ def test_faults_of_geometry(changes, path, words):
     assert fault.remedy
 
 
+@pytest.mark.parametrize("from_slope", [{}, {"from_slope_deg": 60.0}])
+@pytest.mark.parametrize(("kind", "to_slope"), [("curve", 0.0), ("hood", 80.0)])
+def test_a_closed_bend_below_a_fall_has_an_inner_wall(kind, to_slope, from_slope):
+    """Also where the slope at its start, that of the falling stream, is not known before it is solved."""
+    bend = {"kind": kind, "to_slope_deg": to_slope, **from_slope}
+    tables = {"sections": {"body": {"shape": "pipe", "radius_m": 0.3}}, "inlet": {"slope_deg": 10.0}}
+    fall = {"kind": "fall", "run_m": 0.5}
+    (fault,) = faults(spec(**tables, segments=[fall, bend | {"radius_m": 0.6}]))
+    assert (fault.path, "inner wall" in fault.problem) == ("segments.2.radius_m", True)
+    assert ("from_slope_deg" in fault.remedy) == (kind == "curve" and not from_slope)
+    assert chutecalc.solve(chutecalc.parse(spec(**tables, segments=[fall, bend | {"radius_m": 0.601}]))).ok
+
+
+def test_a_closed_crest_below_a_fall_has_any_radius_once_it_says_that_it_is_one():
+    tables = {"sections": {"body": {"shape": "pipe", "radius_m": 0.3}}, "inlet": {"slope_deg": 10.0}}
+    crest = {"kind": "curve", "radius_m": 0.3, "to_slope_deg": 80.0}
+    fall = {"kind": "fall", "run_m": 0.5}
+    assert len(faults(spec(**tables, segments=[fall, crest]))) == 1
+    chutecalc.parse(spec(**tables, segments=[fall, crest | {"from_slope_deg": 60.0}]))
+    chutecalc.parse(spec(**tables, segments=[fall, crest | {"to_slope_deg": 90.0}]))  # no stream is steeper
+
+
 def test_all_faults_of_geometry_at_once_and_only_after_all_others_are_mended():
     bent = spec(
         inlet={"velocity_m_s": 0.0, "slope_deg": 40.0},

@@ -149,6 +149,12 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
     setting = piece.setting
     length = setting.surface.length
     beyond = 1.2 * length  # old SciPy tries its first step anywhere, where a taper may have no width
+    least, most = 1e-12 * v * v, v * v + 2 * setting.g * beyond  # what energy allows, till the stream turns slow
+
+    def speed_of(y: float) -> float:
+        """v, also of a trial step: one that overshoots to rest meets a bed of any depth, and forces of any size."""
+        return sqrt(min(max(y, least), most))
+
     slow = _slow(piece.state(u, v)[0], v, length, 0.2)
     if slow:
 
@@ -161,7 +167,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
     else:
 
         def rhs(s: float, state: np.ndarray) -> list[float]:
-            return [2 * piece.state(min(s, beyond), sqrt(max(float(state[0]), 1e-300)))[0]]
+            return [2 * piece.state(min(s, beyond), speed_of(float(state[0])))[0]]
 
         solver = DOP853(rhs, u, [v * v], length, rtol=RTOL, atol=1e-200, max_step=length / 10)
 
@@ -172,7 +178,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
         if slow:
             at, speed = y, max(t * t, 1e-30)  # at rest it is deeper than any wall
         else:
-            at, speed = t, sqrt(max(y, 1e-300))
+            at, speed = t, speed_of(y)
         margins = piece.margins(at, speed)
         far = _ratio(margins[TURN], speed, length)
         if slow:  # no turn can come before the stream is fast again
