@@ -54,7 +54,8 @@ def run(
     JSON has all other results as well. `chutecalc columns` lists the columns that there are.
     """
     from chutecalc.api.cases import solve_cases
-    from chutecalc.results.columns import COLUMNS, check_columns
+    from chutecalc.results.column_names import check_columns
+    from chutecalc.results.columns import COLUMNS
 
     names = names_of(columns)
     check_columns(names, COLUMNS)

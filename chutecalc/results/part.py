@@ -9,14 +9,14 @@ from functools import cached_property
 import numpy as np
 
 from chutecalc.core.profile import flight_lengths
-from chutecalc.design import Contact, Design, Segment, Status, stretched
+from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Numbers
-from chutecalc.physics.section import Polygon
-from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
+from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.impacts import impact_of
-from chutecalc.solver.contact_profile import ContactProfile, EndContactProfile
-from chutecalc.solver.flight_profile import EndFlightProfile, FlightProfile
-from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolution
+from chutecalc.results.segment_context import SegmentContext
+from chutecalc.solver.contact_profile import ContactProfile
+from chutecalc.solver.flight_profile import FlightProfile
+from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
 
 FLIGHT = "flight"
 """Kind of the parts that lead through the air to a segment, and what their names end in."""
@@ -28,42 +28,6 @@ LIFT_OFF = 1e-6
 """Ratio to gravity of the normal acceleration below which contact was lost by it falling to 0."""
 
 Profile = FlightProfile | ContactProfile
-
-
-class SegmentContext:
-    """What formulas of columns read besides the stream: the segment, its chute, and whether a surface guides it."""
-
-    def __init__(self, segment: Segment, design: Design, guided: bool) -> None:
-        """Take what formulas read.
-
-        Args:
-            segment: its description.
-            design: the chutes.
-            guided: whether the stream follows a surface here.
-        """
-        self.segment, self.design, self.guided = segment, design, guided
-
-    @cached_property
-    def start_time(self) -> Array:
-        """Time from the inlet to the start, s; NaN, as only a part of a whole trajectory knows it."""
-        return np.full(1, np.nan)
-
-    @property
-    def slip_ratio(self) -> Array:
-        """Slip velocity at the wall over mean velocity, dimensionless."""
-        assert isinstance(self.segment, Contact)
-        return self.segment.slip_ratio
-
-    @property
-    def between_facets(self) -> bool:
-        """Whether the section has drawn facets beside its centre."""
-        section = self.segment.section if isinstance(self.segment, Contact) else None
-        return self.guided and isinstance(section, Polygon) and bool(section.lengths)
-
-    @property
-    def on_arc(self) -> bool:
-        """Whether the stream follows an arc."""
-        return self.guided and isinstance(self.segment, Contact) and self.segment.radius is not None
 
 
 class Part(SegmentContext):
@@ -225,37 +189,3 @@ class Part(SegmentContext):
             return FlightProfile(solved, self.design.volume_rate, positions)
         assert solved.contact is not None
         return ContactProfile(solved, solved.contact, self.design.volume_rate, positions)
-
-
-def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
-    """Return columns at the end of the chute.
-
-    Args:
-        design: the chutes.
-        ends: how they end, solved with what :func:`exit_needs` gives for these columns.
-        names: of columns, among :data:`chutecalc.results.columns.AT_EXIT`.
-
-    Returns:
-        Arrays of shape (designs,) by name, NaN where a design fails.
-    """
-    last = design.segments[-1]
-    context, ok = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
-    at: Profile = (
-        EndContactProfile(ends, design.volume_rate) if context.guided else EndFlightProfile(ends, design.volume_rate)
-    )
-    with np.errstate(all="ignore"):
-        columns = {name: ALL_COLUMNS[name].values(context, at)[0] for name in names}
-    return {name: np.where(ok, values, np.nan) for name, values in columns.items()}
-
-
-def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:
-    """Return what the solver must work out at the exit for some columns.
-
-    Args:
-        names: of columns.
-
-    Returns:
-        Whether they need how the stream fills the section, and what the walls carry.
-    """
-    names = set(names)
-    return not names.isdisjoint(NEEDING_DEPTH), not names.isdisjoint(NEEDING_WALLS)

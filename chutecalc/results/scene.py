@@ -43,26 +43,24 @@ class Scene(NamedTuple):
     @property
     def solved(self) -> SegmentSolution:
         """The solved segment."""
-        return self.sampled.part.solved
+        return self.part.solved
 
     @property
     def design(self) -> Design:
         """The numeric description of the chutes."""
-        return self.sampled.part.design
+        return self.part.design
 
     @property
     def contact(self) -> ContactSolution:
         """The contact with the guiding surface; there is none in a fall."""
-        contact = self.sampled.part.contact
+        contact = self.part.contact
         assert contact is not None
         return contact
 
     @property
     def segment(self) -> Contact:
         """The description of the guiding surface; there is none of a fall."""
-        segment = self.sampled.part.segment
-        assert isinstance(segment, Contact)
-        return segment
+        return self.part.surface
 
     @property
     def overwhelmed(self) -> Mask:

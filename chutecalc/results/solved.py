@@ -9,7 +9,8 @@ import numpy as np
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import receiver_numbers
-from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
+from chutecalc.results.column_names import check_columns, column_names
+from chutecalc.results.columns import AT_STATION, NUMERIC
 from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge, stream_edges
 from chutecalc.results.finding import Finding
