@@ -42,7 +42,7 @@ def run_friction_study(outputs: Outputs, **inputs: Any) -> int:
 
         outputs.draw(draw_study(study, outputs.units))
     if not outputs.to_standard_output:
-        from chutecalc.output.table import Printer
+        from chutecalc.output.printer import Printer
 
         print_study(Printer(outputs.units), study)
     return ExitStatus.OK

@@ -9,8 +9,8 @@ from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.output.files import STANDARD_STREAM
+from chutecalc.output.printer import Printer
 from chutecalc.output.progress import progress
-from chutecalc.output.table import Printer
 from chutecalc.studies.sweep.block import best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
 from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
