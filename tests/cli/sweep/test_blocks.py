@@ -5,6 +5,7 @@ import itertools
 import chutecalc
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.parameters import read_parameters
+from chutecalc.studies.sweep.solved_blocks import solve_blocks
 from tests.cli.sweep.commands import SPOON, swept
 
 
@@ -27,15 +28,15 @@ def test_columns_of_segments_do_not_depend_on_blocks(capsys, monkeypatch):
 def test_a_few_blocks_are_solved_ahead_of_the_one_that_is_told(monkeypatch):
     chute = chutecalc.load(SPOON)
     sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2"], chute))
-    monkeypatch.setattr(sweep, "block", lambda number: {"number": number})
+    monkeypatch.setattr("chutecalc.studies.sweep.solved_blocks.solve_block", lambda sweep, number: {"number": number})
     asked = []
-    blocks = sweep.blocks((asked.append(number) or number for number in itertools.count()), jobs=3)
+    blocks = solve_blocks(sweep, (asked.append(number) or number for number in itertools.count()), jobs=3)
     for number in range(20):
         assert next(blocks) == (number, {"number": number})
         assert len(asked) <= number + 4
     blocks.close()
     numbers = [4, 0, 7, 1, 9]
-    assert list(sweep.blocks(numbers, jobs=3)) == [(number, {"number": number}) for number in numbers]
+    assert list(solve_blocks(sweep, numbers, jobs=3)) == [(number, {"number": number}) for number in numbers]
 
 
 def test_a_block_of_profiles_has_a_quarter_of_a_million_stations():

@@ -13,6 +13,7 @@ from chutecalc.cli import main
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.parameters import read_parameters
 from chutecalc.studies.sweep.plot import draw_sweep
+from chutecalc.studies.sweep.solved_blocks import solve_block
 from tests.cli.sweep.commands import HOOD, LINERS, SPOON, refused
 
 
@@ -65,7 +66,7 @@ def drawn(*arguments):
     """Return the picture of a sweep."""
     chute = chutecalc.load(HOOD)
     sweep = rows_of.Sweep(chute, read_parameters(list(arguments), chute))
-    return draw_sweep(sweep, sweep.block(0)), sweep.block(0)
+    return draw_sweep(sweep, solve_block(sweep, 0)), solve_block(sweep, 0)
 
 
 def test_names_in_pictures_and_charts(capsys):

@@ -9,6 +9,7 @@ import chutecalc
 from chutecalc.cli import main
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.parameters import read_parameters
+from chutecalc.studies.sweep.solved_blocks import solve_block
 from chutecalc.studies.sweep.table import column_of
 from chutecalc.studies.sweep.text_parameter import TextParameter
 from tests.cli.sweep.commands import HOOD, LINERS, refused, swept
@@ -100,7 +101,7 @@ def test_names_may_stand_for_several_keys_at_once():
     case = TextParameter("case", np.array(list(states)), lambda chute, name: chute.put(states[name]))
     (radius,) = read_parameters(["segments.spoon.radius_m=2,3"], chute := chutecalc.load(HOOD))
     sweep = rows_of.Sweep(chute, [radius, case])
-    block = sweep.block(0)
+    block = solve_block(sweep, 0)
     assert block["case"].tolist() == ["dry", "wet", "dry", "wet"]
     for k, name in enumerate(block["case"].tolist()):
         alone = chutecalc.solve(chute.put(states[name] | {"segments.spoon.radius_m": [2.0, 3.0][k // 2]}))

@@ -56,7 +56,7 @@ def test_three_parameters_go_round_as_in_a_product_of_lists():
     assert grid.count == 30
     for first, last in ((0, 30), (4, 11), (13, 14), (15, 30)):
         rows = np.arange(first, last)
-        found = np.stack([np.broadcast_to(values, len(rows)) for values in grid.at(rows)], axis=1)
+        found = np.stack([np.broadcast_to(values, len(rows)) for _, values in grid.at(rows)], axis=1)
         assert found.tolist() == [list(row) for row in itertools.product(*lists)][first:last]
 
 
