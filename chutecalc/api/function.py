@@ -15,8 +15,7 @@ from chutecalc.errors import SpecError, UsageError
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.belts import RECEIVER_COLUMNS, receiver_numbers
 from chutecalc.results.columns import AT_EXIT
-from chutecalc.results.exits import output_numbers, solve_exits
-from chutecalc.results.part import at_exit, exit_needs
+from chutecalc.results.exits import at_exit, exit_needs, output_numbers, solve_exits
 from chutecalc.solver.chain import run_ends, single_design_solver
 from chutecalc.solver.chain_input import DesignRows, first_varied_segment, layout_of, row_columns
 from chutecalc.solver.options import solver_options

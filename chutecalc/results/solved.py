@@ -9,13 +9,14 @@ import numpy as np
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import receiver_numbers
-from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
-from chutecalc.results.criterion import Written
+from chutecalc.results.column_names import check_columns, column_names
+from chutecalc.results.columns import AT_STATION, NUMERIC
 from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge, stream_edges
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import find_in_spec, in_order
 from chutecalc.results.inlet import inlet_numbers
+from chutecalc.results.scene import Written
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
 from chutecalc.results.trajectory import Trajectory

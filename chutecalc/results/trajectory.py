@@ -12,7 +12,7 @@ from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
 from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge
-from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
+from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
 from chutecalc.results.loads import loads_of, relative_to_first
@@ -166,8 +166,7 @@ class Trajectory:
         found = {item: np.full(self.count, np.nan) for item in extremes_of}
         for part in self.parts:
             if part.guided and extremes_of:
-                shares = part.shares()
-                here = extremes(part, part.at(shares, names), shares, extremes_of)
+                here = sample(part, names, extremes_of).extremes
                 found = {
                     (name, sign): (np.fmax if sign == LARGEST else np.fmin)(values, here[name, sign].value)
                     for (name, sign), values in found.items()

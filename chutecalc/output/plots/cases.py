@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from chutecalc.output.outcome import outcome
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.layout import PANELS
 from chutecalc.output.plots.looks import END, MISSED
@@ -14,7 +15,6 @@ from chutecalc.output.plots.style import INK, MARKS, colours
 from chutecalc.output.plots.text import fitted
 from chutecalc.output.plots.traces import View, along
 from chutecalc.output.plots.view import view
-from chutecalc.output.table import outcome
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Severity

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 _ON_PULLEY = (

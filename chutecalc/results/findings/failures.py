@@ -7,8 +7,9 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import ROOF
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 
 
 @criterion(

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from chutecalc.physics.pressure import greatest_wall_friction
 from chutecalc.physics.wall import wall_friction
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 
 ROUNDING = 1e-12
 

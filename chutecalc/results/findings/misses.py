@@ -8,8 +8,9 @@ from chutecalc.core.fall import LONGEST_FALL
 from chutecalc.design import Fall, Status
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.surface import point
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.solver.segment_solution import Point
 
 

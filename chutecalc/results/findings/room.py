@@ -7,9 +7,10 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.wetting import area_at_depth, wetting
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.motion import FLOOR
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 

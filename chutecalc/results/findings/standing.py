@@ -8,9 +8,10 @@ from chutecalc.design import Status
 from chutecalc.physics.arrays import Mask
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.wall import holding_depth
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.results.stretches import negative_stretches
 from chutecalc.spec.limits import LIMITS
 

@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.solver.segment_solution import FIELD, TANGENT
 from chutecalc.spec.limits import LIMITS
 
