@@ -30,6 +30,7 @@ class Sweep:
     """Variants of a chute, and the columns to compute for them.
 
     >>> import chutecalc
+    >>> import numpy as np
     >>> from chutecalc.studies.sweep.parameters import Parameter
     >>> chute = chutecalc.parse(chutecalc.STARTER)
     >>> path = "flow.rate_t_h"
