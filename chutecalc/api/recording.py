@@ -33,10 +33,18 @@ class VariedChute(Protocol):
         """The chute at its design point."""
 
     def vary(self, changes: Mapping[str, Any]) -> Any:
-        """Return variants."""
+        """Return variants.
+
+        Args:
+            changes: values by spec path, in the unit of the path.
+        """
 
     def steel_for(self, *states: Design) -> Steel:
-        """Return where segments are drawn that follow the stream."""
+        """Return where segments are drawn that follow the stream.
+
+        Args:
+            states: other states of the chute, which are to run on that steel.
+        """
 
     @property
     def function(self) -> Any:

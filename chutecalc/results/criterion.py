@@ -9,7 +9,6 @@ from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.extremes import ExtremeOf
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.scene import Scene, Written
-from chutecalc.spec.limits import PRACTICE
 
 
 class Case(NamedTuple):
@@ -94,11 +93,7 @@ class Criterion:
         for case in self.cases(scene):
             concerned = case.mask & ~scene.overwhelmed if self.foretells_failure else case.mask
             if concerned.any():
-                template = case.template
-                if scene.has_own_limits(self.code):
-                    template = template.replace(f", {PRACTICE}", ", set in the spec")
-                case = case._replace(mask=concerned, template=template)
-                yield self._finding(case, scene.part.segment.name, scene.designs)
+                yield self._finding(case._replace(mask=concerned), scene.part.segment.name, scene.designs)
 
     def findings_of_spec(self, written: Written) -> Iterator[Finding]:
         """Return what the criterion finds in a spec, for any design.

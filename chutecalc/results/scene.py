@@ -15,6 +15,9 @@ from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.limits import LIMITS
 
+SPEC = "set in the spec"
+"""Source of a limit that is not the default."""
+
 
 class Scene(NamedTuple):
     """What a criterion judges: a segment as the stream went along it."""
@@ -86,14 +89,15 @@ class Scene(NamedTuple):
         """
         return self.sampled.extremes[name, sign]
 
-    def has_own_limits(self, code: str) -> bool:
-        """Return whether the spec gives a limit of a finding that is not the default.
+    def source(self, *keys: str) -> str:
+        """Return where limits in force come from, for a message: from the spec if it changes one of them.
 
         Args:
-            code: of the finding.
+            keys: of the table ``[limits]``, of one source.
         """
-        limits = [limit for limit in LIMITS.values() if limit.finding == code and limit.default is not None]
-        return any((limit.of(self.design.limits) != limit.default).any() for limit in limits)
+        limits = [LIMITS[key] for key in keys]
+        changed = any((limit.of(self.design.limits) != limit.default).any() for limit in limits)
+        return SPEC if changed else limits[0].source
 
     def distance(self, share: Array) -> Array:
         """Return the distance from the inlet at shares of the part's length.

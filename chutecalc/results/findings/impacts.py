@@ -26,8 +26,9 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
     """
     arrival, limit = scene.contact.arrival, scene.limit("max_impact_angle_deg")
     incidence = np.degrees(arrival.incidence)
+    source = scene.source("max_impact_angle_deg")
     template = (
-        "the stream strikes the surface at {incidence_deg} (limit {limit_deg}, rule of thumb), which slows it from"
+        f"the stream strikes the surface at {{incidence_deg}} (limit {{limit_deg}}, {source}), which slows it from"
         " {velocity_m_s} to {after_m_s} and loads the surface with {pressure_kpa}; align the surface with the stream"
     )
     yield Case(

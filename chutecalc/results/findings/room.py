@@ -30,10 +30,11 @@ def overfull(scene: Scene) -> Iterator[Case]:
         scene: the segment with the stream along it.
     """
     fullest, closed = scene.extreme("fill", LARGEST), scene.segment.section.closed
-    limit = scene.limit("max_closed_fill" if closed else "max_fill")
+    key = "max_closed_fill" if closed else "max_fill"
+    limit, source = scene.limit(key), scene.source(key)
     what = "of the closed section" if closed else "of the height of the walls"
     template = (
-        f"the stream fills {{fill}} {what} (limit {{limit}}, rule of thumb), which leaves little room for surges; use a"
+        f"the stream fills {{fill}} {what} (limit {{limit}}, {source}), which leaves little room for surges; use a"
         " wider section" + ("" if closed else " or higher walls")
     )
     mask = (fullest.value > limit) & np.isfinite(fullest.value)
@@ -86,7 +87,8 @@ def narrow_for_lumps(scene: Scene) -> Iterator[Case]:
     widths = [_width(scene, section, height) for section in (segment.section, segment.end_section or segment.section)]
     width = np.minimum(*widths)
     template = (
-        "the section is {width_m:in} wide, with lumps of {lump_m:in} (limit {limit} times a lump, rule of thumb):"
+        "the section is {width_m:in} wide, with lumps of {lump_m:in} (limit {limit} times a lump,"
+        f" {scene.source('min_width_over_lump')}):"
         " they may wedge; use a wider section"
     )
     s = np.where(widths[0] <= widths[1], scene.solved.entry.distance, scene.solved.exit.distance)

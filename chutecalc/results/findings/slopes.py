@@ -87,7 +87,7 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
     slope = np.degrees(surface.slope + surface.turn)
     template = (
         "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
-        " (equivalent friction angle + {margin_deg}, rule of thumb)"
+        f" (equivalent friction angle + {{margin_deg}}, {scene.source('min_cut_off_margin_deg')})"
     )
     mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     numbers = {"slope_deg": slope, "needed_deg": needed, "margin_deg": margin}

@@ -65,7 +65,8 @@ def hard_landing(scene: Scene) -> Iterator[Case]:
         " closer to the slope of the belt, and nearer above it"
     )
     slopes = {"slope_deg": received["landing_slope_deg"], "belt_slope_deg": np.degrees(belt.slope)}
-    template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, rule of thumb): {advice}"
+    source = scene.source("max_velocity_into_m_s")
+    template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, {source}): {advice}"
     yield Case(into > fastest, scene.exit_distance, template, {"velocity_m_s": into, "limit_m_s": fastest} | slopes)
     template = f"the stream lands on the belt with {{pressure_kpa}} (limit {{limit_kpa}}): {advice}"
     yield Case(
@@ -91,6 +92,7 @@ def off_speed(scene: Scene) -> Iterator[Case]:
     if belt is None or not received:
         return
     ratio, low, high = received["velocity_ratio"], scene.limit("min_velocity_ratio"), scene.limit("max_velocity_ratio")
+    source = scene.source("min_velocity_ratio", "max_velocity_ratio")
     numbers = {
         "velocity_m_s": received["velocity_along_m_s"],
         "ratio": ratio,
@@ -104,6 +106,6 @@ def off_speed(scene: Scene) -> Iterator[Case]:
     ):
         template = (
             "along the belt the stream has {velocity_m_s}, {ratio} times the {belt_velocity_m_s} of the belt (limits"
-            f" {{low}} to {{high}}, rule of thumb), which wears it; {advice}"
+            f" {{low}} to {{high}}, {source}), which wears it; {advice}"
         )
         yield Case(mask, scene.exit_distance, template, numbers)

@@ -6,7 +6,7 @@ import chutecalc
 from chutecalc.results.criterion import criterion
 from chutecalc.results.finding import Severity
 from tests.conftest import ROOT, chute
-from tests.unit.findings.chutes import along, codes, found, rectangular
+from tests.unit.findings.chutes import along, codes, found, rectangular, solved
 
 
 def test_findings_of_the_papers_worked_example_are_those_that_physics_names():
@@ -50,3 +50,14 @@ def test_what_a_stall_or_a_choke_brings_with_it_is_not_told_beside_it(walls):
 def test_a_code_is_registered_once():
     with pytest.raises(ValueError, match="the finding 'stall' is registered twice, the second time in tests"):
         criterion("stall", Severity.NOTE, summary="")(lambda scene: [])
+
+
+@pytest.mark.parametrize(
+    ("limits", "source"),
+    [({}, "rule of thumb"), ({"max_fill": 0.1}, "set in the spec"), ({"max_closed_fill": 0.1}, "rule of thumb")],
+)
+def test_a_message_names_the_source_of_the_limit_that_it_quotes(limits, source):
+    """In an open section that of an open section, whatever the spec says of closed ones."""
+    filled = rectangular(wall_height_m=0.2)  # Q/(v b) = 0.174 m deep at its entry
+    finding = found(solved(sections=filled, limits=limits, **along(60.0)), "overfull")
+    assert f", {source})" in finding.message()
