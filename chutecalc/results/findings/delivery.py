@@ -40,7 +40,7 @@ def slides_on_pulley(scene: Scene) -> Iterator[Case]:
             "it slides on the pulley from {slide_start_deg} on and leaves at {slope_deg} and {velocity_m_s}, and not"
             f" {held} as one that is held; a faster belt or a smaller pulley throws it"
         )
-        yield Case(carried, np.zeros(1), begin + slides, numbers)
+        yield Case(carried, np.zeros(1), begin + slides, numbers, badness=-inlet["discharge_froude"])
         return
     bounds = (
         f"it leaves {held} if the belt holds it to the end, as is solved here, and at {{frictionless_slope_deg}} and"
@@ -71,4 +71,5 @@ def belt_overfull(scene: Scene) -> Iterator[Case]:
         "the load of {load_area_m2} fills the belt that brings it to {belt_fill} (limit {limit}) and spills; it would"
         " cover {load_width_m:in} of belt: use a wider or faster belt"
     )
-    yield Case(numbers["belt_fill"] > numbers["limit"], np.zeros(1), template, numbers)
+    fill = numbers["belt_fill"]
+    yield Case(fill > numbers["limit"], np.zeros(1), template, numbers, badness=fill)

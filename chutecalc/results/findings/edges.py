@@ -36,4 +36,5 @@ def edge_misses(scene: Scene) -> Iterator[Case]:
             (elsewhere, "lands on another one; move that out of its way", {}),
             (~elsewhere & ~short & np.isnan(gap), "never reaches it; move it towards the stream", {}),
         ):
-            yield Case(misses & mask, edge.s_m, begin + fate, numbers | more)
+            badness = next(iter(more.values()), 0.0)
+            yield Case(misses & mask, edge.s_m, begin + fate, numbers | more, badness=badness)

@@ -40,6 +40,7 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
             "after_m_s": arrival.impact.velocity_after,
             "pressure_kpa": arrival.impact.pressure / 1000.0,
         },
+        badness=incidence,
     )
     for edge in scene.edges:
         own = edge.numbers["incidence_deg"]
@@ -53,4 +54,5 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
             edge.s_m,
             template,
             {"incidence_deg": own, "limit_deg": limit, "velocity_m_s": edge.numbers["landing_velocity_m_s"]},
+            badness=own,
         )

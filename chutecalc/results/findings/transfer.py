@@ -65,11 +65,11 @@ def hard_landing(scene: Scene) -> Iterator[Case]:
     )
     slopes = {"slope_deg": received["landing_slope_deg"], "belt_slope_deg": np.degrees(belt.slope)}
     template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, rule of thumb): {advice}"
-    yield Case(into > fastest, scene.exit_distance, template, {"velocity_m_s": into, "limit_m_s": fastest} | slopes)
+    s, numbers = scene.exit_distance, {"velocity_m_s": into, "limit_m_s": fastest} | slopes
+    yield Case(into > fastest, s, template, numbers, badness=into)
     template = f"the stream lands on the belt with {{pressure_kpa}} (limit {{limit_kpa}}): {advice}"
-    yield Case(
-        pressure > greatest, scene.exit_distance, template, {"pressure_kpa": pressure, "limit_kpa": greatest} | slopes
-    )
+    numbers = {"pressure_kpa": pressure, "limit_kpa": greatest} | slopes
+    yield Case(pressure > greatest, s, template, numbers, badness=pressure)
 
 
 @criterion(
@@ -105,4 +105,4 @@ def off_speed(scene: Scene) -> Iterator[Case]:
             "along the belt the stream has {velocity_m_s}, {ratio} times the {belt_velocity_m_s} of the belt (limits"
             f" {{low}} to {{high}}, rule of thumb), which wears it; {advice}"
         )
-        yield Case(mask, scene.exit_distance, template, numbers)
+        yield Case(mask, scene.exit_distance, template, numbers, badness=np.abs(ratio - 1.0))
