@@ -126,7 +126,7 @@ class Printer:
         self.text(f"{solution.spec.title or solution.source}{state}", style="bold")
         self.text(_flow_line(solution, self.units))
         self.text()
-        self.table(self._segments(solution.trajectory.results))
+        self.table(self._segments(solution.trajectory.rows))
         self.text()
         self.text(outcome(solution, self.units), style="" if solution.ok[0] else COLOURS[Severity.FAILURE])
         for line in (*self._impacts(solution), *self._belts(solution)):

@@ -43,7 +43,7 @@ def told(cases, code="steep_impact"):
 
 def test_a_finding_is_told_again_by_the_case_in_which_it_is_worst():
     found = told(states(design=21.0, one=22.0, two=25.0, three=20.5, mild=19.0))
-    assert {name: len(each) for name, each in found.items()} == dict(design=0, one=0, two=1, three=0, mild=0)
+    assert [name for name, each in found.items() if each] == ["two"]
     assert found["two"][0].numbers["incidence_deg"][0] == pytest.approx(25.0, rel=1e-12)
     cases = states(design=21.0, one=22.0, two=25.0, mild=19.0)
     assert cases.states_with(told(cases)["two"][0]) == ["design", "one", "two"]
@@ -61,7 +61,7 @@ def test_a_finding_that_differs_by_rounding_alone_is_not_told_again():
 
 def test_a_finding_that_the_design_point_does_not_have_is_told_once():
     found = told(states(design=19.0, one=22.0, two=24.0))
-    assert {name: len(each) for name, each in found.items()} == dict(design=0, one=0, two=1)
+    assert [name for name, each in found.items() if each] == ["two"]
 
 
 def test_in_a_batch_each_design_has_its_own_worst_case():
