@@ -148,7 +148,7 @@ class SolvedChute:
 
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
-        found = find_in_spec(Written(self.spec, self.data, self.count))
+        found = find_in_spec(Written(self.spec, self.data, self.design, self.count))
         return in_order([*found, *self.trajectory.findings(self.receiver, self.inlet, self.edges)])
 
     def stations(

@@ -106,3 +106,31 @@ def off_speed(scene: Scene) -> Iterator[Case]:
             f" {{low}} to {{high}}, rule of thumb), which wears it; {advice}"
         )
         yield Case(mask, scene.exit_distance, template, numbers, badness=np.abs(ratio - 1.0))
+
+
+@criterion(
+    "far_landing",
+    Severity.WARNING,
+    summary="the stream lands far from where the receiving belt is to be loaded",
+    limit=f"distance > {LIMITS['max_landing_offset_m'].text}",
+    source=LIMITS["max_landing_offset_m"].source,
+    in_falls=True,
+)
+def far_landing(scene: Scene) -> Iterator[Case]:
+    """Find streams that land further from the place of the receiving belt than half the width of a common belt.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    belt, received = scene.design.receiver, scene.received
+    if belt is None or belt.at is None or not received:
+        return
+    ahead = received["landing_x_m"] - belt.at[0]
+    distance, limit = np.hypot(ahead, received["landing_z_m"] - belt.at[1]), scene.limit("max_landing_offset_m")
+    for mask, where in ((ahead < 0.0, "before"), (ahead >= 0.0, "beyond")):
+        template = (
+            f"the stream lands {{distance_m}} {where} at_m of the receiving belt (limit {{limit_m}}); move the end of"
+            " the chute or the belt, or correct receiver.at_m"
+        )
+        numbers = {"distance_m": distance, "limit_m": limit}
+        yield Case(mask & (distance > limit), scene.exit_distance, template, numbers, badness=distance)
