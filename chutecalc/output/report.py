@@ -32,7 +32,7 @@ def print_report(
     printer.text(f"{solution.spec.title or solution.source}{state}", style="bold")
     printer.text(flow_line(solution, units))
     printer.text()
-    printer.table(StreamTables(columns, units).segments(solution.trajectory.results))
+    printer.table(StreamTables(columns, units).segments(solution.trajectory.rows))
     printer.text()
     printer.text(outcome(solution, units), style="" if solution.ok[0] else COLOURS[Severity.FAILURE])
     for lines in (impact_lines, inlet_lines, receiver_lines):

@@ -26,6 +26,8 @@ class Case(NamedTuple):
     """One of the criterion's severities; its first if None."""
     key: str = ""
     """Path of the key of the spec that it is about, where it is about no segment."""
+    badness: Any = 0.0
+    """How bad it is, the larger the worse, shape (designs,) or 1: operating states are compared by it."""
 
 
 Cases = Callable[[Any], Iterable[Case]]
@@ -106,7 +108,8 @@ class Criterion:
 
     def _finding(self, case: Case, segment: str, designs: int) -> Finding:
         """Return a case as a finding of all designs."""
-        mask, s, *values = (np.broadcast_to(item, designs) for item in (case.mask, case.s, *case.numbers.values()))
+        items = (case.mask, case.s, case.badness, *case.numbers.values())
+        mask, s, badness, *values = (np.broadcast_to(item, designs) for item in items)
         return Finding(
             code=self.code,
             severity=case.severity or self.severities[0],
@@ -116,6 +119,7 @@ class Criterion:
             s_m=s,
             template=case.template,
             numbers=dict(zip(case.numbers, values, strict=True)),
+            badness=badness,
         )
 
 

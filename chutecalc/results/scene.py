@@ -133,5 +133,7 @@ class Written(NamedTuple):
     """The checked spec."""
     data: dict[str, Any]
     """The same as written."""
+    design: Design
+    """The same as numbers, on steel that is not yet laid down at the design point, but is in another state."""
     designs: int
     """Number of designs."""

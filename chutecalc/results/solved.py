@@ -134,8 +134,8 @@ class SolvedChute:
 
     @cached_property
     def edges(self) -> list[Edge]:
-        """Lower edge, middle and upper edge of a stream from a belt, and where they land; empty without a depth."""
-        return stream_edges(self.design, self.trajectory.segment_solutions, self.rtol, self.count)
+        """The edges of each flight of a stream with a depth, and where they land: those from a belt come first."""
+        return stream_edges(self.design, self.trajectory.parts, self.rtol, self.count)
 
     @property
     def segments(self) -> Segments:
@@ -149,7 +149,7 @@ class SolvedChute:
 
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
-        found = find_in_spec(Written(self.spec, self.data, self.count))
+        found = find_in_spec(Written(self.spec, self.data, self.design, self.count))
         return in_order([*found, *self.trajectory.findings(self.receiver, self.inlet, self.edges)])
 
     def stations(

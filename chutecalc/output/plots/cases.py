@@ -126,7 +126,7 @@ def handles(lines: Sequence[CaseLine]) -> dict[str, Any]:
 
 
 def case_notes(cases: Cases, units: str, width: float) -> list[str]:
-    """Return lines of text for each operating state: its outcome, and what the design point does not have.
+    """Return lines of text for each operating state: its outcome, and what it has to tell beside the design point.
 
     Args:
         cases: the states of one design.

@@ -19,7 +19,7 @@ from chutecalc.spec.limits import LIMITS
     source=LIMITS["max_impact_angle_deg"].source,
 )
 def steep_impact(scene: Scene) -> Iterator[Case]:
-    """Find impacts steeper than the limit, 20° by default (rule of thumb).
+    """Find impacts steeper than the limit, 20° by default (rule of thumb), and of the edges those that are steeper yet.
 
     Args:
         scene: the segment with the stream along it.
@@ -42,4 +42,19 @@ def steep_impact(scene: Scene) -> Iterator[Case]:
             "after_m_s": arrival.impact.velocity_after,
             "pressure_kpa": arrival.impact.pressure / 1000.0,
         },
+        badness=incidence,
     )
+    for edge in scene.edges:
+        own = edge.numbers["incidence_deg"]
+        which = f"free surface of the stream that leaves {edge.leaves}" if edge.leaves else f"{edge.name} edge"
+        template = (
+            f"the {which} strikes the surface at {{incidence_deg}} (limit {{limit_deg}}, rule of thumb), with"
+            " {velocity_m_s}; align the surface with the stream there too"
+        )
+        yield Case(
+            (edge.number == scene.solved.number) & (own > limit) & ~(own <= incidence),
+            edge.s_m,
+            template,
+            {"incidence_deg": own, "limit_deg": limit, "velocity_m_s": edge.numbers["landing_velocity_m_s"]},
+            badness=own,
+        )

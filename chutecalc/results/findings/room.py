@@ -38,7 +38,8 @@ def overfull(scene: Scene) -> Iterator[Case]:
         " wider section" + ("" if closed else " or higher walls")
     )
     mask = (fullest.value > limit) & np.isfinite(fullest.value)
-    yield Case(mask, scene.distance(fullest.share), template, {"fill": fullest.value, "limit": limit})
+    numbers = {"fill": fullest.value, "limit": limit}
+    yield Case(mask, scene.distance(fullest.share), template, numbers, badness=fullest.value)
 
 
 @criterion(
@@ -63,7 +64,8 @@ def fine_stream(scene: Scene) -> Iterator[Case]:
         " one by one rather than flow, so velocities are rough; check them with a discrete-element simulation"
     )
     numbers = {"depth_m": least.value, "lump_m": lump, "limit": limit}
-    yield Case(least.value < limit * lump, scene.distance(least.share), template, numbers)
+    badness = -least.value / lump
+    yield Case(least.value < limit * lump, scene.distance(least.share), template, numbers, badness=badness)
 
 
 @criterion(
@@ -93,7 +95,8 @@ def narrow_for_lumps(scene: Scene) -> Iterator[Case]:
     )
     s = np.where(widths[0] <= widths[1], scene.solved.entry.distance, scene.solved.exit.distance)
     there = np.isfinite(scene.solved.entry.distance)
-    yield Case(there & (width < limit * lump), s, template, {"width_m": width, "lump_m": lump, "limit": limit})
+    numbers = {"width_m": width, "lump_m": lump, "limit": limit}
+    yield Case(there & (width < limit * lump), s, template, numbers, badness=-width / lump)
 
 
 def _width(scene: Scene, section: Any, height: Array) -> Array:

@@ -45,14 +45,14 @@ def decelerating(scene: Scene) -> Iterator[Case]:
         " {friction_deg}), so the stream decelerates; make the slope steeper or reduce the friction"
     )
     angle = np.degrees(np.arctan(friction))
-    yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle})
+    yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle}, badness=angle - slope)
     numbers = {"critical_velocity_m_s": critical, "slope_deg": slope}
     stalled = (velocity == 0.0) & ~flat
     template = (
         "the stream runs below the critical velocity of {critical_velocity_m_s}, where friction brings it to a stall"
         " on a slope of {slope_deg}; make the slope steeper or reduce the friction"
     )
-    yield Case(stalled, s, template, numbers)
+    yield Case(stalled, s, template, numbers, badness=critical)
     margin, limit = velocity / critical, scene.limit("min_velocity_margin")
     template = (
         "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
@@ -63,6 +63,7 @@ def decelerating(scene: Scene) -> Iterator[Case]:
         s,
         template,
         numbers | {"velocity_m_s": velocity, "margin": margin, "limit": limit},
+        badness=-margin,
     )
 
 
@@ -91,4 +92,4 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
     )
     mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     numbers = {"slope_deg": slope, "needed_deg": needed, "margin_deg": margin}
-    yield Case(mask, scene.solved.exit.distance, template, numbers)
+    yield Case(mask, scene.solved.exit.distance, template, numbers, badness=needed - slope)
