@@ -23,8 +23,8 @@ BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "sta
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
 SLOW_SWEEPS = (
-    "tests/cli/test_sweep.py::test_killed_and_resumed_is_the_same_file",
-    "tests/cli/test_sweep.py::test_interrupted_it_leaves_what_it_has",
+    "tests/cli/sweep/test_resume.py::test_killed_and_resumed_is_the_same_file",
+    "tests/cli/sweep/test_resume.py::test_interrupted_it_leaves_what_it_has",
 )
 """Sweeps of 90,000 designs, which take minutes uncompiled and say nothing more about the solver."""
 

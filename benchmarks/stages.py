@@ -16,8 +16,9 @@ from measure import Report, in_turn, median
 import chutecalc
 from chutecalc.output.dataset import Dataset
 from chutecalc.output.formats.csv import CsvRows
+from chutecalc.output.printer import Printer
+from chutecalc.output.report import print_report
 from chutecalc.output.run import run_dataset
-from chutecalc.output.table import Printer
 from chutecalc.results.cases import Cases
 from chutecalc.solver.chain import run_chain
 from chutecalc.spec.build import build
@@ -50,7 +51,7 @@ def stages(file: Path) -> Tasks:
         "stations, velocity and depth": lambda: again().stations(columns=("velocity_m_s", "depth_m")),
         "stations, all columns": lambda: again().stations(),
         "extremes and findings": lambda: again().findings(),
-        "table": lambda: Printer("metric", io.StringIO()).report(again()),
+        "table": lambda: print_report(Printer("metric", io.StringIO()), again()),
         "CSV file": lambda: write_csv(run_dataset([Cases({DESIGN_POINT: solution})], [{DESIGN_POINT: table}])),
     }
 

@@ -43,8 +43,7 @@ def solving(arguments: list[str], solve: Callable[[chutecalc.Chute], Any]) -> tu
 
     def block(first: int) -> None:
         rows = np.arange(first, min(first + BLOCK, grid.count))
-        pairs = zip(grid.parameters, grid.at(rows), strict=True)
-        solve(chute.vary({path: values for parameter, values in pairs for path in parameter.paths}))
+        solve(chute.vary({path: values for parameter, values in grid.at(rows) for path in parameter.paths}))
 
     start, spent = time.perf_counter(), time.process_time()
     with ThreadPoolExecutor() as pool:

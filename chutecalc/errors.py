@@ -46,7 +46,7 @@ class Fault(NamedTuple):
     """Line of the file; None if it is not known."""
 
     def text(self, source: str) -> str:
-        """Return the fault as a line of text.
+        """Return the fault as a line of text; a character that would not print stands as its escape sequence.
 
         Args:
             source: name of the file.
@@ -57,12 +57,13 @@ class Fault(NamedTuple):
         location = source if self.line is None else f"{source}:{self.line}"
         what = " = ".join(part for part in (self.path, self.given) if part)
         remedy = self.remedy[:1].upper() + self.remedy[1:]
-        return (
+        text = (
             f"{location}: "
             + " ".join(part for part in (what, self.problem) if part)
             + f". {remedy.rstrip('?.')}"
             + ("?" if remedy.endswith("?") else ".")
         )
+        return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
 
 
 class SpecError(ChutecalcError):

@@ -12,8 +12,9 @@ from chutecalc.dem.columns import DEM_COLUMNS
 from chutecalc.fields.units import TEXT, first_unit
 from chutecalc.results.belts import RECEIVER_COLUMNS
 from chutecalc.results.column import Column
-from chutecalc.results.columns import ALL_COLUMNS, COLUMNS
+from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Severity
+from chutecalc.results.finding_columns import FINDING_COLUMNS
 from chutecalc.results.findings import CRITERIA
 from chutecalc.results.impacts import IMPACT_COLUMNS
 from chutecalc.results.loads import LOAD_COLUMNS
@@ -28,7 +29,7 @@ ROW_PREFIXES = ("exit_", "max_", "min_", "receiver_")
 """First words of the columns of a sweep that are made from other columns."""
 CATALOGUES: dict[str, Mapping[str, Column]] = {
     "columns along the stream": COLUMNS,
-    "columns that only findings read": {name: one for name, one in ALL_COLUMNS.items() if one.internal},
+    "columns that only findings read": FINDING_COLUMNS,
     "columns of the receiving belt": RECEIVER_COLUMNS,
     "numbers of an impact": IMPACT_COLUMNS,
     "loads of a segment": LOAD_COLUMNS,

@@ -12,7 +12,8 @@ from chutecalc.api.solution import DEFAULT_COLUMNS
 from chutecalc.api.tolerance import check_tolerance
 from chutecalc.design import select
 from chutecalc.errors import SpecError, UsageError
-from chutecalc.results.columns import AT_EXIT, check_columns, column_names
+from chutecalc.results.column_names import check_columns, column_names
+from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import Exits, solve_exits
 from chutecalc.runtime import cores
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.errors import ExtraMissingError, UsageError
-from chutecalc.results.columns import column_names
+from chutecalc.results.column_names import column_names
 from chutecalc.results.solved import SolvedChute
 
 LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}

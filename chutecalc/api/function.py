@@ -1,51 +1,22 @@
 """A chute as a function from some of its numbers to numbers at its exit: for optimisers, root finders and sweeps."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from threading import Lock
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from chutecalc.api.parameter import Limits, check_distinct, check_names, parameter_at
-from chutecalc.api.tape import Tape, Traced, run_recipe
-from chutecalc.core.replay import Recipe
-from chutecalc.core.single_design import OUTPUTS, SingleDesignSolver, solve_single
+from chutecalc.api.recording import Recording, VariedChute
+from chutecalc.core.single_design import OUTPUTS, solve_single
 from chutecalc.design import Design, Status
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.belts import RECEIVER_COLUMNS, receiver_numbers
 from chutecalc.results.columns import AT_EXIT
-from chutecalc.results.exits import output_numbers, solve_exits
-from chutecalc.results.part import at_exit, exit_needs
-from chutecalc.solver.chain import run_ends, single_design_solver
-from chutecalc.solver.chain_input import DesignRows, first_varied_segment, layout_of, row_columns
-from chutecalc.solver.options import solver_options
+from chutecalc.results.exits import at_exit, exit_needs, output_numbers, solve_exits
 from chutecalc.solver.segment_solution import Ends
-from chutecalc.solver.steel import Steel, enters_vertically, follows_stream, with_steel
-from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
-from chutecalc.spec.operating import is_operating
-
-
-class _Varied(Protocol):
-    """What a function needs of its chute, see :class:`chutecalc.api.chute.Chute`."""
-
-    spec: ChuteSpec
-    design: Design
-
-    @property
-    def drawing(self) -> "_Varied":
-        """The chute at its design point."""
-
-    def vary(self, changes: Mapping[str, Any]) -> Any:
-        """Return variants."""
-
-    def steel_for(self, *states: Design) -> Steel:
-        """Return where segments are drawn that follow the stream."""
-
-    @property
-    def function(self) -> Any:
-        """Makes the function again, in another process."""
 
 
 class Function:
@@ -63,7 +34,7 @@ class Function:
     def __init__(
         self,
         spec: ChuteSpec,
-        chute: _Varied,
+        chute: VariedChute,
         parameters: Mapping[str, Limits | None] | Sequence[str],
         outputs: Iterable[str],
         rtol: float,
@@ -89,7 +60,8 @@ class Function:
         self._direct = set(OUTPUTS) >= set(self.outputs)  # without a profile of the stream at the end
         self._indices = [OUTPUTS.index(name) for name in self.outputs] if self._direct else []
         self._check_outputs(spec)
-        self._trace(spec)
+        needs = exit_needs(self._exit_columns)
+        self._recording = Recording(chute, spec, self.parameters, rtol, needs, self._direct)
 
     def __repr__(self) -> str:
         return f"<Function of {', '.join(self.paths)}: {', '.join(self.outputs)}>"
@@ -102,7 +74,7 @@ class Function:
     @property
     def traced(self) -> bool:
         """Whether calls replay a recording; otherwise each builds a chute."""
-        return self._recipe is not None
+        return self._recording.holds
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -123,9 +95,10 @@ class Function:
             raise UsageError(
                 f"the function takes {len(self.parameters)} value(s), for {', '.join(self.paths)}, not {len(values)}"
             )
-        if self._answer is not None and (not self._limited or self._within_limits(values)):
+        single = self._recording.single_design
+        if single is not None and (not self._limited or self._within_limits(values)):
             with self._lock:
-                known = solve_single(self._answer, values)
+                known = solve_single(single, values)
             if known is not None:
                 return known[self._indices[0]] if len(self._indices) == 1 else tuple(known[k] for k in self._indices)
         rows = _rows(values)
@@ -154,14 +127,9 @@ class Function:
     def _replayed(self, rows: Array) -> list[Array] | None:
         """Return the outputs by the recording; None where it does not hold for all designs."""
         with self._lock:
-            known = None if self._recipe is None else run_recipe(self._recipe, rows)
-        if known is None:
-            return None
-        try:
-            ends = run_ends(self._layout, DesignRows(known, [], self._restart), self.rtol, *self._exit_needs)
-        except SpecError:
-            return None
-        return self._outputs_of(_filled(self._design, known, self._leaves), ends)
+            known = self._recording.replayed(rows)
+        solved = None if known is None else self._recording.solved(known)
+        return None if solved is None else self._outputs_of(*solved)
 
     def _rebuilt(self, values: Array) -> list[Array]:
         """Return the outputs by building a chute of that many designs, without those that cannot be built."""
@@ -208,60 +176,6 @@ class Function:
                 " receiver_ and a receiver column, or error_estimate"
             )
 
-    def _trace(self, spec: ChuteSpec) -> None:
-        """Build the chute once and record what follows from the parameters."""
-        base = self._chute.design
-        self._layout, self._restart = layout_of(base), 0
-        self._exit_needs = exit_needs(self._exit_columns)
-        self._recipe: Recipe | None = None
-        self._answer: SingleDesignSolver | None = None
-        self._design, self._leaves = base, dict[int, int]()
-        steel = self._steel()
-        if steel is None or base.segments[-1].may_end_elsewhere:
-            return
-        before = [parameter.value for parameter in self.parameters]
-        try:
-            self._write(Tape(), spec, steel)
-        except (AttributeError, TypeError, ValueError):
-            pass  # something that a tape cannot record
-        finally:
-            for parameter, value in zip(self.parameters, before, strict=True):
-                parameter.set_value(value)
-
-    def _steel(self) -> Steel | None:
-        """Return the steel on which all calls run; none where each draws it anew; None where that needs a solution."""
-        chute, drawing = self._chute, self._chute.drawing
-        drawn = chute.spec.model.steel == "fixed" and not all(is_operating(path) for path in self.paths)
-        if not drawn:
-            return drawing.steel_for()
-        redrawn_only = drawing is chute and not any(is_operating(path) for path in self.paths)
-        vertical = not any(path.startswith("inlet.") for path in self.paths)
-        vertical = vertical and enters_vertically(drawing.design) and enters_vertically(chute.design)
-        return {} if redrawn_only or not follows_stream(drawing.design, vertical) else None
-
-    def _write(self, tape: Tape, spec: ChuteSpec, steel: Steel) -> None:
-        """Record on a tape what leads to the solver's row of numbers, and what the outputs need beside it."""
-        given = [tape.new_variable(parameter.value_in_unit) for parameter in self.parameters]
-        for parameter, value in zip(self.parameters, given, strict=True):
-            converted = np.multiply(parameter.to_first_unit(value), 1.0)
-            if not parameter.accepts(converted):
-                raise ValueError("no value for the spec")
-            parameter.set_value(converted)
-        stands = spec.model.steel == "fixed" and all(is_operating(path) for path in self.paths)
-        design = with_steel(build(spec, self._chute.drawing.design if stands else None), steel)
-        columns, _, begins = row_columns(design)
-        varied = [number for number, column in enumerate(columns) if isinstance(column, Traced)]
-        self._restart = first_varied_segment(design, begins, varied[0]) if varied else 0
-        leaves = {} if self._direct else {leaf.slot: leaf for leaf in _leaves(design)}
-        self._leaves = {slot: len(columns) + number for number, slot in enumerate(leaves)}
-        self._recipe = tape.recipe([*columns, *leaves.values()])
-        self._design = self._design if self._direct else design
-        if self._direct:
-            alone = tape.recipe(columns, width=1)
-            self._answer = single_design_solver(
-                self._layout, alone, solver_options(self.rtol, dense_output=False), *self._exit_needs
-            )
-
 
 def _rows(values: Sequence[Any]) -> Array:
     """Return arrays and numbers as rows, one for each design."""
@@ -273,24 +187,3 @@ def _rows(values: Sequence[Any]) -> Array:
     except (TypeError, ValueError, OverflowError):
         pass
     raise UsageError("give a number or a 1-dimensional array for each parameter, arrays all of the same length")
-
-
-def _leaves(item: Any) -> Iterator[Traced]:
-    """Yield the traced numbers in a record."""
-    if isinstance(item, Traced):
-        yield item
-    elif isinstance(item, tuple):
-        for part in item:
-            yield from _leaves(part)
-
-
-def _filled(item: Any, known: Array, leaves: Mapping[int, int]) -> Any:
-    """Return a record with its traced numbers replaced by their values."""
-    if not leaves:
-        return item
-    if isinstance(item, Traced):
-        return known[:, leaves[item.slot]]
-    if isinstance(item, tuple):
-        parts = [_filled(each, known, leaves) for each in item]
-        return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
-    return item

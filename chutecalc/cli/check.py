@@ -38,7 +38,7 @@ def check(
     The baseline of spoon.toml is spoon.baseline.toml beside it. Data files have a row for each number that drifted, and
     one for each design without drift, whose columns after tolerance are empty.
     """
-    from chutecalc.output.table import Printer
+    from chutecalc.output.printer import Printer
     from chutecalc.studies.regression.designs import find_designs
     from chutecalc.studies.regression.record import baseline_path
     from chutecalc.studies.regression.report import check_dataset, print_verdicts, write_junit

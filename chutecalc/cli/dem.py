@@ -132,7 +132,7 @@ def _run(campaign: Campaign, options: EngineOptions) -> None:
 def _print(study: Study, outputs: DemOutputs) -> None:
     """Print the tables. If data go to standard output, print failures to standard error instead."""
     from chutecalc.dem.report import failures, print_study
-    from chutecalc.output.table import Printer
+    from chutecalc.output.printer import Printer
 
     if not outputs.to_standard_output:
         print_study(Printer(), study)

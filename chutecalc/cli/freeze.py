@@ -14,14 +14,17 @@ def freeze(
     """Write a spec in which the steel no longer depends on the stream.
 
     What the stream places, start_m after a fall and from_slope_deg of a curve, is written as it is drawn at the design
-    point. Comments stay. The chute remains the same; from then on, edits of the flow leave its steel where it is.
+    point. Comments and line ends stay. The chute remains the same; from then on, edits of the flow leave its steel
+    where it is.
     """
     from chutecalc.api.freeze import freeze as frozen
-    from chutecalc.cli.specs import read_chute
+    from chutecalc.cli.specs import read_with_content
+    from chutecalc.spec.parse import encode
 
     check_targets({"--output": output}, [spec])
     check_openable(output)
-    text = frozen(read_chute(spec))
-    with open_whole(output) as stream:
-        stream.write(text)
+    chute, content = read_with_content(spec)
+    frozen_content = encode(frozen(chute), like=content)
+    with open_whole(output, "wb") as stream:
+        stream.write(frozen_content)
     return 0

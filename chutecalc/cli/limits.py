@@ -5,8 +5,8 @@ EXAMPLES = ("chutecalc limits",)
 
 def limits() -> int:
     """List the limits of findings, the keys of [limits]: unit, default, source, meaning."""
-    from chutecalc.output.limits import limits_table
-    from chutecalc.output.table import Printer
+    from chutecalc.output.catalogue import limits_table
+    from chutecalc.output.printer import Printer
 
     Printer().table(limits_table())
     return 0

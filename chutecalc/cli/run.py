@@ -54,7 +54,8 @@ def run(
     JSON has all other results as well. `chutecalc columns` lists the columns that there are.
     """
     from chutecalc.api.cases import solve_cases
-    from chutecalc.results.columns import COLUMNS, check_columns
+    from chutecalc.results.column_names import check_columns
+    from chutecalc.results.columns import COLUMNS
 
     names = names_of(columns)
     check_columns(names, COLUMNS)
@@ -92,25 +93,28 @@ def _print(
     outputs: RunOutputs,
 ) -> None:
     """Print reports. If rows go to standard output, print findings to standard error instead."""
-    from chutecalc.output.table import Printer
+    from chutecalc.output.printer import Printer
+    from chutecalc.output.report import print_case_findings, print_cases, print_findings, print_report
+    from chutecalc.output.table import StreamTables
     from chutecalc.results.columns import IN_TABLES
 
     if data := outputs.to_standard_output:
         printer = Printer(outputs.units, sys.stderr)
         for states in cases if data.document is None else ():
-            printer.findings(states.main_solution.findings())
-            printer.case_findings(states)
+            print_findings(printer, states.main_solution.findings())
+            print_case_findings(printer, states)
         return
-    printer = Printer(outputs.units, columns=columns or IN_TABLES)
+    printer, columns = Printer(outputs.units), columns or IN_TABLES
+    stream_tables = StreamTables(columns, outputs.units)
     for number, states in enumerate(cases):
         if number:
             printer.text()
-        printer.report(states.main_solution, states.main)
+        print_report(printer, states.main_solution, states.main, columns)
         if len(states.names) > 1:
-            printer.cases(states)
+            print_cases(printer, states)
         if tables:
             printer.text()
-            printer.stations(tables[number][states.main])
+            printer.table(stream_tables.stations(tables[number][states.main]))
         if outputs.chart:
             from chutecalc.output.chart import print_chart
 
@@ -118,7 +122,7 @@ def _print(
             print_chart(printer, states.main_solution)
     if len(cases) > 1:
         printer.text()
-        printer.comparison([states.main_solution for states in cases])
+        printer.table(stream_tables.comparison([states.main_solution for states in cases]))
 
 
 def _status(cases: Sequence[Cases], strict: bool) -> int:

@@ -27,15 +27,30 @@ def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
     Raises:
         UsageError: the file is a baseline.
     """
-    from chutecalc.api.load import load, parse
-    from chutecalc.spec.parse import BASELINE_SUFFIX, decode
+    return read_with_content(spec, changes)[0]
+
+
+def read_with_content(spec: str, changes: dict[str, Any] | None = None) -> tuple[Chute, bytes]:
+    """Return the chute of a spec, and the content of its file.
+
+    Args:
+        spec: path of its file, or ``-`` for standard input.
+        changes: values by key path that replace those of the spec.
+
+    Raises:
+        UsageError: the file is a baseline.
+    """
+    from chutecalc.api.load import parse
+    from chutecalc.spec.parse import BASELINE_SUFFIX, decode, read_bytes
 
     if spec.endswith(BASELINE_SUFFIX):
         chute = spec.removesuffix(BASELINE_SUFFIX) + ".toml"
         raise UsageError(f"{spec} is a baseline, not a chute. Run {chute}.")
     if spec == "-":
-        return parse(decode(sys.stdin.buffer.read(), STANDARD_INPUT), STANDARD_INPUT, changes)
-    return load(spec, changes)
+        content, source = sys.stdin.buffer.read(), STANDARD_INPUT
+    else:
+        content, source = read_bytes(Path(spec)), str(Path(spec))
+    return parse(decode(content, source), source, changes), content
 
 
 def read_source(spec: str) -> str:

@@ -3,82 +3,24 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
-from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.options import JOBS, RTOL, OptionGroup, StationOptions, names_of, with_groups
-from chutecalc.cli.outputs import Outputs
+from chutecalc.cli.options import JOBS, RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.specs import read_chute
+from chutecalc.cli.sweep_options import BestOptions, Keep, StudyOptions, SweepOutputs
 from chutecalc.errors import UsageError
 
 if TYPE_CHECKING:
-    from chutecalc.studies.sweep.block import Top
     from chutecalc.studies.sweep.sweep import Sweep
 
 CONFIRMED_ABOVE = 10_000_000
 """Designs above which a user is asked whether so many are meant."""
-MOST_DRAWN = 1_000_000
-STUDY = "Friction study only"
-"""Heading of its options in the help."""
 EXAMPLES = (
     "chutecalc sweep radius=2:4:0.5 phi=20:30:5 chute.toml --csv designs.csv",
     "chutecalc sweep beta delta=30,40,50 --keep width --plot friction.svg",
 )
-
-
-class Keep(StrEnum):
-    """What stays constant while the chamfer angle varies."""
-
-    BASE = "base"
-    WIDTH = "width"
-    DEPTH = "depth"
-
-
-@dataclass(frozen=True, eq=False)
-class BestOptions(OptionGroup):
-    """Which rows are the best."""
-
-    top: int | None = typer.Option(None, min=1, metavar="N", help="Report only the N best rows, by --by.")
-    by: str | None = typer.Option(None, metavar="COLUMN:max|min", help="What is best, e.g. exit_velocity_m_s:max.")
-
-    def read(self) -> Top | None:
-        """Return the choice of rows, or None for all rows."""
-        from chutecalc.studies.sweep.block import Top
-
-        if self.top is None and self.by is None:
-            return None
-        if self.by is None:
-            raise UsageError("--top needs --by, such as --by exit_velocity_m_s:max.")
-        if self.top is None:
-            raise UsageError("--by needs --top, such as --top 10.")
-        name, _, direction = self.by.rpartition(":")
-        if not name or direction not in ("max", "min"):
-            raise UsageError(f"--by takes COLUMN:max or COLUMN:min, such as exit_velocity_m_s:max, not {self.by}.")
-        return Top(self.top, name, direction == "max")
-
-
-@dataclass(frozen=True, eq=False)
-class StudyOptions(OptionGroup):
-    """Inputs of the friction study beside its angles."""
-
-    phi: float | None = typer.Option(
-        None, metavar="DEG", help="Wall friction angle. Default: 25.", rich_help_panel=STUDY
-    )
-    base: float | None = typer.Option(
-        None, metavar="M", help="Width between square corners. Default: 0.5.", rich_help_panel=STUDY
-    )
-    area: float | None = typer.Option(None, metavar="M2", help="Flow area. Default: 0.05.", rich_help_panel=STUDY)
-
-
-class SweepOutputs(Outputs):
-    """Outputs of a sweep."""
-
-    picture = "lines over one parameter, or contours over two"
-    charted = "two columns over one parameter"
-    has_units = True
 
 
 @with_groups
@@ -120,7 +62,9 @@ def sweep(
     if not specs:
         other: dict[str, Any] = {"zip": parallel, "columns": columns, "resume": resume, "chart": outputs.chart}
         _refuse(vars(best) | vars(stations) | other, "needs a spec: the friction study does not have it")
-        return _friction_study(given, keep, study, outputs)
+        from chutecalc.cli.friction import read_angles, run_friction_study
+
+        return run_friction_study(outputs, keep=keep.value, **read_angles(given), **study.inputs())
     _refuse(vars(study), "belongs to the friction study: with a spec, vary phi or base, or change the spec")
     if not given:
         raise UsageError("nothing is varied: add a parameter, such as beta, rate=500,1000 or segments.1.drop_m=1:3:0.5")
@@ -146,28 +90,10 @@ def sweep(
     )
     if not (names or task.profiles or outputs.files or outputs.plot or task.count > MOST_SHOWN):
         task.columns.append("findings")  # a hundred times the work of the others: for short tables only
-    _check_drawn(task, outputs)
+    outputs.check_drawn(task)
     if task.count > CONFIRMED_ABOVE and not yes:
         _confirm(task)
     return SweepRun(task, outputs, resume, jobs).run()
-
-
-def _friction_study(given: list[str], keep: Keep, study: StudyOptions, outputs: SweepOutputs) -> int:
-    """Run the friction study over the angles given."""
-    from chutecalc.cli.friction import run_friction_study
-    from chutecalc.studies.friction.study import ANGLE_RANGES
-    from chutecalc.studies.sweep.parameters import split_argument
-
-    inputs: dict[str, Any] = {name: value for name, value in vars(study).items() if value is not None}
-    angles: dict[str, Any] = {}
-    for argument in given:
-        name = argument.partition("=")[0].strip()
-        if name not in ANGLE_RANGES:
-            raise UsageError(f"{argument}: without a spec only beta and delta can vary. Add a spec (.toml)")
-        if name in angles:
-            raise UsageError(f"{name} is given twice: remove one of them")
-        angles[name] = split_argument(argument, ANGLE_RANGES)[1].tolist()
-    return run_friction_study(outputs, keep=keep.value, **angles, **inputs)
 
 
 def _refuse(options: dict[str, Any], reason: str) -> None:
@@ -179,27 +105,6 @@ def _refuse(options: dict[str, Any], reason: str) -> None:
     given = [f"--{name}" for name, value in options.items() if value is not None and value is not False]
     if given:
         raise UsageError(f"{', '.join(given)} {reason}")
-
-
-def _check_drawn(sweep: Sweep, outputs: SweepOutputs) -> None:
-    """Check that a picture or a chart can show the rows.
-
-    Raises:
-        UsageError: it cannot.
-    """
-    option, most = ("--chart", 1) if outputs.chart else ("--plot", 2)
-    if not (outputs.plot or outputs.chart):
-        return
-    if sweep.profiles or sweep.top:
-        raise UsageError(f"{option} shows all designs: remove --points, --stations or --top")
-    varied = [parameter.name for parameter in sweep.parameters if len(parameter.values) > 1]
-    if not varied or (len(varied) > most and not sweep.parallel):
-        raise UsageError(
-            f"{option} needs {'one parameter' if most == 1 else 'one or two parameters'} of several values,"
-            f" not {len(varied)}"
-        )
-    if sweep.count > MOST_DRAWN:
-        raise UsageError(f"{option} shows at most {MOST_DRAWN:,} designs, not {sweep.count:,}")
 
 
 def _confirm(sweep: Sweep) -> None:

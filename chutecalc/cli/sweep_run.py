@@ -9,11 +9,12 @@ from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.output.files import STANDARD_STREAM
+from chutecalc.output.printer import Printer
 from chutecalc.output.progress import progress
-from chutecalc.output.table import Printer
 from chutecalc.studies.sweep.block import best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
 from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
+from chutecalc.studies.sweep.solved_blocks import solve_blocks
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import MOST_SHOWN, SHOWN_WITH_FILE, FirstRows
 
@@ -73,7 +74,7 @@ class SweepRun:
     def _solved(self, numbers: list[int]) -> Generator[tuple[int, Block], None, None]:
         """Yield blocks as they are solved, with a progress bar."""
         done = self.sweep.count - sum(self._size(number) for number in numbers)
-        with progress("designs") as show, closing(self.sweep.blocks(numbers, self.jobs)) as blocks:
+        with progress("designs") as show, closing(solve_blocks(self.sweep, numbers, self.jobs)) as blocks:
             show(done, self.sweep.count)
             for number, block in blocks:
                 yield number, block

@@ -6,7 +6,7 @@ from chutecalc.dem.fit import INSENSITIVE, Fit, residual
 from chutecalc.dem.point import Measured
 from chutecalc.dem.study import CLAIM, LAWS, Series, Study
 from chutecalc.output.grid import Grid
-from chutecalc.output.table import COLOURS, Printer
+from chutecalc.output.printer import COLOURS, Printer
 
 SHALLOW = 6.0
 """Depth below which a bed is reported as shallow, in particle diameters (practice)."""

@@ -32,4 +32,6 @@ BeltSlope = Annotated[Number, Quantity("angle", gt=-90, lt=90, plausible=INCLINE
 FrictionAngle = Annotated[Number, Quantity("angle", ge=0, lt=90, plausible=ROUGH)]
 """An angle of friction on a wall or a belt."""
 InternalFrictionAngle = Annotated[Number, Quantity("angle", ge=0, lt=90, plausible=STRONG)]
-Name = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_-]*$")]
+LONGEST_NAME = 32
+"""Characters of a name at most, so that tables of names and numbers fit into 80."""
+Name = Annotated[str, Field(pattern=r"^[A-Za-z_][A-Za-z0-9_-]*$", max_length=LONGEST_NAME)]

@@ -177,6 +177,8 @@ class Table(BaseModel):
             return _detail(location, "must be a table", f"put it under a name of your choice: [{location[0]}.NAME]")
         if kind == "string_pattern_mismatch":
             return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
+        if kind == "string_too_long":
+            return _detail(location, f"has more than {item['ctx']['max_length']} characters", "use a shorter name")
         if kind == "literal_error":
             return _detail(location, f"must be {item['ctx']['expected']}", "correct the value")
         return _detail(location, *_EXPECTED.get(kind, (item["msg"], "correct it")))

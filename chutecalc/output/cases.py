@@ -6,7 +6,7 @@ from typing import Any
 from chutecalc.output.dataset import number
 from chutecalc.output.grid import Grid
 from chutecalc.results.cases import Cases
-from chutecalc.results.finding import Severity
+from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.solved import SolvedChute
 
 CONCERNED = (Severity.FAILURE, Severity.WARNING)
@@ -38,7 +38,7 @@ def cases_table(cases: Cases, units: str) -> Grid:
 
 
 def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str]]:
-    """Yield severity, beginning and rest of a line for failures and warnings that the main state does not have.
+    """Yield severity, beginning and rest of a line for the failures and warnings that cases have to tell.
 
     Args:
         cases: the states of one design.
@@ -47,8 +47,17 @@ def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str
     for name in cases.names:
         for finding in cases.findings(name):
             if finding.severity in CONCERNED:
-                rest = f"  {name}: {finding.subject}: {finding.message(0, units)}"
+                rest = f"  {name}: {finding.subject}: {finding.message(0, units)}{_elsewhere(cases, name, finding)}"
                 yield finding.severity, f"{finding.severity} {finding.code}", rest
+
+
+def _elsewhere(cases: Cases, name: str, finding: Finding) -> str:
+    """Return in which other states a warning holds too, in parentheses; empty for a failure, which each state tells."""
+    states = cases.states_with(finding)
+    others = [state for state in states if state not in (name, cases.main)]
+    parts = ["worse than at the design point"] if cases.main in states else []
+    parts += [f"also in {', '.join(others)}"] if others else []
+    return f" ({'; '.join(parts)})" if parts and finding.severity != Severity.FAILURE else ""
 
 
 def cases_document(cases: Cases, results: Callable[[SolvedChute], dict[str, Any]]) -> dict[str, Any]:

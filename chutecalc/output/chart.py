@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from chutecalc.output.table import Printer
+from chutecalc.output.printer import Printer
 from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Column, Units
 from chutecalc.results.columns import COLUMNS

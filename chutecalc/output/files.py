@@ -86,14 +86,14 @@ def open_whole(target: str, mode: str = "w") -> Iterator[IO[Any]]:
 
     Args:
         target: a path, or ``-`` for standard output.
-        mode: ``w`` for text, ``wb`` for bytes (never to standard output).
+        mode: ``w`` for text, ``wb`` for bytes.
 
     Raises:
         OutputError: it cannot be opened.
         WriteError: it was opened, and then could not be written.
     """
     if target == STANDARD_STREAM:
-        yield sys.stdout
+        yield sys.stdout.buffer if "b" in mode else sys.stdout
     elif os.path.exists(target) and not os.path.isfile(target) and not os.path.isdir(target):
         with _opened(target, target, mode) as stream:  # a device or a pipe: nothing to rename
             yield stream

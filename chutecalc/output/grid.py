@@ -8,19 +8,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from textwrap import wrap
 from typing import TYPE_CHECKING, NamedTuple
-from unicodedata import category, east_asian_width
+
+from chutecalc.output.cells import padded, shortened, width
 
 if TYPE_CHECKING:
     from rich.table import Table
 
 GAP = "  "
 """Text between two columns."""
-ZERO_WIDTH = ("Mn", "Me", "Cf")
-"""Unicode categories of characters without width: marks on the letter before, and format characters."""
 LEAST_WORDS = 24
 """Width that a column of words has at least, beside others, unless it needs less. Long words may need more."""
 LEAST_SHARE = 0.25
 """Share of the width that columns beside the labels have at least, however long the labels are."""
+LEAST_LABEL, LEAST_CELL = 12, 22
+"""Characters that labels, and cells beside them, keep at least: longer than any number, and any code of a finding."""
 
 
 class GridColumn(NamedTuple):
@@ -72,7 +73,8 @@ class Grid:
     def fitted(self, most: int) -> list[Grid]:
         """Return the table as one that fits, or as several of the same rows: the labels, and some of the columns each.
 
-        No number is cut or left out. A row that has nothing beside its labels is in the first table only.
+        No number is cut or left out, but names that leave no room for numbers are shortened. A row that has nothing
+        beside its labels is in the first table only.
 
         Args:
             most: largest width, characters.
@@ -86,19 +88,39 @@ class Grid:
         ['segment  velocity', 'spoon       3.878']
         ['segment   depth', 'spoon    0.1399']
         """
+        table = self._shortened(most - len(self.indent))
         sizes = [
             len(GAP) + (min(size, LEAST_WORDS) if own.words else size)
-            for own, size in zip(self.columns, self._widths(), strict=True)
+            for own, size in zip(table.columns, table._widths(), strict=True)
         ]
-        labels = [k for k, own in enumerate(self.columns) if own.label]
-        others = {k: size for k, size in enumerate(sizes) if not self.columns[k].label}
-        room = most - len(self.indent) + len(GAP) - sum(sizes[k] for k in labels)
+        labels = [k for k, own in enumerate(table.columns) if own.label]
+        others = {k: size for k, size in enumerate(sizes) if not table.columns[k].label}
+        room = most - len(table.indent) + len(GAP) - sum(sizes[k] for k in labels)
         room = max(room, int(LEAST_SHARE * most))
         chosen = _shared(others, room)
         while room > max(others.values(), default=0) and len(_shared(others, room - 1)) == len(chosen):
             room -= 1  # several tables of about the same width
             chosen = _shared(others, room)
-        return [self._part(sorted([*labels, *some]), most, first=k == 0) for k, some in enumerate(chosen)]
+        return [table._part(sorted([*labels, *some]), most, first=k == 0) for k, some in enumerate(chosen)]
+
+    def _shortened(self, most: int) -> Grid:
+        """Return the table with the longest labels shortened until numbers have room, and cells that need more."""
+        widths, table = self._widths(), Grid(self.title, self.indent)
+        labels = [size for size, own in zip(widths, self.columns, strict=True) if own.label]
+        longest, room = max(labels, default=0), most - LEAST_CELL - len(GAP) * len(labels)
+        while longest > LEAST_LABEL and sum(min(size, longest) for size in labels) > room:
+            longest -= 1
+        beside = max(most - sum(min(size, longest) + len(GAP) for size in labels), LEAST_CELL)
+        sizes = [
+            size if own.words else longest if own.label else beside
+            for size, own in zip(widths, self.columns, strict=True)
+        ]
+        for own, size in zip(self.columns, sizes, strict=True):
+            heading = "\n".join(shortened(line, size) for line in own.heading.split("\n"))
+            table.columns.append(own._replace(heading=heading))
+        kept = [size if own.left else max(size, LEAST_CELL) for size, own in zip(sizes, self.columns, strict=True)]
+        table.rows = [[shortened(cell, size) for cell, size in zip(row, kept, strict=True)] for row in self.rows]
+        return table
 
     def _part(self, chosen: Sequence[int], most: int, first: bool) -> Grid:
         """Return a table of some of the columns, whose words are broken where they must."""
@@ -129,7 +151,7 @@ class Grid:
             yield self.title
         widths, left = self._widths(), [column.left for column in self.columns]
         for row in (*self._headings(), *self.rows):
-            cells = map(_padded, row, widths, left)
+            cells = map(padded, row, widths, left)
             yield (self.indent + GAP.join(cells)).rstrip()
 
     def drawn(self) -> Table:
@@ -159,26 +181,6 @@ def _shared(sizes: Mapping[int, int], room: int) -> list[list[int]]:
             groups.append([])
         groups[-1].append(column)
     return groups
-
-
-def width(text: str) -> int:
-    """Return how many columns of a terminal a text takes. Emoji made of several characters count more than they take.
-
-    Args:
-        text: any text.
-
-    >>> width("μ_e"), width("石炭")
-    (3, 4)
-    """
-    if text.isascii():
-        return len(text)
-    return sum(0 if category(letter) in ZERO_WIDTH else 2 if east_asian_width(letter) in "WF" else 1 for letter in text)
-
-
-def _padded(cell: str, size: int, left: bool) -> str:
-    """Return a cell as wide as its column."""
-    space = " " * (size - width(cell))
-    return cell + space if left else space + cell
 
 
 def _broken(row: Sequence[str], column: int, most: int) -> Iterator[Sequence[str]]:

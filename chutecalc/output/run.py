@@ -97,6 +97,8 @@ def _results(
             entry["impact"] = first(segment.impact)
         if segment.loads:
             entry["loads"] = first(segment.loads)
+        if edges := _edges(solution, segment.name):
+            entry["edges"] = edges
         if flights:
             entry["flight"], *again = (_segment(flight, stations, columns) for flight in flights)
             entry |= {"flights_again": again} if again else {}
@@ -104,7 +106,7 @@ def _results(
     return {
         "error_estimate": number(solution.error_estimate[0]),
         "status": str(solution.status[0]),
-        "inlet": first(solution.inlet) | ({"edges": _edges(solution)} if solution.edges else {}),
+        "inlet": first(solution.inlet) | ({"edges": edges} if (edges := _edges(solution, "")) else {}),
         "exit": first(solution.exit),
         "segments": segments,
         "receiver": first(solution.receiver) or None,
@@ -123,9 +125,13 @@ def _results(
     }
 
 
-def _edges(solution: SolvedChute) -> list[dict[str, Any]]:
-    """Return the edges of a stream that comes from a belt."""
-    return [{"name": edge.name, "segment": edge.segment[0] or None, **first(edge.numbers)} for edge in solution.edges]
+def _edges(solution: SolvedChute, leaves: str) -> list[dict[str, Any]]:
+    """Return the edges of the flights that begin at the end of a segment; at the belt if its name is empty."""
+    return [
+        {"name": edge.name, "segment": edge.segment[0] or None, **first(edge.numbers)}
+        for edge in solution.edges
+        if edge.leaves == leaves
+    ]
 
 
 def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, Any]:

@@ -3,53 +3,20 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from chutecalc.physics.arrays import Array, Index
-from chutecalc.results.belts import RECEIVER_COLUMNS
-from chutecalc.results.column import Column
-from chutecalc.results.columns import COLUMNS
 from chutecalc.results.described import html_table, number, outcomes
-from chutecalc.results.extremes import LARGEST, LEAST
-from chutecalc.results.finding import Finding
+from chutecalc.results.finding import Finding, Severity
+from chutecalc.results.measures import MEASURES, Measure
 from chutecalc.results.solved import SolvedChute
 
-
-class Measure(NamedTuple):
-    """A number by which operating states are compared."""
-
-    column: Column
-    source: str
-    """Column of the catalogue that it is taken from."""
-    badness: Any
-    """Function of its values, the larger the worse; None where neither direction is."""
-
-
-def _extreme(prefix: str, name: str, badness: Any) -> Measure:
-    column = COLUMNS[name]
-    known = replace(column, name=f"{prefix}_{name}", heading=f"{prefix} {column.heading}")
-    return Measure(known, name, badness)
-
-
-def _received(name: str, badness: Any) -> Measure:
-    return Measure(replace(RECEIVER_COLUMNS[name], name=f"receiver_{name}"), name, badness)
-
-
-MEASURES = (
-    _extreme("exit", "velocity_m_s", None),
-    _extreme("min", "velocity_m_s", np.negative),
-    _extreme("max", "depth_m", np.positive),
-    _extreme("max", "fill", np.positive),
-    _extreme("max", "pressure_kpa", np.positive),
-    _extreme("max", "wear_w_m2", np.positive),
-    _extreme("min", "sliding_life_h", np.negative),
-    _received("velocity_ratio", lambda ratio: np.abs(ratio - 1.0)),
-    _received("velocity_into_m_s", np.positive),
-)
-"""What states are compared by, in this order."""
-_SIGNS = {"min": LEAST, "max": LARGEST}
+ABSENT, LEAST_BAD = -np.inf, -1e30
+"""Badness of a finding that a state does not have, and the least of one that it has."""
+_SAME = ("code", "subject", "severity", "template")
+"""What findings of two states have in common if only their numbers differ."""
 
 
 class Cases:
@@ -100,11 +67,12 @@ class Cases:
     @cached_property
     def numbers(self) -> dict[str, Array]:
         """What states are compared by: arrays of shape (states, designs) by column name, NaN where there is none."""
-        per_state = [_numbers(solution) for solution in self.solutions.values()]
-        found = {
-            measure.column.name: np.stack([numbers[measure.column.name] for numbers in per_state])
-            for measure in MEASURES
-        }
+        found = {}
+        for measure in MEASURES:
+            values = [(measure.of(solution), solution.count) for solution in self.solutions.values()]
+            found[measure.column.name] = np.stack(
+                [np.full(count, np.nan) if each is None else np.broadcast_to(each, count) for each, count in values]
+            )
         return {name: values for name, values in found.items() if not np.isnan(values).all()}
 
     @cached_property
@@ -127,18 +95,44 @@ class Cases:
     def _named(self, state: Index, known: Any) -> Any:
         return np.where(known, np.array(self.names)[state], "")
 
+    @cached_property
+    def _found(self) -> dict[str, list[Finding]]:
+        """All findings by the name of the state."""
+        return {name: solution.findings() for name, solution in self.solutions.items()}
+
     def findings(self, name: str) -> list[Finding]:
-        """Return the findings of a state that the one shown in full does not have.
+        """Return what a state has to tell beside the one shown in full.
+
+        Those are the failures that that one does not have, and the warnings and notes that are worst in this state.
 
         Args:
             name: of the state.
         """
-        known = {(finding.code, finding.segment, finding.severity) for finding in self.main_solution.findings()}
-        return [
-            finding
-            for finding in self[name].findings()
-            if (finding.code, finding.segment, finding.severity) not in known
-        ]
+        own, told = self[name], []
+        number = self.names.index(name)
+        for finding in self._found[name] if own is not self.main_solution else ():
+            badness = np.stack([self._badness(state, finding) for state in self.names])
+            news = badness[0] == ABSENT if finding.severity == Severity.FAILURE else badness.argmax(axis=0) == number
+            if (mask := finding.mask & news).any():
+                told.append(replace(finding, mask=mask))
+        return told
+
+    def states_with(self, finding: Finding, design: int = 0) -> list[str]:
+        """Return the names of the states that have a finding, whatever its numbers are there.
+
+        Args:
+            finding: of any state.
+            design: index of the design, from 0.
+        """
+        return [name for name in self.names if self._badness(name, finding)[design] > ABSENT]
+
+    def _badness(self, name: str, finding: Finding) -> Array:
+        """Return how bad a finding is in a state, shape (designs,), with so few digits that rounding does not count."""
+        worst = np.full(finding.mask.shape, ABSENT)
+        for same in self._found[name]:
+            if all(getattr(same, field) == getattr(finding, field) for field in _SAME):
+                worst = np.where(same.mask, np.fmax(worst, np.fmax(same.badness, LEAST_BAD)), worst)
+        return worst.astype(np.float32)
 
     def __repr__(self) -> str:
         ends = (f"{name} {outcomes(solution.status)}" for name, solution in self.solutions.items())
@@ -157,20 +151,3 @@ class Cases:
     def measures(self) -> list[Measure]:
         """What these states can be compared by."""
         return [measure for measure in MEASURES if measure.column.name in self.numbers]
-
-
-def _numbers(solution: SolvedChute) -> dict[str, Array]:
-    """Return the numbers of one state by column name, each of shape (designs,)."""
-    none = np.full(solution.count, np.nan)
-    extremes_of = [(m.source, _SIGNS[m.column.name[:3]]) for m in MEASURES if m.column.name[:3] in _SIGNS]
-    extremes = solution.trajectory.extreme_columns(extremes_of)
-    found = {}
-    for measure in MEASURES:
-        name = measure.column.name
-        if name.startswith("exit_"):
-            found[name] = solution.exit_columns((measure.source,))[measure.source]
-        elif name.startswith("receiver_"):
-            found[name] = solution.receiver.get(measure.source, none)
-        else:
-            found[name] = np.broadcast_to(extremes[measure.source, _SIGNS[name[:3]]], solution.count)
-    return found

@@ -1,153 +1,41 @@
 """The catalogue of the columns along a stream: all that is known of each stands in its entry, and nowhere else.
 
 To add a column, add an entry. Tables, charts, CSV, JSON, sweeps, ``chutecalc columns`` and docs/nomenclature.md read
-the catalogue. A formula takes the part of the trajectory (see :class:`chutecalc.results.part.SegmentContext`) and the
-profile of the stream there (see :class:`chutecalc.solver.contact_profile.ContactProfile`), whose arrays are of
-shape (stations, designs), SI and radians.
+the catalogue. A formula takes the part of the trajectory (see
+:class:`chutecalc.results.segment_context.SegmentContext`) and the profile of the stream there (see
+:class:`chutecalc.solver.contact_profile.ContactProfile`), whose arrays are of shape (stations, designs), SI and
+radians.
 """
 
-from collections.abc import Callable, Collection, Iterable
-from dataclasses import dataclass
-from enum import Enum, Flag
 from typing import Any
 
 import numpy as np
 
-from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.loads import liner_life
-from chutecalc.physics.wall import wall_friction
-from chutecalc.results.column import Column
+from chutecalc.results.segment_context import SegmentContext, between_facets, on_arc, on_surface, on_wearing_liner
+from chutecalc.results.stream_column import Extremes, Needs, StreamColumn
 
 LEAST_NORMAL = 1e-9
 """Ratio to gravity: with less normal acceleration the stream is about to leave its surface, and dividing by it gives
 noise."""
-
-
 HOUR = 3600.0
 """Seconds of an hour."""
 
 
-class Extremes(Enum):
-    """Where the least and largest values of a column are reported."""
-
-    NONE = 0
-    ON_REQUEST = 1
-    """Reported in sweeps, as ``max_`` and ``min_`` columns."""
-    REPORTED = 2
-    """There, and for each segment in tables, JSON and baselines."""
-
-
-class Needs(Flag):
-    """What the solver must work out at the end of a chute for the value of a column there."""
-
-    NOTHING = 0
-    DEPTH = 1
-    """How the stream fills the section: depth, width, wetted lengths."""
-    WALLS = 2
-    """What the walls carry: pressures and friction."""
-    WHOLE_PATH = 4
-    """All that comes before, so that there is no such column at an exit alone."""
-
-
-def everywhere(part: Any) -> bool:
-    """Return that a column exists on surfaces and in flight.
-
-    Args:
-        part: the part of the trajectory.
-    """
-    return True
-
-
-def on_surface(part: Any) -> bool:
-    """Return whether the part follows a guiding surface.
-
-    Args:
-        part: the part of the trajectory.
-    """
-    return bool(part.guided)
-
-
-def on_arc(part: Any) -> bool:
-    """Return whether the part follows an arc.
-
-    Args:
-        part: the part of the trajectory.
-    """
-    return bool(part.on_arc)
-
-
-def on_wearing_liner(part: Any) -> bool:
-    """Return whether the part follows a liner whose life can be told: its thickness and wear rate are known.
-
-    Args:
-        part: the part of the trajectory.
-    """
-    return bool(part.guided) and part.segment.thickness is not None and part.segment.wear_rate is not None
-
-
-def between_facets(part: Any) -> bool:
-    """Return whether the part has a section with drawn facets beside its centre.
-
-    Args:
-        part: the part of the trajectory.
-    """
-    return bool(part.between_facets)
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class StreamColumn(Column):
-    """A column along the stream, with its formula."""
-
-    formula: Callable[[Any, Any], Array] | None = None
-    """Function of the part and the profile that returns the values; None for text."""
-    exists: Callable[[Any], bool] = everywhere
-    needs: Needs = Needs.DEPTH | Needs.WALLS
-    extremes: Extremes = Extremes.ON_REQUEST
-    in_tables: bool = False
-    """Whether the tables for people show it."""
-    internal: bool = False
-    """Whether findings alone ask for it: it stands in no table and no file."""
-    infinite_at_lift_off: bool = False
-    """Whether it grows without bound where a stream leaves its surface."""
-
-    def values(self, part: Any, profile: Any) -> Array:
-        """Return the column along a part of the trajectory.
-
-        Args:
-            part: the part.
-            profile: the stream there.
-
-        Returns:
-            Values of the profile's shape or broadcastable to it; one NaN where the column does not exist.
-        """
-        if self.formula is None or not self.exists(part):
-            return np.full((1, 1), np.nan)
-        return self.formula(part, profile)
-
-
-def _froude(part: Any, at: Any) -> Array:
+def _froude(part: SegmentContext, at: Any) -> Array:
     """Return the Froude number, v/√(n A/b_s)."""
     pressed = at.normal_acceleration > LEAST_NORMAL * part.design.gravity
     froude: Array = np.where(pressed, at.velocity / np.sqrt(at.normal_acceleration * at.area / at.width), np.nan)
     return froude
 
 
-def _liner_life(part: Any, at: Any) -> Array:
+def _liner_life(part: SegmentContext, at: Any) -> Array:
     """Return the time to wear through the liner where it wears most across the section, h."""
-    wear = np.fmax.reduce([at.wear(wall) for wall in range(3)]) * part.slip_ratio
-    return liner_life(part.segment.thickness, part.segment.wear_rate, wear) / HOUR
-
-
-def _clearing_margin(part: Any, at: Any) -> Array:
-    """Return a - atan(μ_e) of a bed at rest as deep as the stream, deg: of a locus at the pressure of its weight."""
-    friction, wall = at.friction, part.segment.wall
-    if wall.changes:
-        weight = at.stress * part.design.gravity * np.cos(at.slope) / at.normal_acceleration
-        one_and_excess = np.where(at.wall_friction > 0.0, friction / at.wall_friction, 1.0)
-        friction = wall_friction(wall, weight) * one_and_excess
-    margin: Array = np.degrees(at.slope - np.arctan(friction))
-    return margin
+    thickness, rate = part.surface.thickness, part.surface.wear_rate
+    assert thickness is not None
+    assert rate is not None
+    return liner_life(thickness, rate, np.fmax.reduce([at.wear(wall) for wall in range(3)]) * part.slip_ratio) / HOUR
 
 
 # fmt: off
@@ -219,38 +107,10 @@ _CATALOGUE = (
                  needs=Needs.WALLS, source="Roberts (2003)"),
     StreamColumn("sliding_life_h", "sliding life", "", "time until sliding wears through the liner, at its worst",
                  "time", "h", 0, formula=_liner_life, exists=on_wearing_liner, needs=Needs.WALLS),
-
-    StreamColumn("thickness", "H/b", "H/b", "depth over the stream's greatest width", "number", internal=True,
-                 formula=lambda part, at: at.depth / at.greatest_width, exists=on_surface),
-    StreamColumn("missing_load", "m", "m", "share of the weight that hydrostatic wall pressures do not carry",
-                 "number", internal=True,
-                 formula=lambda part, at: at.missing, exists=on_surface, source="Paper Eq 6"),
-    StreamColumn("wall_friction", "μ", "μ", "wall friction on the centre section", "number", internal=True,
-                 formula=lambda part, at: at.wall_friction, exists=on_surface, source="Paper Eq 2"),
-    StreamColumn("wall_stress_kpa", "σ", "σ", "normal stress at which the wall's friction is read",
-                 "pressure", "kpa", internal=True,
-                 formula=lambda part, at: at.stress / 1000.0, exists=on_surface),
-    StreamColumn("clearing_margin_deg", "margin", "", "slope above the equivalent friction angle of what stands there",
-                 "angle", "deg", internal=True, formula=_clearing_margin, exists=on_surface),
-    StreamColumn("top_m", "top", "", "height of the section's drawn top above its floor", "length", "m", internal=True,
-                 formula=lambda part, at: at.top, exists=on_surface),
-    StreamColumn("above_top_m", "above top", "", "depth above the section's drawn top", "length", "m", internal=True,
-                 formula=lambda part, at: at.depth - at.top, exists=on_surface),
-    StreamColumn("equilibrium_friction", "μ_e", "μ_e", "equivalent friction of the equilibrium law",
-                 "number", internal=True,
-                 formula=lambda part, at: at.equilibrium_friction, exists=on_surface),
-    StreamColumn("balance_m_s", "v_c", "v_c", "velocity below which friction slows the stream",
-                 "velocity", "m_s", internal=True,
-                 formula=lambda part, at: at.critical_velocity, exists=on_surface),
-    StreamColumn("balance_margin", "v/v_c", "v/v_c", "velocity over that below which friction slows the stream",
-                 "number", internal=True,
-                 formula=lambda part, at: at.velocity / at.critical_velocity, exists=on_surface),
 )
 # fmt: on
 
-ALL_COLUMNS = {column.name: column for column in _CATALOGUE}
-"""Every entry by name, those that only findings ask for included."""
-COLUMNS = {name: column for name, column in ALL_COLUMNS.items() if not column.internal}
+COLUMNS = {column.name: column for column in _CATALOGUE}
 """Station columns in the order of the CSV."""
 NUMERIC = tuple(name for name, column in COLUMNS.items() if column.formula is not None)
 """Names of the columns of numbers."""
@@ -262,56 +122,3 @@ AT_STATION = tuple(name for name in COLUMNS if name not in ("spec", "case"))
 """Names of the columns of a solution at its stations."""
 AT_EXIT = tuple(name for name in NUMERIC if Needs.WHOLE_PATH not in COLUMNS[name].needs)
 """Names of the columns that exist at an exit alone."""
-NEEDING_DEPTH = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.DEPTH in column.needs)
-NEEDING_WALLS = frozenset(name for name, column in ALL_COLUMNS.items() if Needs.WALLS in column.needs)
-"""Names of the columns for which the solver has to work that out at an exit."""
-
-
-def column_names(names: Iterable[str]) -> list[str]:
-    """Return names of columns as a list, also where one name is given alone.
-
-    Args:
-        names: of columns, or one name.
-
-    >>> column_names("depth_m"), column_names(("s_m", "depth_m"))
-    (['depth_m'], ['s_m', 'depth_m'])
-    """
-    return [names] if isinstance(names, str) else list(names)
-
-
-def check_columns(names: Iterable[str], known: Collection[str], where: str = "") -> None:
-    """Check that columns exist.
-
-    Args:
-        names: of columns.
-        known: names of the columns that exist.
-        where: where they exist, for the message.
-
-    Raises:
-        UsageError: a name is unknown.
-
-    >>> check_columns(["depth"], COLUMNS)
-    Traceback (most recent call last):
-    chutecalc.errors.UsageError: there is no column depth. Did you mean depth_m? `chutecalc columns` lists all
-    """
-    unknown = [name for name in names if name not in known]
-    if unknown:
-        raise UsageError(
-            f"there is no column {', '.join(unknown)}{where}. {closest(unknown, known)}`chutecalc columns` lists all"
-        )
-
-
-def closest(unknown: Iterable[str], known: Collection[str]) -> str:
-    """Return a question that offers known names in place of unknown ones, with a space behind; empty without any.
-
-    Args:
-        unknown: names.
-        known: names.
-
-    >>> closest(["depth", "nope"], COLUMNS)
-    'Did you mean depth_m? '
-    """
-    from difflib import get_close_matches
-
-    matches = [match for name in unknown for match in get_close_matches(name, known, n=1)]
-    return f"Did you mean {', '.join(matches)}? " if matches else ""

@@ -1,17 +1,24 @@
 """The stream at the end of many designs, without what lies before it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from chutecalc.design import Design, Status, stretched
+import numpy as np
+
+from chutecalc.design import Contact, Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import receiver_numbers
+from chutecalc.results.columns import COLUMNS
 from chutecalc.results.described import html_table, number, outcomes, status_text
-from chutecalc.results.part import at_exit, exit_needs
+from chutecalc.results.segment_context import SegmentContext
+from chutecalc.results.stream_column import Needs
 from chutecalc.results.trajectory import Trajectory
 from chutecalc.solver.chain import run_chain, run_ends
 from chutecalc.solver.chain_input import design_rows, layout_of
+from chutecalc.solver.contact_profile import EndContactProfile
+from chutecalc.solver.flight_profile import EndFlightProfile
+from chutecalc.solver.segment_solution import Ends
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -79,6 +86,39 @@ def solve_exits(design: Design, rtol: float, names: Sequence[str], count: int) -
         exit=whole(found),
         receiver=whole(belt),
     )
+
+
+def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
+    """Return columns at the end of the chute.
+
+    Args:
+        design: the chutes.
+        ends: how they end, solved with what :func:`exit_needs` gives for these columns.
+        names: of columns, among :data:`chutecalc.results.columns.AT_EXIT`.
+
+    Returns:
+        Arrays of shape (designs,) by name, NaN where a design fails.
+    """
+    last = design.segments[-1]
+    context, ok = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
+    profile = EndContactProfile if context.guided else EndFlightProfile
+    at = profile(ends, design.volume_rate)
+    with np.errstate(all="ignore"):
+        columns = {name: COLUMNS[name].values(context, at)[0] for name in names}
+    return {name: np.where(ok, values, np.nan) for name, values in columns.items()}
+
+
+def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:
+    """Return what the solver must work out at the exit for some columns.
+
+    Args:
+        names: of columns.
+
+    Returns:
+        Whether they need how the stream fills the section, and what the walls carry.
+    """
+    needs = [COLUMNS[name].needs for name in names]
+    return any(Needs.DEPTH in each for each in needs), any(Needs.WALLS in each for each in needs)
 
 
 def output_numbers(exit_: Numbers, belt: Numbers, error: Array) -> Numbers:

@@ -39,7 +39,7 @@ def extremes(part: Part, sampled: Numbers, shares: Array, extremes_of: Sequence[
     Args:
         part: of the trajectory.
         sampled: its columns at the samples, each of shape (samples, designs).
-        shares: of the samples, dimensionless, as :meth:`~chutecalc.results.part.Part.shares` gives them: between
+        shares: of the samples, dimensionless, as :func:`~chutecalc.results.sampled.sample_shares` gives them: between
             neighbours all is smooth.
         extremes_of: pairs of a column's name and ``LEAST`` or ``LARGEST``.
 

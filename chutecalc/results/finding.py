@@ -58,6 +58,8 @@ class Finding:
     number alone."""
     numbers: Numbers
     """The numbers that led to the finding; names end in their units."""
+    badness: Array
+    """How bad it is, the larger the worse: comparable with the same finding of another operating state."""
     key: str = ""
     """Path of the key of the spec concerned, where the finding is about no segment; else empty."""
 

@@ -8,62 +8,18 @@ from functools import cached_property
 
 import numpy as np
 
-from chutecalc.core.profile import flight_lengths
-from chutecalc.design import Contact, Design, Segment, Status, stretched
+from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Numbers
-from chutecalc.physics.section import Polygon
-from chutecalc.results.columns import ALL_COLUMNS, NEEDING_DEPTH, NEEDING_WALLS
+from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.impacts import impact_of
-from chutecalc.solver.contact_profile import ContactProfile, EndContactProfile
-from chutecalc.solver.flight_profile import EndFlightProfile, FlightProfile
-from chutecalc.solver.segment_solution import ContactSolution, Ends, SegmentSolution
+from chutecalc.results.limits_at_end import limits_at_end
+from chutecalc.results.segment_context import SegmentContext
+from chutecalc.solver.contact_profile import ContactProfile
+from chutecalc.solver.flight_profile import FlightProfile
+from chutecalc.solver.segment_solution import ContactSolution, SegmentSolution
 
 FLIGHT = "flight"
 """Kind of the parts that lead through the air to a segment, and what their names end in."""
-FLIGHT_SHARES = np.linspace(0.0, 1.0, 65)
-"""Shares at which a flight is sampled: all is smooth along it."""
-AT_REST = (1e-40, 1e-44)
-"""Two values of v², m²/s², so near rest that a quantity with a limit there has reached it to the last digit."""
-LIFT_OFF = 1e-6
-"""Ratio to gravity of the normal acceleration below which contact was lost by it falling to 0."""
-
-Profile = FlightProfile | ContactProfile
-
-
-class SegmentContext:
-    """What formulas of columns read besides the stream: the segment, its chute, and whether a surface guides it."""
-
-    def __init__(self, segment: Segment, design: Design, guided: bool) -> None:
-        """Take what formulas read.
-
-        Args:
-            segment: its description.
-            design: the chutes.
-            guided: whether the stream follows a surface here.
-        """
-        self.segment, self.design, self.guided = segment, design, guided
-
-    @cached_property
-    def start_time(self) -> Array:
-        """Time from the inlet to the start, s; NaN, as only a part of a whole trajectory knows it."""
-        return np.full(1, np.nan)
-
-    @property
-    def slip_ratio(self) -> Array:
-        """Slip velocity at the wall over mean velocity, dimensionless."""
-        assert isinstance(self.segment, Contact)
-        return self.segment.slip_ratio
-
-    @property
-    def between_facets(self) -> bool:
-        """Whether the section has drawn facets beside its centre."""
-        section = self.segment.section if isinstance(self.segment, Contact) else None
-        return self.guided and isinstance(section, Polygon) and bool(section.lengths)
-
-    @property
-    def on_arc(self) -> bool:
-        """Whether the stream follows an arc."""
-        return self.guided and isinstance(self.segment, Contact) and self.segment.radius is not None
 
 
 class Part(SegmentContext):
@@ -136,35 +92,6 @@ class Part(SegmentContext):
         """Return each design's impact on the segment, see :func:`chutecalc.results.impacts.impact_of`."""
         return {} if self.contact is None else impact_of(self.contact.arrival, self.slip_ratio)
 
-    def shares(self) -> Array:
-        """Return shares of the length travelled that resolve all columns: 0, the knots of the solver's panels, and 1.
-
-        Between two neighbours everything is smooth, as panels end at kinks.
-
-        Returns:
-            Shares of shape (samples,) where they are the same for all designs, else (samples, designs); a design with
-            fewer samples repeats its end.
-        """
-        begin, end = self.span()
-        if self.contact is None:
-            _, _, _, downward, gravity = self.solved.path
-            rises = (downward < 0.0) & (end > 0.0)
-            if not rises.any():
-                return FLIGHT_SHARES
-            top = np.minimum(-downward / gravity, self.solved.flight_time)[None]  # next to it the velocity has its dip
-            length = np.empty(top.shape)
-            flight_lengths(self.solved.path, top, length)
-            share = np.where(rises, length[0] / np.where(rises, end, 1.0), 1.0)
-            return np.sort(np.concatenate([np.repeat(FLIGHT_SHARES[:, None], len(share), axis=1), share[None]]), axis=0)
-        positions = self.contact.panels.knot_shares()
-        length = np.where(end > begin, end - begin, np.inf)
-        shares = np.ones((len(positions) + 1, len(begin)))
-        shares[0] = 0.0
-        inside = np.clip((positions - begin) / length, 0.0, 1.0)
-        shares[1:] = np.where(np.isnan(inside), 1.0, inside)
-        alike = (shares == shares[:, :1]).all()
-        return shares[:, 0] if alike else shares
-
     def limits(self, names: Iterable[str]) -> Numbers:
         """Return the limits of columns at the end of the part.
 
@@ -177,24 +104,7 @@ class Part(SegmentContext):
         Returns:
             Arrays of shape (designs,) by name.
         """
-        with np.errstate(all="ignore"):
-            at = self._profile(np.ones(1))
-            values = {name: ALL_COLUMNS[name].values(self, at)[0] for name in names}
-            if not isinstance(at, ContactProfile):
-                return values
-            rest = at.velocity_squared[0] == 0.0
-            if rest.any():
-                slow, slower = (at.with_velocity_squared(tiny) for tiny in AT_REST)
-                for name, there in values.items():
-                    near, nearer = (ALL_COLUMNS[name].values(self, one)[0] for one in (slow, slower))
-                    tends = np.where(np.abs(nearer) > 2.0 * np.abs(near), np.copysign(np.inf, near), near)
-                    values[name] = np.where(rest, np.where(np.abs(nearer) < 0.5 * np.abs(near), 0.0, tends), there)
-            for name in values:
-                if ALL_COLUMNS[name].infinite_at_lift_off:
-                    lost = self.solved.status == Status.CONTACT_LOST
-                    lost = lost & (np.abs(at.normal_acceleration[0]) < LIFT_OFF * self.design.gravity)
-                    values[name] = np.where(lost, np.inf, values[name])
-        return values
+        return limits_at_end(self, self._profile(np.ones(1)), self.solved.status == Status.CONTACT_LOST, names)
 
     def at(self, shares: Array, names: Iterable[str]) -> Numbers:
         """Return columns at shares of the length travelled.
@@ -213,7 +123,7 @@ class Part(SegmentContext):
         shape = at.shape if len(shapes) == 1 else np.broadcast_shapes(*shapes)
         return {name: stretched(column, shape) for name, column in values.items()}
 
-    def _profile(self, shares: Array) -> Profile:
+    def _profile(self, shares: Array) -> FlightProfile | ContactProfile:
         each = shares[:, None] if shares.ndim == 1 else shares
         solved = self.solved
         # Designs may differ in what the stream does not feel, such as slip at walls: then they are solved as one.
@@ -225,37 +135,3 @@ class Part(SegmentContext):
             return FlightProfile(solved, self.design.volume_rate, positions)
         assert solved.contact is not None
         return ContactProfile(solved, solved.contact, self.design.volume_rate, positions)
-
-
-def at_exit(design: Design, ends: Ends, names: Iterable[str]) -> Numbers:
-    """Return columns at the end of the chute.
-
-    Args:
-        design: the chutes.
-        ends: how they end, solved with what :func:`exit_needs` gives for these columns.
-        names: of columns, among :data:`chutecalc.results.columns.AT_EXIT`.
-
-    Returns:
-        Arrays of shape (designs,) by name, NaN where a design fails.
-    """
-    last = design.segments[-1]
-    context, ok = SegmentContext(last, design, isinstance(last, Contact)), ends.status == Status.OK
-    at: Profile = (
-        EndContactProfile(ends, design.volume_rate) if context.guided else EndFlightProfile(ends, design.volume_rate)
-    )
-    with np.errstate(all="ignore"):
-        columns = {name: ALL_COLUMNS[name].values(context, at)[0] for name in names}
-    return {name: np.where(ok, values, np.nan) for name, values in columns.items()}
-
-
-def exit_needs(names: Iterable[str]) -> tuple[bool, bool]:
-    """Return what the solver must work out at the exit for some columns.
-
-    Args:
-        names: of columns.
-
-    Returns:
-        Whether they need how the stream fills the section, and what the walls carry.
-    """
-    names = set(names)
-    return not names.isdisjoint(NEEDING_DEPTH), not names.isdisjoint(NEEDING_WALLS)

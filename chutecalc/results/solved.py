@@ -9,13 +9,14 @@ import numpy as np
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.belts import receiver_numbers
-from chutecalc.results.columns import AT_STATION, NUMERIC, check_columns, column_names
-from chutecalc.results.criterion import Written
+from chutecalc.results.column_names import check_columns, column_names
+from chutecalc.results.columns import AT_STATION, NUMERIC
 from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge, stream_edges
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import find_in_spec, in_order
 from chutecalc.results.inlet import inlet_numbers
+from chutecalc.results.scene import Written
 from chutecalc.results.segments import SegmentResult, Segments
 from chutecalc.results.stations import at_stations
 from chutecalc.results.trajectory import Trajectory
@@ -133,8 +134,8 @@ class SolvedChute:
 
     @cached_property
     def edges(self) -> list[Edge]:
-        """Lower edge, middle and upper edge of a stream from a belt, and where they land; empty without a depth."""
-        return stream_edges(self.design, self.trajectory.segment_solutions, self.rtol, self.count)
+        """The edges of each flight of a stream with a depth, and where they land: those from a belt come first."""
+        return stream_edges(self.design, self.trajectory.parts, self.rtol, self.count)
 
     @property
     def segments(self) -> Segments:
@@ -148,7 +149,7 @@ class SolvedChute:
 
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
-        found = find_in_spec(Written(self.spec, self.data, self.count))
+        found = find_in_spec(Written(self.spec, self.data, self.design, self.count))
         return in_order([*found, *self.trajectory.findings(self.receiver, self.inlet, self.edges)])
 
     def stations(

@@ -9,7 +9,8 @@ import numpy as np
 from chutecalc.design import stretched
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
-from chutecalc.results.columns import AT_STATION, check_columns
+from chutecalc.results.column_names import check_columns
+from chutecalc.results.columns import AT_STATION
 from chutecalc.results.part import Part
 
 DEFAULT_POINTS = 101

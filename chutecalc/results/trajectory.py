@@ -3,20 +3,20 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.columns import NUMERIC, REPORTED
-from chutecalc.results.described import status_text
 from chutecalc.results.edges import Edge
-from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf, extremes
+from chutecalc.results.extremes import LARGEST, LEAST, ExtremeOf
 from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
-from chutecalc.results.loads import loads_of, relative_to_first
+from chutecalc.results.last_flights import last_flights
+from chutecalc.results.loads import relative_to_first
 from chutecalc.results.part import FLIGHT, Part
+from chutecalc.results.part_results import part_result, with_passed_falls
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
 from chutecalc.solver.segment_solution import Ends, SegmentSolution
@@ -73,10 +73,19 @@ class Trajectory:
 
     @cached_property
     def results(self) -> list[SegmentResult]:
-        """What came out on each part, flights included; a segment that was left and struck again has several."""
-        found = [self._result(sampled) for sampled in self.sampled]
+        """What came out on each part, flights included; a segment that was left and struck again has several.
+
+        A fall onto a segment that is passed is passed too: the stream flies on from where that fall began.
+        """
+        found = with_passed_falls([part_result(sampled, self.count) for sampled in self.sampled])
         loads = relative_to_first([result.loads for result in found])
         return [replace(result, loads=own) for result, own in zip(found, loads, strict=True)]
+
+    @cached_property
+    def rows(self) -> list[SegmentResult]:
+        """What came out on each part, and on the flights behind the last surface: the rows of a table."""
+        flights = last_flights(self.design, self.ends, self.parts[-1])
+        return [*self.results, *(part_result(sample(part, SAMPLED, EXTREMES), self.count) for part in flights)]
 
     def segments(self) -> Segments:
         """Return what came out on each segment of the spec, on all visits together."""
@@ -166,32 +175,9 @@ class Trajectory:
         found = {item: np.full(self.count, np.nan) for item in extremes_of}
         for part in self.parts:
             if part.guided and extremes_of:
-                shares = part.shares()
-                here = extremes(part, part.at(shares, names), shares, extremes_of)
+                here = sample(part, names, extremes_of).extremes
                 found = {
                     (name, sign): (np.fmax if sign == LARGEST else np.fmin)(values, here[name, sign].value)
                     for (name, sign), values in found.items()
                 }
         return found
-
-    def _result(self, sampled: SampledPart) -> SegmentResult:
-        """Return a part's ends and extremes."""
-
-        def whole(values: Any) -> Any:
-            return stretched(values, (self.count,))
-
-        part, columns, found = sampled.part, sampled.columns, sampled.extremes
-        duration, impact = columns["time_s"][-1] - columns["time_s"][0], part.impact()
-        maximum = {name: found[name, LARGEST].value for name in REPORTED}
-        return SegmentResult(
-            name=part.name,
-            kind=part.kind,
-            status=whole(status_text(part.status())),
-            entry={name: whole(columns[name][0]) for name in NUMERIC},
-            exit={name: whole(columns[name][-1]) for name in NUMERIC},
-            minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
-            maximum={name: whole(values) for name, values in maximum.items()},
-            duration=whole(duration),
-            impact={name: whole(values) for name, values in impact.items()},
-            loads={name: whole(values) for name, values in loads_of(part, duration, maximum, impact).items()},
-        )

@@ -21,6 +21,7 @@ from chutecalc.sections.registry import SHAPES, AnySection
 from chutecalc.segments.registry import KINDS, AnySegment
 from chutecalc.spec.inlet_belt import Belt
 from chutecalc.spec.limits import Limits
+from chutecalc.spec.operating import case_keys
 from chutecalc.spec.rules import known_format, known_strength, locus_rows, names, one_inlet, placement, some_friction
 
 _FLOWS = Plausible(0.05, 50_000.0, "a trickle", "more than any belt carries")
@@ -146,6 +147,6 @@ class ChuteSpec(Table):
     cases: dict[Name, dict[str, Any]] = Field(
         {}, description="operating states that the same steel has to serve, by name: key paths with their values"
     )
-    rules: ClassVar = (known_format, names, placement, known_strength)
+    rules: ClassVar = (known_format, names, placement, known_strength, case_keys)
     hints: ClassVar = dict.fromkeys(("spoon", "crest"), "use curve: a spoon or crest is a curve")
     choices: ClassVar = {"kind": tuple(KINDS), "shape": tuple(SHAPES)}

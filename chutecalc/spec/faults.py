@@ -1,6 +1,7 @@
 """Faults as users see them: with the key path and the value as written, and the line."""
 
 from collections.abc import Iterable
+from itertools import takewhile
 from typing import Any
 
 from pydantic import ValidationError
@@ -8,7 +9,8 @@ from pydantic import ValidationError
 from chutecalc.errors import Fault
 from chutecalc.fields.faults import LocatedFault, Location
 from chutecalc.fields.units import same_quantity
-from chutecalc.spec.parse import key_lines
+from chutecalc.spec.parse import key_lines, parse_text
+from chutecalc.spec.segment_names import segment_names
 
 
 def faults_of(error: ValidationError, data: Any, text: str) -> list[Fault]:
@@ -47,20 +49,45 @@ def geometry_faults(faults: Iterable[LocatedFault], data: Any, text: str) -> lis
 
 
 def case_faults(faults: Iterable[Fault], name: str, text: str) -> list[Fault]:
-    """Return the faults of a case, with the line of its key.
+    """Return the faults of a case, with the line and the words of its key, or the line of its nearest one.
 
     Args:
         faults: of the spec with the values of the case.
         name: of the case.
         text: TOML text of the spec, for line numbers; empty if there is none.
     """
-    lines = key_lines(text)
+    tables = parse_text(text, name).get("segments", [])
+    names = segment_names([(table.get("name"), table.get("kind", "")) for table in tables])
+    numbers = {name: str(number) for number, name in enumerate(names, 1)}
+    keys = [
+        (".".join(map(str, location[2:])).split(".") if location[2:] else [], line)
+        for location, line in key_lines(text).items()
+        if location[:2] == ("cases", name)
+    ]
     found = []
     for fault in faults:
-        keys = (("cases", name, fault.path), ("cases", name, *fault.path.split(".")), ("cases", name))
-        line = next((lines[location] for location in keys if location in lines), None)
-        found.append(fault._replace(path=f"cases.{name}.{fault.path}", line=line))
+        path, line = fault.path.split("."), None
+        whole = _by_number(path, numbers)
+        written, best = path, (-1, 0, 0)
+        for key, at in keys:
+            own = _by_number(key, numbers)
+            shared = _shared(own, whole)
+            rank = shared, _shared(key, path), bool(shared) * len(own)
+            if rank > best:
+                best, line = rank, at
+                written = [*key, *whole[shared:]] if shared == len(own) else path
+        found.append(fault._replace(path=".".join(["cases", name, *written]), line=line))
     return found
+
+
+def _by_number(path: list[str], numbers: dict[str, str]) -> list[str]:
+    """Return a key path with the number of a segment in place of its name."""
+    return [*path[:1], numbers.get(path[1], path[1]), *path[2:]] if path[:1] == ["segments"] and path[1:] else path
+
+
+def _shared(one: list[str], other: list[str]) -> int:
+    """Return how many parts two key paths share at their beginning."""
+    return len(list(takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False))))
 
 
 def _located(faults: Iterable[LocatedFault], text: str) -> list[Fault]:

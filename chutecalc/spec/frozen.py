@@ -35,7 +35,8 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
         text: TOML of the spec.
         drawn: segments that guide the stream, by number from 0.
     """
-    document: Any = tomlkit.parse(text)
+    end = "" if text.endswith("\n") else "\n"  # of the last line, which may gain keys below it
+    document: Any = tomlkit.parse(text + end)
     tables = document["segments"]
     for number, segment in drawn.items():
         start = {} if segment.start_m is None else {"start_m": list(segment.start_m)}
@@ -51,7 +52,7 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
         tables.insert(0, fall)
         for case in document.get("cases", {}).values():
             _shift_numbers(case)
-    return tomlkit.dumps(document)
+    return tomlkit.dumps(document).removesuffix(end)
 
 
 def _shift_numbers(case: Any) -> None:

@@ -30,6 +30,10 @@ Pressure = Annotated[
     Quantity("pressure", gt=0, le=1e6, plausible=Plausible(0.05, 500.0, "hardly a load", "more than a belt bears")),
 ]
 
+Offset = Annotated[
+    Number, Quantity("length", gt=0, le=1e5, plausible=Plausible(0.01, 20.0, "next to nothing", "wider than a belt"))
+]
+
 
 def _limit(default: float | None, meaning: str, source: str, finding: str) -> Any:
     """Declare a limit: its default in the unit of the key, None for none."""
@@ -79,6 +83,12 @@ class Limits(Table):
     max_velocity_into_m_s: Speed = _limit(2.5, "velocity into the receiving belt", PRACTICE, "hard_landing")
     max_belt_impact_kpa: Pressure = _limit(
         None, "impact pressure on the receiving belt; none by default", "the belt's rating", "hard_landing"
+    )
+    max_landing_offset_m: Offset = _limit(
+        None,
+        "distance between where the stream lands and at_m of the receiving belt; none by default",
+        "the loading point",
+        "far_landing",
     )
 
     rules: ClassVar = (ratio_range,)

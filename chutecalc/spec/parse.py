@@ -2,6 +2,8 @@
 
 import re
 import tomllib
+from codecs import BOM_UTF8
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +27,20 @@ def read_text(path: Path) -> str:
     Raises:
         SpecError: The file does not exist, cannot be read, or is not UTF-8.
     """
+    return decode(read_bytes(path), str(path))
+
+
+def read_bytes(path: Path) -> bytes:
+    """Return the content of a spec file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        SpecError: The file does not exist, or cannot be read.
+    """
     try:
-        return decode(path.read_bytes(), str(path))
+        return path.read_bytes()
     except FileNotFoundError:
         raise SpecError(
             [Fault("", "there is no such file", "check the name, or create one with chutecalc new")], str(path)
@@ -52,6 +66,21 @@ def decode(data: bytes, source: str) -> str:
     except UnicodeDecodeError as error:
         problem = f"is not UTF-8 (byte {error.start})"
         raise SpecError([Fault("", problem, "save it as UTF-8")], source) from None
+
+
+def encode(text: str, like: bytes) -> bytes:
+    r"""Return text as the content of a file, with the byte order mark and the line ends of another.
+
+    Args:
+        text: with line feeds at the ends of its lines.
+        like: content of the other file; its first line end counts.
+
+    >>> encode("title = 'Spoon'\n", like=b"title = 'Chute'\r\n")
+    b"title = 'Spoon'\r\n"
+    """
+    mark = BOM_UTF8 if like.startswith(BOM_UTF8) else b""
+    ends = "\r\n" if like.partition(b"\n")[0].endswith(b"\r") else "\n"
+    return mark + text.replace("\n", ends).encode()
 
 
 def parse_text(text: str, source: str) -> dict[str, Any]:
@@ -119,7 +148,15 @@ def key_lines(text: str) -> dict[Location, int]:
 def _keys(dotted: str) -> Location:
     """Return the parts of a dotted key."""
     parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
-    return tuple(part.strip("\"'") for part in parts)
+    return tuple(_unquoted(part) for part in parts)
+
+
+def _unquoted(key: str) -> str:
+    """Return a key without its quotes, and with the characters that its escape sequences stand for."""
+    if key.startswith('"') and "\\" in key:
+        with suppress(tomllib.TOMLDecodeError):  # in a line that is part of a value
+            return next(iter(tomllib.loads(f"{key} = 0")))
+    return key.strip("\"'")
 
 
 def _numbered(keys: Location, counts: dict[Location, int], is_list: bool) -> Location:

@@ -10,7 +10,6 @@ from chutecalc.fields.table import Violation
 from chutecalc.fields.units import unit_keys
 from chutecalc.segments.base import Segment
 from chutecalc.segments.registry import KINDS
-from chutecalc.spec.operating import DESIGN_POINT
 
 
 def known_format(table: dict[str, Any]) -> Iterator[Violation]:
@@ -77,8 +76,6 @@ def names(table: dict[str, Any]) -> Iterator[Violation]:
     Args:
         table: the spec, with documented keys.
     """
-    if isinstance(table.get("cases"), dict) and DESIGN_POINT in table["cases"]:
-        yield Violation(("cases", DESIGN_POINT), "is the name of the state that the spec describes", "rename the case")
     segments = table.get("segments")
     seen: dict[str, int] = {}
     for number, segment in enumerate(segments if isinstance(segments, list) else []):

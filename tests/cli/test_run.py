@@ -328,8 +328,9 @@ def test_the_belt_and_the_edges_of_its_stream_are_told(capsys):
     )
     assert load.endswith("middle roll taken as 0.41 m, a third of the width and 10 mm")
     edges = [line for line in lines if line.startswith("edge  ")]
-    assert [line.split(":")[0] for line in edges] == ["edge  lower", "edge  middle", "edge  upper"]
-    assert all("leaves at -8° and 4 m/s, lands on hood " in line for line in edges)
+    assert [line.split(":")[0] for line in edges] == ["edge  lower", "edge  middle", "edge  upper", "edge  free"]
+    assert all("leaves at -8° and 4 m/s, lands on hood " in line for line in edges[:3])
+    assert edges[3].startswith("edge  free: leaves hood at 75° and 4.614 m/s, 0.1159 m deep, and lands nowhere")
     assert main(["run", str(ROOT / "specs/surge_on_belt.toml"), "--set", "inlet.belt.roll_m=0.5"]) == 0
     surge = capsys.readouterr().out
     assert "edge  upper: leaves at -8° and 4 m/s and lands nowhere\n" in surge

@@ -10,8 +10,8 @@ import pytest
 
 from chutecalc.cli import main
 from chutecalc.cli.outputs import Outputs
+from chutecalc.output.cells import width
 from chutecalc.output.dataset import Dataset
-from chutecalc.output.grid import width
 from chutecalc.results.column import quantity_text
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.described import number

@@ -3,7 +3,7 @@
 import re
 
 from chutecalc.fields.table import Table
-from chutecalc.results.columns import ALL_COLUMNS
+from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.findings import CRITERIA
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 import chutecalc
 from chutecalc.errors import SpecError
-from chutecalc.output.table import Printer
+from chutecalc.output.printer import Printer
 from chutecalc.studies.regression.compare import compare
 from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
 from chutecalc.studies.regression.report import check_document, print_verdicts, write_junit

@@ -265,8 +265,8 @@ CHUTES = {
 def test_one_design_needs_no_table_and_is_what_solve_says(name, monkeypatch):
     base = chute(**({"inlet": {"velocity_m_s": 4.0, "slope_deg": 80.0}} | CHUTES[name]))
     f = base.function(["segments.last.radius_m", "liners.wall.friction_deg"], ENDS)
-    monkeypatch.setattr("chutecalc.api.function.run_recipe", never)
-    monkeypatch.setattr("chutecalc.api.function.run_ends", never)
+    monkeypatch.setattr("chutecalc.api.recording.run_recipe", never)
+    monkeypatch.setattr("chutecalc.api.recording.run_ends", never)
     for radius, friction in ((3.0, 20.0), (2.5, 55.0), (2.0, 15.0), (3.0, 20.0)):
         computed = f(radius, friction)
         changed = {"segments.last.radius_m": radius, "liners.wall.friction_deg": friction}

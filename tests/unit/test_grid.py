@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from chutecalc.output.grid import GAP, Grid, width
+from chutecalc.output.cells import shortened, width
+from chutecalc.output.grid import GAP, Grid
 
 WORDS = ("", "s", "velocity", "μ_e\nW/m²", "depth\nm", "石炭", "e\u0301tage", "ที่", "a\u200bb", "0.1", "-12.345")
 
@@ -90,3 +91,22 @@ def test_a_row_of_labels_alone_is_in_the_first_table_only():
     grid.row(["fall", "4.0", ""])
     grid.row(["spoon", "3.878", "0.1399"])
     assert [[row[0] for row in part.rows] for part in grid.fitted(20)] == [["fall", "spoon"], ["spoon"]]
+
+
+def test_names_give_way_to_numbers_and_keep_their_ends():
+    grid = Grid()
+    for heading, left, label in (("case", True, True), ("status", True, True), ("velocity\nm/s", False, False)):
+        grid.column(heading, left=left, label=label)
+    grid.row(["a" + "-" * 40 + "b", "ok", "-1234567.891234567e-12"])
+    grid.row(["worst", "", "c" + "-" * 40 + "d"])
+    (part,) = grid.fitted(50)
+    lines = list(part.lines())
+    assert [width(line) for line in lines[-2:]] == [50, 50]
+    assert lines[-2].startswith("a-----")
+    assert lines[-2].endswith("-----b  ok      -1234567.891234567e-12")
+    assert lines[-1].endswith("  c----------…---------d")
+    grid.columns[0] = grid.columns[0]._replace(left=False)
+    grid.row(["0.12345678901234567", "", ""])
+    assert grid.fitted(30)[0].rows[-1][0] == "0.12345678901234567"
+    assert shortened("石炭石炭石炭", 7) == "石炭…炭"
+    assert shortened("spoon", 5) == "spoon"

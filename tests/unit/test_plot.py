@@ -272,7 +272,7 @@ def test_findings_have_numbers_at_their_places():
     findings = solution.findings()
     notes = axes["notes"].texts[0].get_text()
     numbers = [text for text in axes["side"].texts if text.get_text().isdigit()]
-    assert [text.get_text() for text in numbers] == ["1", "2"]
+    assert [text.get_text() for text in numbers] == ["1", "2", "3"]
     for number, (mark, finding) in enumerate(zip(numbers, findings, strict=True), 1):
         assert f"{number}  {finding.severity} {finding.code}: {finding.segment}" in notes
         stations = solution.stations(points=STATIONS)

@@ -93,11 +93,13 @@ def test_a_case_that_misses_has_a_cross_where_it_passes_the_steel():
     assert "failure missed: bed" in notes
 
 
-def test_notes_name_the_warnings_that_only_a_case_has():
+def test_notes_name_the_warnings_that_a_case_has_to_tell():
     _, axes, _ = drawn(load("transfer_90"))
     notes = axes["notes"].texts[0].get_text().split("\n")
-    assert any(line.startswith("case dry: status ok") and line.endswith("warning off_speed") for line in notes)
-    assert not any(line.startswith("case") and "hard_landing" in line for line in notes)  # the design point has it
+    assert any(
+        line.startswith("case dry: status ok") and line.endswith("warning hard_landing, off_speed") for line in notes
+    )
+    assert not any(line.startswith("case wet") and "hard_landing" in line for line in notes)  # worst where it is dry
 
 
 def test_a_case_that_goes_further_is_inside_the_panels():

@@ -9,6 +9,7 @@ import chutecalc
 from chutecalc.output.plots.save import save
 from chutecalc.studies.sweep.parameters import read_parameters
 from chutecalc.studies.sweep.plot import draw_sweep, picture_title
+from chutecalc.studies.sweep.solved_blocks import solve_block
 from chutecalc.studies.sweep.sweep import Sweep
 from tests.conftest import ROOT
 
@@ -21,7 +22,7 @@ def sweep_of(name, *arguments, **options):
 
 
 def drawn(sweep, units="metric"):
-    block = sweep.block(0)
+    block = solve_block(sweep, 0)
     figure = draw_sweep(sweep, block, units)
     return figure, {axes.get_gid(): axes for axes in figure.axes if axes.get_gid()}, block
 

@@ -133,6 +133,9 @@ class Solver:
             self.result.exit = self.left_steel() if passed else self.stream
         except _FailedError as failure:
             self.result.status = str(failure)
+        for fall, after, table in zip(self.result.segments, self.result.segments[1:], tables, strict=False):
+            if table.get("onto_next") and after.status == "passed":
+                fall.status = "passed"  # with what it leads to
         return self.result
 
     def left_steel(self) -> Stream:

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from chutecalc.output.outcome import outcome
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.layout import PANELS
 from chutecalc.output.plots.looks import END, MISSED
@@ -14,7 +15,6 @@ from chutecalc.output.plots.style import INK, MARKS, colours
 from chutecalc.output.plots.text import fitted
 from chutecalc.output.plots.traces import View, along
 from chutecalc.output.plots.view import view
-from chutecalc.output.table import outcome
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Severity
@@ -126,7 +126,7 @@ def handles(lines: Sequence[CaseLine]) -> dict[str, Any]:
 
 
 def case_notes(cases: Cases, units: str, width: float) -> list[str]:
-    """Return lines of text for each operating state: its outcome, and what the design point does not have.
+    """Return lines of text for each operating state: its outcome, and what it has to tell beside the design point.
 
     Args:
         cases: the states of one design.

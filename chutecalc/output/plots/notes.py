@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from chutecalc.output.outcome import outcome
 from chutecalc.output.plots.marks import Mark
 from chutecalc.output.plots.text import fitted
 from chutecalc.output.plots.traces import View
-from chutecalc.output.table import outcome
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Finding
 from chutecalc.results.solved import SolvedChute

@@ -11,10 +11,11 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.registry import load_modules
-from chutecalc.results.criterion import CRITERIA, Scene, Written
+from chutecalc.results.criterion import CRITERIA
 from chutecalc.results.edges import Edge
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.sampled import SampledPart
+from chutecalc.results.scene import Scene, Written
 
 load_modules(__name__, __path__)
 

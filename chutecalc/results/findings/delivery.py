@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 _ON_PULLEY = (
@@ -40,7 +41,7 @@ def slides_on_pulley(scene: Scene) -> Iterator[Case]:
             "it slides on the pulley from {slide_start_deg} on and leaves at {slope_deg} and {velocity_m_s}, and not"
             f" {held} as one that is held; a faster belt or a smaller pulley throws it"
         )
-        yield Case(carried, np.zeros(1), begin + slides, numbers)
+        yield Case(carried, np.zeros(1), begin + slides, numbers, badness=-inlet["discharge_froude"])
         return
     bounds = (
         f"it leaves {held} if the belt holds it to the end, as is solved here, and at {{frictionless_slope_deg}} and"
@@ -71,28 +72,5 @@ def belt_overfull(scene: Scene) -> Iterator[Case]:
         "the load of {load_area_m2} fills the belt that brings it to {belt_fill} (limit {limit}) and spills; it would"
         " cover {load_width_m:in} of belt: use a wider or faster belt"
     )
-    yield Case(numbers["belt_fill"] > numbers["limit"], np.zeros(1), template, numbers)
-
-
-@criterion(
-    "edge_misses", Severity.WARNING, summary="an edge of the stream misses the segment on which its middle lands"
-)
-def edge_misses(scene: Scene) -> Iterator[Case]:
-    """Find edges of a stream from a belt that do not land on the segment on which the middle does.
-
-    Args:
-        scene: the segment with the stream along it.
-    """
-    s = scene.solved.entry.distance
-    for edge in scene.edges:
-        misses = edge.misses & (edge.target == scene.solved.number)
-        begin = f"the {edge.name} edge of the stream misses the segment on which its middle lands: it "
-        gap = edge.numbers["gap_m"]
-        elsewhere = edge.segment != ""
-        for mask, fate, numbers in (
-            (gap > 0.0, "passes {gap_m} beyond its end; make the segment longer or move it", {"gap_m": gap}),
-            (gap <= 0.0, "passes {gap_m} behind its end; begin the segment earlier or move it", {"gap_m": -gap}),
-            (elsewhere, "lands on another one; move that out of its way", {}),
-            (~elsewhere & np.isnan(gap), "never reaches it; move it towards the stream", {}),
-        ):
-            yield Case(misses & mask, s, begin + fate, numbers)
+    fill = numbers["belt_fill"]
+    yield Case(fill > numbers["limit"], np.zeros(1), template, numbers, badness=fill)

@@ -7,8 +7,9 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import ROOF
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 
 
 @criterion(
@@ -152,7 +153,8 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     s = solved.exit.distance
     belt = scene.design.receiver
     flies_on = scene.continues | (belt is not None and belt.at is not None) & np.isfinite(scene.exit_distance)
-    yield Case(lost & flies_on, s, f"{begin}; it flies on", numbers, Severity.WARNING)
+    off = np.abs(numbers["velocity_m_s"] / numbers["balance_m_s"] - 1.0)
+    yield Case(lost & flies_on, s, f"{begin}; it flies on", numbers, Severity.WARNING, badness=off)
     alone = f"{begin}; no later segment catches it"
     yield Case(lost & ~flies_on, s, alone, numbers)
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from chutecalc.physics.pressure import greatest_wall_friction
 from chutecalc.physics.wall import wall_friction
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 
 ROUNDING = 1e-12
 
@@ -54,7 +55,7 @@ def inadmissible_friction(scene: Scene) -> Iterator[Case]:
     numbers["friction_deg"] = np.degrees(np.arctan(wall.slopes[0]))
     mask = np.isfinite(worst.value) & (wall.slopes[0] > bound * (1.0 + ROUNDING))
     s = scene.solved.entry.distance
-    yield Case(mask, s, template, numbers)
+    yield Case(mask, s, template, numbers, badness=wall.slopes[0] / bound)
 
 
 @criterion(
@@ -83,4 +84,4 @@ def outside_locus(scene: Scene) -> Iterator[Case]:
     )
     s = np.where(below, scene.distance(scene.extreme("wall_stress_kpa", LEAST).share), scene.solved.entry.distance)
     numbers = {"least_kpa": least, "most_kpa": most, "first_kpa": low, "last_kpa": high}
-    yield Case(below | above, s, template, numbers)
+    yield Case(below | above, s, template, numbers, badness=np.fmax(low / least, most / high))

@@ -8,8 +8,10 @@ from chutecalc.core.fall import LONGEST_FALL
 from chutecalc.design import Fall, Status
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.surface import point
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.landings import before_start
+from chutecalc.results.scene import Scene
 from chutecalc.solver.segment_solution import Point
 
 
@@ -62,7 +64,7 @@ def missed(scene: Scene) -> Iterator[Case]:
         return
     gap = -_gap(scene)
     lost = lost & ~(gap < 0.0)
-    before = _before_start(scene)
+    before = before_start(solved)
     numbers = {"velocity_m_s": solved.start.velocity, "slope_deg": np.degrees(solved.start.slope)}
     begin = "the stream flies off at {velocity_m_s} and a slope of {slope_deg} and misses the segment: "
     s = solved.start.distance
@@ -108,16 +110,6 @@ def _gap(scene: Scene) -> Array:
     time = np.where(forward > 0.0, (end_x - x) / forward, np.nan)
     beside = surface.side * (z - (downward + 0.5 * gravity * time) * time - end_z)
     return np.where(np.isnan(gap) & (time >= 0.0), beside, gap)
-
-
-def _before_start(scene: Scene) -> Array:
-    """Return how far before the drawn start of a segment the stream falls through its height, m; NaN if it does not."""
-    x, z, forward, downward, gravity = scene.solved.path
-    surface = scene.contact.surface
-    drop = z - surface.z
-    time = (np.sqrt(np.where(drop >= 0.0, downward**2 + 2.0 * gravity * drop, np.nan)) - downward) / gravity
-    before: Array = surface.x - (x + forward * time)
-    return before
 
 
 def _never_ends(fall: Fall, start: Point, lost: Mask, gravity: Array) -> Iterator[Case]:

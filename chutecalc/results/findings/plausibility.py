@@ -7,8 +7,9 @@ import numpy as np
 from chutecalc.fields.plausible import Plausible
 from chutecalc.fields.units import TEXT
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.criterion import Case, Written, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Written
 from chutecalc.spec.given import Given, given_quantities
 
 NOWHERE = np.full(1, np.nan)

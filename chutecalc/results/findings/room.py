@@ -7,9 +7,10 @@ import numpy as np
 
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.wetting import area_at_depth, wetting
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 
@@ -29,14 +30,16 @@ def overfull(scene: Scene) -> Iterator[Case]:
         scene: the segment with the stream along it.
     """
     fullest, closed = scene.extreme("fill", LARGEST), scene.segment.section.closed
-    limit = scene.limit("max_closed_fill" if closed else "max_fill")
+    key = "max_closed_fill" if closed else "max_fill"
+    limit, source = scene.limit(key), scene.source(key)
     what = "of the closed section" if closed else "of the height of the walls"
     template = (
-        f"the stream fills {{fill}} {what} (limit {{limit}}, rule of thumb), which leaves little room for surges; use a"
+        f"the stream fills {{fill}} {what} (limit {{limit}}, {source}), which leaves little room for surges; use a"
         " wider section" + ("" if closed else " or higher walls")
     )
     mask = (fullest.value > limit) & np.isfinite(fullest.value)
-    yield Case(mask, scene.distance(fullest.share), template, {"fill": fullest.value, "limit": limit})
+    numbers = {"fill": fullest.value, "limit": limit}
+    yield Case(mask, scene.distance(fullest.share), template, numbers, badness=fullest.value)
 
 
 @criterion(
@@ -61,7 +64,8 @@ def fine_stream(scene: Scene) -> Iterator[Case]:
         " one by one rather than flow, so velocities are rough; check them with a discrete-element simulation"
     )
     numbers = {"depth_m": least.value, "lump_m": lump, "limit": limit}
-    yield Case(least.value < limit * lump, scene.distance(least.share), template, numbers)
+    badness = -least.value / lump
+    yield Case(least.value < limit * lump, scene.distance(least.share), template, numbers, badness=badness)
 
 
 @criterion(
@@ -85,12 +89,14 @@ def narrow_for_lumps(scene: Scene) -> Iterator[Case]:
     widths = [_width(scene, section, height) for section in (segment.section, segment.end_section or segment.section)]
     width = np.minimum(*widths)
     template = (
-        "the section is {width_m:in} wide, with lumps of {lump_m:in} (limit {limit} times a lump, rule of thumb):"
+        "the section is {width_m:in} wide, with lumps of {lump_m:in} (limit {limit} times a lump,"
+        f" {scene.source('min_width_over_lump')}):"
         " they may wedge; use a wider section"
     )
     s = np.where(widths[0] <= widths[1], scene.solved.entry.distance, scene.solved.exit.distance)
     there = np.isfinite(scene.solved.entry.distance)
-    yield Case(there & (width < limit * lump), s, template, {"width_m": width, "lump_m": lump, "limit": limit})
+    numbers = {"width_m": width, "lump_m": lump, "limit": limit}
+    yield Case(there & (width < limit * lump), s, template, numbers, badness=-width / lump)
 
 
 def _width(scene: Scene, section: Any, height: Array) -> Array:

@@ -6,9 +6,10 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.physics.motion import FLOOR
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST, extremes
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 
@@ -44,14 +45,14 @@ def decelerating(scene: Scene) -> Iterator[Case]:
         " {friction_deg}), so the stream decelerates; make the slope steeper or reduce the friction"
     )
     angle = np.degrees(np.arctan(friction))
-    yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle})
+    yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle}, badness=angle - slope)
     numbers = {"critical_velocity_m_s": critical, "slope_deg": slope}
     stalled = (velocity == 0.0) & ~flat
     template = (
         "the stream runs below the critical velocity of {critical_velocity_m_s}, where friction brings it to a stall"
         " on a slope of {slope_deg}; make the slope steeper or reduce the friction"
     )
-    yield Case(stalled, s, template, numbers)
+    yield Case(stalled, s, template, numbers, badness=critical)
     margin, limit = velocity / critical, scene.limit("min_velocity_margin")
     template = (
         "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
@@ -62,6 +63,7 @@ def decelerating(scene: Scene) -> Iterator[Case]:
         s,
         template,
         numbers | {"velocity_m_s": velocity, "margin": margin, "limit": limit},
+        badness=-margin,
     )
 
 
@@ -86,8 +88,8 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
     slope = np.degrees(surface.slope + surface.turn)
     template = (
         "the spoon ends at {slope_deg}, flatter than the {needed_deg} at which it clears itself"
-        " (equivalent friction angle + {margin_deg}, rule of thumb)"
+        f" (equivalent friction angle + {{margin_deg}}, {scene.source('min_cut_off_margin_deg')})"
     )
     mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     numbers = {"slope_deg": slope, "needed_deg": needed, "margin_deg": margin}
-    yield Case(mask, scene.solved.exit.distance, template, numbers)
+    yield Case(mask, scene.solved.exit.distance, template, numbers, badness=needed - slope)

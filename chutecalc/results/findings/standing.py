@@ -8,9 +8,10 @@ from chutecalc.design import Status
 from chutecalc.physics.arrays import Mask
 from chutecalc.physics.motion import FLOOR
 from chutecalc.physics.wall import holding_depth
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.results.stretches import negative_stretches
 from chutecalc.spec.limits import LIMITS
 
@@ -59,8 +60,8 @@ def _too_flat(scene: Scene, runs: Mask) -> Iterator[Case]:
     )
     stands, most = runs & (share > 0.0), share > scene.limit("max_standing_share")
     s = scene.distance(first)
-    yield Case(stands & most, s, f"{template}make it steeper or smoother", numbers, Severity.WARNING)
-    yield Case(stands & ~most, s, f"{template}provide for cleaning it", numbers)
+    yield Case(stands & most, s, f"{template}make it steeper or smoother", numbers, Severity.WARNING, badness=share)
+    yield Case(stands & ~most, s, f"{template}provide for cleaning it", numbers, badness=share)
 
 
 def _held(scene: Scene, runs: Mask) -> Iterator[Case]:
@@ -78,4 +79,4 @@ def _held(scene: Scene, runs: Mask) -> Iterator[Case]:
     )
     mask = runs & (held > 0.0) & np.isfinite(held)
     s = scene.distance(np.where(last > first, 1.0, 0.0))
-    yield Case(mask, s, template, {"depth_m": held, "slope_deg": np.degrees(steepest)})
+    yield Case(mask, s, template, {"depth_m": held, "slope_deg": np.degrees(steepest)}, badness=held)

@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.solver.segment_solution import FIELD, TANGENT
 from chutecalc.spec.limits import LIMITS
 
@@ -32,14 +33,14 @@ def thick_stream(scene: Scene) -> Iterator[Case]:
         " velocity; use a wider section"
     )
     numbers = {"thickness": thick.value, "limit": limit}
-    yield Case(thick.value > limit, scene.distance(thick.share), template, numbers)
+    yield Case(thick.value > limit, scene.distance(thick.share), template, numbers, badness=thick.value)
     share, limit = deep.value * np.abs(scene.contact.surface.curvature), scene.limit("max_depth_over_radius")
     template = (
         "the depth of {depth_m:in} reaches {share} of the radius (limit {limit}), too thick for a model with one mean"
         " velocity; use a larger radius"
     )
     numbers = {"depth_m": deep.value, "share": share, "limit": limit}
-    yield Case(share > limit, scene.distance(deep.share), template, numbers)
+    yield Case(share > limit, scene.distance(deep.share), template, numbers, badness=share)
 
 
 @criterion(
@@ -62,7 +63,8 @@ def slow_stream(scene: Scene) -> Iterator[Case]:
         " neglects, changes dv/ds by about 1/Fr² there; a steeper slope makes the stream faster"
     )
     mask = froude.value < limit
-    yield Case(mask, scene.distance(froude.share), template, {"froude": froude.value, "limit": limit})
+    numbers = {"froude": froude.value, "limit": limit}
+    yield Case(mask, scene.distance(froude.share), template, numbers, badness=-froude.value)
 
 
 @criterion(
@@ -100,6 +102,7 @@ def missing_load(scene: Scene) -> Iterator[Case]:
             "equivalent_friction": friction,
             "equilibrium_friction": even,
         },
+        badness=missing.value,
     )
 
 

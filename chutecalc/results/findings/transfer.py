@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from chutecalc.results.criterion import Case, Scene, criterion
+from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
+from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
 
@@ -64,12 +65,13 @@ def hard_landing(scene: Scene) -> Iterator[Case]:
         " closer to the slope of the belt, and nearer above it"
     )
     slopes = {"slope_deg": received["landing_slope_deg"], "belt_slope_deg": np.degrees(belt.slope)}
-    template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, rule of thumb): {advice}"
-    yield Case(into > fastest, scene.exit_distance, template, {"velocity_m_s": into, "limit_m_s": fastest} | slopes)
+    source = scene.source("max_velocity_into_m_s")
+    template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, {source}): {advice}"
+    s, numbers = scene.exit_distance, {"velocity_m_s": into, "limit_m_s": fastest} | slopes
+    yield Case(into > fastest, s, template, numbers, badness=into)
     template = f"the stream lands on the belt with {{pressure_kpa}} (limit {{limit_kpa}}): {advice}"
-    yield Case(
-        pressure > greatest, scene.exit_distance, template, {"pressure_kpa": pressure, "limit_kpa": greatest} | slopes
-    )
+    numbers = {"pressure_kpa": pressure, "limit_kpa": greatest} | slopes
+    yield Case(pressure > greatest, s, template, numbers, badness=pressure)
 
 
 @criterion(
@@ -90,6 +92,7 @@ def off_speed(scene: Scene) -> Iterator[Case]:
     if belt is None or not received:
         return
     ratio, low, high = received["velocity_ratio"], scene.limit("min_velocity_ratio"), scene.limit("max_velocity_ratio")
+    source = scene.source("min_velocity_ratio", "max_velocity_ratio")
     numbers = {
         "velocity_m_s": received["velocity_along_m_s"],
         "ratio": ratio,
@@ -103,6 +106,34 @@ def off_speed(scene: Scene) -> Iterator[Case]:
     ):
         template = (
             "along the belt the stream has {velocity_m_s}, {ratio} times the {belt_velocity_m_s} of the belt (limits"
-            f" {{low}} to {{high}}, rule of thumb), which wears it; {advice}"
+            f" {{low}} to {{high}}, {source}), which wears it; {advice}"
         )
-        yield Case(mask, scene.exit_distance, template, numbers)
+        yield Case(mask, scene.exit_distance, template, numbers, badness=np.abs(ratio - 1.0))
+
+
+@criterion(
+    "far_landing",
+    Severity.WARNING,
+    summary="the stream lands far from where the receiving belt is to be loaded",
+    limit=f"distance > {LIMITS['max_landing_offset_m'].text}",
+    source=LIMITS["max_landing_offset_m"].source,
+    in_falls=True,
+)
+def far_landing(scene: Scene) -> Iterator[Case]:
+    """Find streams that land further from the place of the receiving belt than a limit that a spec may set.
+
+    Args:
+        scene: the segment with the stream along it.
+    """
+    belt, received = scene.design.receiver, scene.received
+    if belt is None or belt.at is None or not received:
+        return
+    ahead = received["landing_x_m"] - belt.at[0]
+    distance, limit = np.hypot(ahead, received["landing_z_m"] - belt.at[1]), scene.limit("max_landing_offset_m")
+    for mask, where in ((ahead < 0.0, "before"), (ahead >= 0.0, "beyond")):
+        template = (
+            f"the stream lands {{distance_m}} {where} at_m of the receiving belt (limit {{limit_m}}); move the end of"
+            " the chute or the belt, or correct receiver.at_m"
+        )
+        numbers = {"distance_m": distance, "limit_m": limit}
+        yield Case(mask & (distance > limit), scene.exit_distance, template, numbers, badness=distance)

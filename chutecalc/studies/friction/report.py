@@ -9,7 +9,7 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.output.dataset import Dataset, column_types, document_head, number, numbers
 from chutecalc.output.grid import Grid
-from chutecalc.output.table import Printer
+from chutecalc.output.printer import Printer
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.study import Best, FrictionStudy

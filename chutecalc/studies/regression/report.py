@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 from chutecalc.output.dataset import Dataset, block_of, document_head
 from chutecalc.output.grid import GAP, Grid
-from chutecalc.output.table import Printer
+from chutecalc.output.printer import Printer
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.regression.verdict import NO_BASELINE, OK, Drift, Verdict, first_and_largest
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from chutecalc.output.chart import CHARTED, chart_lines, terminal_width
 from chutecalc.output.dataset import Block
-from chutecalc.output.table import Printer
+from chutecalc.output.printer import Printer
 from chutecalc.studies.sweep.axis import along, different, places
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of

@@ -9,7 +9,8 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.units import same_quantity
 from chutecalc.output.dataset import Block
-from chutecalc.results.columns import AT_STATION, closest
+from chutecalc.results.column_names import closest
+from chutecalc.results.columns import AT_STATION
 from chutecalc.spec.operating import case_values
 from chutecalc.spec.paths import with_values
 from chutecalc.studies.sweep.columns import own_columns, row_columns

@@ -8,8 +8,10 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import UsageError
 from chutecalc.results.belts import RECEIVER_COLUMNS
 from chutecalc.results.column import Column
-from chutecalc.results.columns import COLUMNS, Extremes, closest
+from chutecalc.results.column_names import closest
+from chutecalc.results.columns import COLUMNS
 from chutecalc.results.segment_columns import GROUPS, SegmentColumn, segment_columns
+from chutecalc.results.stream_column import Extremes
 from chutecalc.spec.paths import is_number
 
 PREFIXES = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}

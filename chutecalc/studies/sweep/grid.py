@@ -23,8 +23,8 @@ class Grid:
         UsageError: Parallel lists differ in length.
 
     >>> grid = Grid([Parameter("a", (), np.array([1.0, 2.0])), Parameter("b", (), np.array([3.0, 4.0, 5.0]))])
-    >>> [values.tolist() for values in grid.at(np.arange(1, 3))]
-    [[1.0], [4.0, 5.0]]
+    >>> [(parameter.name, values.tolist()) for parameter, values in grid.at(np.arange(1, 3))]
+    [('a', [1.0]), ('b', [4.0, 5.0])]
     """
 
     def __init__(self, parameters: Sequence[AnyParameter], parallel: bool = False) -> None:
@@ -52,17 +52,18 @@ class Grid:
             lists = [names * (self.count // len(names)) for names in lists]
         return list(dict.fromkeys(zip(*lists, strict=True) if self.parallel and lists else product(*lists)))
 
-    def at(self, rows: Index) -> list[Any]:
-        """Return the values of each parameter in some rows.
+    def at(self, rows: Index) -> list[tuple[AnyParameter, Any]]:
+        """Return each parameter with its values in some rows.
 
         Args:
             rows: Row numbers, from 0.
 
         Returns:
-            An array for each parameter, of names or of numbers in its unit; of length 1 where all rows have one value.
+            Pairs of a parameter and an array, of names or of numbers in its unit; of length 1 where all rows have one
+            value.
         """
-        found = []
+        found: list[tuple[AnyParameter, Any]] = []
         for parameter, (stride, count) in zip(self.parameters, self._steps, strict=True):
             chosen = rows // stride % count
-            found.append(parameter.values[chosen[:1] if (chosen == chosen[0]).all() else chosen])
+            found.append((parameter, parameter.values[chosen[:1] if (chosen == chosen[0]).all() else chosen]))
         return found

@@ -1,33 +1,23 @@
-"""Sweeps: a row for each of many designs, computed in independent blocks."""
+"""What a sweep is asked for: variants of a chute, the columns of their rows, and the blocks they are solved in."""
 
 import hashlib
 import json
-from collections import deque
-from collections.abc import Generator, Iterable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
-
-import numpy as np
 
 from chutecalc import __version__
 from chutecalc.api.batch import CHUNK
 from chutecalc.api.chute import Chute
 from chutecalc.api.solve import solve
 from chutecalc.api.tolerance import check_tolerance
-from chutecalc.design import Status
-from chutecalc.errors import SpecError, UsageError
-from chutecalc.output.dataset import Block
-from chutecalc.physics.arrays import Index
-from chutecalc.runtime import cores
+from chutecalc.errors import UsageError
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
-from chutecalc.studies.sweep.block import TEXT, Top, select_rows
+from chutecalc.studies.sweep.block import TEXT, Top
 from chutecalc.studies.sweep.checks import chutes_by_names, selected_columns
 from chutecalc.studies.sweep.columns import own_columns
-from chutecalc.studies.sweep.design_rows import design_rows, station_rows
 from chutecalc.studies.sweep.grid import Grid
-from chutecalc.studies.sweep.parameters import AnyParameter, Parameter
-from chutecalc.studies.sweep.text_parameter import TextParameter
+from chutecalc.studies.sweep.parameters import AnyParameter
 
 WITH_FINDINGS, STATIONS = 1024, 262_144
 """Designs of a block with findings or columns of segments, and stations of a block, roughly.
@@ -40,12 +30,13 @@ class Sweep:
     """Variants of a chute, and the columns to compute for them.
 
     >>> import chutecalc
+    >>> import numpy as np
     >>> from chutecalc.studies.sweep.parameters import Parameter
     >>> chute = chutecalc.parse(chutecalc.STARTER)
     >>> path = "flow.rate_t_h"
     >>> sweep = Sweep(chute, [Parameter(path, (path,), np.array([500.0, 1000.0]))], columns=["exit_velocity_m_s"])
-    >>> sweep.block(0)["exit_velocity_m_s"].round(3).tolist()
-    [3.963, 3.878]
+    >>> sweep.header
+    ['flow.rate_t_h', 'status', 'exit_velocity_m_s']
     """
 
     def __init__(
@@ -156,95 +147,3 @@ class Sweep:
             "tolerance": self.rtol,
             "block": self.block_size,
         }
-
-    def blocks(self, numbers: Iterable[int], jobs: int | None = None) -> Generator[tuple[int, Block], None, None]:
-        """Solve blocks in threads, a few ahead of the one yielded.
-
-        Args:
-            numbers: Numbers of the blocks, from 0.
-            jobs: Number of threads; one for each core by default. The rows do not depend on it.
-
-        Yields:
-            Number and rows of each block, in the order of ``numbers``.
-        """
-        threads = jobs or cores()
-        waiting: deque[tuple[int, Future[Block]]] = deque()
-        with ThreadPoolExecutor(threads) as pool:
-            try:
-                for number in numbers:
-                    waiting.append((number, pool.submit(self.block, number)))
-                    if len(waiting) > threads:
-                        yield waiting[0][0], waiting.popleft()[1].result()
-                while waiting:
-                    yield waiting[0][0], waiting.popleft()[1].result()
-            finally:
-                for _, future in waiting:
-                    future.cancel()
-
-    def block(self, number: int) -> Block:
-        """Solve one block.
-
-        Args:
-            number: Number of the block, from 0.
-
-        Returns:
-            Its rows in the order of the grid, or the best of them with ``top``.
-        """
-        first = number * self.block_size
-        rows = np.arange(first, min(first + self.block_size, self.count))
-        pieces = [piece for adjustment, some in self._by_names(rows) for piece in self._pieces(some, adjustment)]
-        order: Index | slice
-        if len(pieces) == 1 and np.array_equal(pieces[0][0], rows):  # all there, and in their order
-            numbers, order, missing = rows, slice(None), rows[:0]
-        else:
-            solved = np.concatenate([rows[:0], *(numbers for numbers, _ in pieces)])
-            missing = np.setdiff1d(rows, solved)
-            numbers = np.concatenate([solved, missing])
-            order = np.argsort(numbers, kind="stable")
-        given = zip(self.parameters, self.grid.at(rows), strict=True)
-        block: Block = {
-            parameter.name: np.broadcast_to(values, len(rows))[numbers[order] - first] for parameter, values in given
-        }
-        for name in ("status", *self.columns):
-            empty = np.full(
-                len(missing), Status.IMPOSSIBLE_LABEL if name == "status" else "" if name in self.texts else np.nan
-            )
-            block[name] = np.concatenate([*(piece[name] for _, piece in pieces), empty])[order]
-        return block if self.top is None else select_rows(block, np.sort(self.top.best(block)))
-
-    def _by_names(self, rows: Index) -> Iterator[tuple[SectionAdjustment, Index]]:
-        """Yield the chutes that can be built, with the rows that share their names."""
-        given = zip(self.parameters, self.grid.at(rows), strict=True)
-        texts = [values for parameter, values in given if isinstance(parameter, TextParameter)]
-        for names, adjustment in self.adjustments.items():
-            here = np.ones(len(rows), dtype=bool)
-            for values, name in zip(texts, names, strict=True):
-                here &= values == name
-            if here.any():
-                yield adjustment, rows[here]
-
-    def _pieces(self, rows: Index, adjustment: SectionAdjustment) -> Iterator[tuple[Index, Block]]:
-        """Yield numbers and columns of rows of one chute, without designs that cannot be built."""
-        given = zip(self.parameters, self.grid.at(rows), strict=True)
-        numbers = {path: values for each, values in given if isinstance(each, Parameter) for path in each.paths}
-        changes, possible = adjustment.apply(numbers, len(rows))
-        if not possible.all():
-            if possible.any():
-                yield from self._pieces(rows[possible], adjustment)
-            return
-        try:
-            variants = adjustment.chute.vary(changes)
-            if self.profiles:
-                piece = station_rows(variants, rows, self.columns, self.rtol, self.points, self.spacing)
-            else:
-                piece = rows, design_rows(variants, len(rows), self.columns, self.rtol, self.own)
-        except SpecError as error:
-            if error.designs is not None:
-                rest = rows[~np.broadcast_to(error.designs, len(rows))]
-                yield from self._pieces(rest, adjustment) if rest.size else ()
-            elif len(rows) > 1:
-                half = len(rows) // 2
-                yield from self._pieces(rows[:half], adjustment)
-                yield from self._pieces(rows[half:], adjustment)
-        else:
-            yield piece

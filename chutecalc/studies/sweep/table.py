@@ -11,7 +11,8 @@ from chutecalc.fields.units import TEXT as UNIT_TEXT
 from chutecalc.fields.units import UNITS
 from chutecalc.output.dataset import Block
 from chutecalc.output.grid import Grid
-from chutecalc.output.table import Printer, heading
+from chutecalc.output.printer import Printer
+from chutecalc.output.table import heading
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.sweep.block import joined, select_rows

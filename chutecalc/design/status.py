@@ -1,0 +1,19 @@
+"""How a design, or one of its segments, ends."""
+
+
+class Status:
+    """Numbers that say how a design, or one of its segments, ends.
+
+    Plain numbers: NumPy takes ten microseconds to compare an array with a member of an enumeration.
+    """
+
+    OK, STALL, CHOKE, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
+    """Number of each status. From ``MISSED`` on the stream has not touched the segment; one that it flies past is
+    ``PASSED``."""
+
+    LABELS = ("ok", "stall", "choke", "contact_lost", "missed", "not_reached", "passed")
+    """Names of the statuses in tables, JSON and CSV, by number."""
+
+    OK_LABEL = LABELS[OK]
+    IMPOSSIBLE_LABEL = "impossible"
+    """Status in a study of a variant whose section cannot be built, and which is therefore never solved."""
