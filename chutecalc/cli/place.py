@@ -6,7 +6,6 @@ import json
 
 import typer
 
-from chutecalc.cli.specs import STANDARD_INPUT
 from chutecalc.errors import UsageError
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 
@@ -34,7 +33,8 @@ def place(
     slope stays as the spec has it. A segment needs a fall before it, and neither a start nor a slope yet.
     """
     from chutecalc.cli.specs import read_source
-    from chutecalc.output.table import Printer
+    from chutecalc.output.printer import Printer
+    from chutecalc.spec.parse import encode
     from chutecalc.studies.place.placement import place as placed
     from chutecalc.studies.place.report import placement_document, placement_table
     from chutecalc.studies.place.wish import read_wishes
@@ -44,10 +44,11 @@ def place(
     check_targets({"--output": output, "--json": json_file}, [spec])
     for target in (spec if write else output, json_file):
         check_openable(target)
-    placement = placed(read_source(spec), read_wishes(arguments), STANDARD_INPUT if spec == "-" else spec)
+    text, content, source = read_source(spec)
+    placement = placed(text, read_wishes(arguments), source)
     if (target := spec if write else output) is not None:
-        with open_whole(target) as stream:
-            stream.write(placement.text)
+        with open_whole(target, "wb") as stream:
+            stream.write(encode(placement.text, like=content))
     if json_file is not None:
         with open_whole(json_file) as stream:
             stream.write(json.dumps(placement_document(placement), indent=2, ensure_ascii=False) + "\n")

@@ -41,6 +41,20 @@ def read_with_content(spec: str, changes: dict[str, Any] | None = None) -> tuple
         UsageError: the file is a baseline.
     """
     from chutecalc.api.load import parse
+
+    text, content, source = read_source(spec)
+    return parse(text, source, changes), content
+
+
+def read_source(spec: str) -> tuple[str, bytes, str]:
+    """Return the text of a spec, unchecked, the content of its file, and what messages call it.
+
+    Args:
+        spec: path of its file, or ``-`` for standard input.
+
+    Raises:
+        UsageError: the file is a baseline.
+    """
     from chutecalc.spec.parse import BASELINE_SUFFIX, decode, read_bytes
 
     if spec.endswith(BASELINE_SUFFIX):
@@ -50,18 +64,7 @@ def read_with_content(spec: str, changes: dict[str, Any] | None = None) -> tuple
         content, source = sys.stdin.buffer.read(), STANDARD_INPUT
     else:
         content, source = read_bytes(Path(spec)), str(Path(spec))
-    return parse(decode(content, source), source, changes), content
-
-
-def read_source(spec: str) -> str:
-    """Return the text of a spec that may lack what a command is to find.
-
-    Args:
-        spec: path of its file, or ``-`` for standard input.
-    """
-    from chutecalc.spec.parse import decode, read_text
-
-    return decode(sys.stdin.buffer.read(), STANDARD_INPUT) if spec == "-" else read_text(Path(spec))
+    return decode(content, source), content, source
 
 
 def read_chutes(specs: Sequence[str], settings: Sequence[str]) -> list[Chute]:

@@ -68,6 +68,13 @@ def test_a_sketch_becomes_a_chute(sketch, capsys):
     assert "incidence" in capsys.readouterr().out
 
 
+def test_line_ends_stay(sketch):
+    sketch.write_bytes(SKETCH.replace("\n", "\r\n").encode())
+    assert main(["place", str(sketch), *WISHES, "--write"]) == 0
+    content = sketch.read_bytes()
+    assert content.count(b"\n") == content.count(b"\r\n") > SKETCH.count("\n")
+
+
 def test_without_write_it_says_what_to_write(sketch, capsys):
     assert main(["place", str(sketch), "hood", "incidence=8", "x=0.9"]) == 0
     printed = capsys.readouterr().out

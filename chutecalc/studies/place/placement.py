@@ -51,7 +51,7 @@ class PlacedSegment:
     velocity_after_m_s: float
     """and after it."""
     edges: dict[str, float]
-    """Incidence of the lower and the upper edge of a stream from a belt, degrees, by name; NaN for one that misses."""
+    """Incidence of the other edges of the stream, degrees, by name, see :class:`chutecalc.Edge`; NaN where one misses."""
 
 
 @dataclass(frozen=True)
@@ -161,10 +161,11 @@ def _placed(data: dict[str, Any], number: int, name: str, wish: Wish, source: st
     stand, start, solution = struck
     arrival = arrival_on_last(solution)
     x, z = launch.at(stand.strike.time)
+    last = len(solution.segments) - 1
     edges = {
-        edge.name: edge.numbers["incidence_deg"].item() if edge.segment[0] == name else np.nan
+        edge.name: edge.numbers["incidence_deg"].item() if edge.number.item() == last else np.nan
         for edge in solution.edges
-        if edge.name != "middle"
+        if edge.target.item() == last and edge.name != "middle"
     }
     return (
         PlacedSegment(

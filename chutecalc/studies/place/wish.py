@@ -7,7 +7,7 @@ from typing import Any
 from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
 from chutecalc.fields.units import UNITS, convert, first_unit
-from chutecalc.results.columns import closest
+from chutecalc.results.column_names import closest
 
 DIMENSIONS = {"incidence": "angle", "x": "length", "z": "length", "share": "number"}
 """Dimension of each wish, by its name without a unit."""
