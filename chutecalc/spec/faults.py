@@ -54,12 +54,23 @@ def case_faults(faults: Iterable[Fault], name: str, text: str) -> list[Fault]:
         name: of the case.
         text: TOML text of the spec, for line numbers; empty if there is none.
     """
+    return table_faults(faults, ("cases", name), text)
+
+
+def table_faults(faults: Iterable[Fault], table: tuple[str, ...], text: str) -> list[Fault]:
+    """Return the faults of a table whose keys are key paths, in quotes or not, with the line of the key.
+
+    Args:
+        faults: with the key paths.
+        table: keys that lead to the table.
+        text: TOML text of the spec, for line numbers; empty if there is none.
+    """
     lines = key_lines(text)
     found = []
     for fault in faults:
-        keys = (("cases", name, fault.path), ("cases", name, *fault.path.split(".")), ("cases", name))
+        keys = ((*table, fault.path), (*table, *fault.path.split(".")), table)
         line = next((lines[location] for location in keys if location in lines), None)
-        found.append(fault._replace(path=f"cases.{name}.{fault.path}", line=line))
+        found.append(fault._replace(path=".".join((*table, fault.path)), line=line))
     return found
 
 
