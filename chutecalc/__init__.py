@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
+    from chutecalc.studies.sensitivity.study import sensitivity
+    from chutecalc.studies.uncertain.study import uncertain
 
 __all__ = [
     "STARTER",
@@ -55,8 +57,10 @@ __all__ = [
     "freeze",
     "load",
     "parse",
+    "sensitivity",
     "solve",
     "solve_cases",
+    "uncertain",
 ]
 __version__ = "0.1.0"
 
@@ -79,8 +83,10 @@ _MODULES = {
     "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.load",
     "parse": "chutecalc.api.load",
+    "sensitivity": "chutecalc.studies.sensitivity.study",
     "solve": "chutecalc.api.solve",
     "solve_cases": "chutecalc.api.cases",
+    "uncertain": "chutecalc.studies.uncertain.study",
 }
 """Where each public name is defined."""
 
