@@ -18,7 +18,9 @@ from pathlib import Path
 from measure import Report
 
 SPECS = Path(__file__).parents[1] / "specs"
-SPOON = (SPECS / "paper" / "r3_d55_chamfered.toml").read_text(encoding="utf-8") + """
+SPOON = (
+    (SPECS / "paper" / "r3_d55_chamfered.toml").read_text(encoding="utf-8")
+    + """
 [uncertainty]
 "liners.wall.friction_deg" = 2
 "material.internal_friction_deg" = { uniform = [50, 60] }
@@ -26,6 +28,7 @@ SPOON = (SPECS / "paper" / "r3_d55_chamfered.toml").read_text(encoding="utf-8") 
 "material.density_kg_m3" = 40
 "segments.spoon.radius_m" = 0.02
 """
+)
 CHUTES = {"spoon": SPOON, "transfer": (SPECS / "transfer_90.toml").read_text(encoding="utf-8")}
 WHOLE = ("--columns", "exit_velocity_m_s,min_velocity_m_s,max_depth_m")
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import pytest
 
@@ -49,6 +50,14 @@ def test_units_and_a_case(capsys, spoon):
     out = told(capsys, "uncertain", spoon, "--samples", "256", "--units", "us", "--case", "wet")
     assert "exit velocity, fpm" in out
     assert "spoon.toml, case wet: 256 samples" in out
+
+
+def test_columns_that_do_not_exist_and_errors(capsys, spoon):
+    names = "error_estimate,max_fill,segments.spoon.max_depth_m"
+    out = told(capsys, "uncertain", spoon, "--samples", "256", "--columns", names)
+    assert "max fill, " not in out
+    assert "\nspoon max depth, m, 0.1399 in the spec: each key alone" in out
+    assert re.search(r"^error, \de-\d\d in the spec", out, re.MULTILINE)
 
 
 def test_no_indices_are_told(capsys, spoon, tmp_path):

@@ -85,6 +85,8 @@ def test_indices_are_left_out_where_they_mean_nothing():
     assert (few.ends > 0).sum() > 0
     assert "too few" in few.no_indices
     assert not study().no_indices
+    missing = chutecalc.uncertain(chute(uncertainty=KEYS), FEW, columns=["max_fill"])
+    assert "do not exist" in missing.no_indices
 
 
 def test_a_tornado_has_each_key_alone():

@@ -68,10 +68,10 @@ def slopes(value: float, beside: Array, at: Array, steps: Array, rtol: float) ->
     by 2/3 (D(h/2) - D(h)).
 
     Args:
-        value: of the function at the point.
-        beside: its values with each key at its positions, shape (keys, 4); NaN where it fails.
-        at: the positions, in steps, shape (keys, 4).
-        steps: shape (keys,).
+        value: of the function at the point, in any unit.
+        beside: its values in that unit with each key at its positions, shape (keys, 4); NaN where it fails.
+        at: the positions, in steps, dimensionless, shape (keys, 4).
+        steps: in the units of the keys, shape (keys,).
         rtol: relative tolerance of the values.
 
     >>> found = slopes(1.0, np.exp(0.1 * CENTRAL)[None], CENTRAL[None], np.array([0.1]), 1e-16)

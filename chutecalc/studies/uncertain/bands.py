@@ -6,12 +6,14 @@ import numpy as np
 
 from chutecalc.api.solve import solve
 from chutecalc.physics.arrays import Array, Numbers
-from chutecalc.studies.uncertain.result import Uncertainty
+from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.sampling import REPLICATES
 from chutecalc.studies.uncertain.statistics import SHARES
 
 SAMPLES = 32
 """Samples of each replicate from which bands are made: 512, whose quantiles at 5 and 95 % are some per cent off."""
+POINTS = 41
+"""Stations of each segment."""
 COLUMNS = ("velocity_m_s", "depth_m")
 """Columns that have bands."""
 
@@ -29,7 +31,7 @@ class Bands(NamedTuple):
     """Number of samples."""
 
 
-def bands(result: Uncertainty, points: int) -> Bands:
+def bands(result: Outcome, points: int = POINTS) -> Bands:
     """Return quantiles of velocity and depth along a chute, over samples that do not fail.
 
     Args:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.output.dataset import Block, Dataset, document_head, number, numbers
-from chutecalc.studies.uncertain.result import Uncertainty
+from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.sampling import REPLICATES
 from chutecalc.studies.uncertain.statistics import SHARES, STATUSES
 
@@ -14,7 +14,7 @@ ROWS = 1 << 16
 """Rows of a block of samples in files."""
 
 
-def uncertainty_dataset(result: Uncertainty) -> Dataset:
+def uncertainty_dataset(result: Outcome) -> Dataset:
     """Return the samples as rows, and what they say as a document.
 
     Args:
@@ -32,7 +32,7 @@ def uncertainty_dataset(result: Uncertainty) -> Dataset:
     return Dataset(columns, blocks(), document=lambda: uncertainty_document(result))
 
 
-def uncertainty_document(result: Uncertainty) -> dict[str, Any]:
+def uncertainty_document(result: Outcome) -> dict[str, Any]:
     """Return a study as a document.
 
     Args:

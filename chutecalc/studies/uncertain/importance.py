@@ -72,15 +72,15 @@ def tornado(solver: RowSolver, keys: UncertainKeys, joint: Joint) -> Tornado:
     return Tornado(ends, solved.ends[1:].reshape(count, 2), columns, spec)
 
 
-def indices(solver: RowSolver, one: Array, other: Array, solved: Rows, show: Show) -> dict[str, Indices]:
-    """Return the Sobol indices of each column, or of failure where any sample fails.
+def indices(solver: RowSolver, one: Array, other: Array, solved: Rows, show: Show) -> tuple[dict[str, Indices], str]:
+    """Return the Sobol indices of each column, or of failure where any sample fails, and why there are none.
 
     Saltelli's estimators as SciPy has them, from all replicates together; the errors from each for itself.
 
     Args:
         solver: of rows.
-        one: values of the keys, shape (replicates, samples, keys).
-        other: as many, independent of those.
+        one: values of the keys in their units, shape (replicates, samples, keys).
+        other: as many in their units, independent of those.
         solved: rows of ``one``.
         show: is told of rows that were solved.
     """
@@ -93,11 +93,12 @@ def indices(solver: RowSolver, one: Array, other: Array, solved: Rows, show: Sho
     fails = int(np.count_nonzero(ends))
     columns = {name: np.concatenate([solved.columns[name], rest.columns[name]]) for name in solver.columns}
     if 0 < fails < FEWEST_FAILURES:
-        return {}
+        return {}, f"{fails} of {len(ends):,} samples for them fail, which is too few to tell what makes them fail"
     if fails:
         columns = {FAILS: (ends > 0).astype(float)}
     shape = (2 + count, REPLICATES, -1)
-    return {name: _of(values.reshape(shape)) for name, values in columns.items()}
+    found = {name: _of(values.reshape(shape)) for name, values in columns.items() if np.isfinite(values).all()}
+    return found, "" if found else "the columns do not exist in all samples"
 
 
 def _of(values: Array) -> Indices:

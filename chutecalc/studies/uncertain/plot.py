@@ -7,9 +7,9 @@ from matplotlib.figure import Figure
 from chutecalc.output.plots.style import INK, PALE, SMALL, TITLE, label_axes, mathematical, styled
 from chutecalc.output.plots.text import fitted
 from chutecalc.results.columns import COLUMNS
-from chutecalc.studies.uncertain.bands import Bands
+from chutecalc.studies.uncertain.bands import Bands, bands
+from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.report import columns_of
-from chutecalc.studies.uncertain.result import Uncertainty
 from chutecalc.studies.uncertain.statistics import STATUSES
 
 WIDTH, HEIGHT = 10.0, 5.0
@@ -22,7 +22,7 @@ MOST_BARS = 12
 """Keys that are drawn, those that matter most."""
 
 
-def draw_uncertainty(result: Uncertainty, units: str = "metric") -> Figure:
+def draw_uncertainty(result: Outcome, units: str = "metric") -> Figure:
     """Draw what each key does alone to the first column, and the bands of velocity and depth.
 
     Args:
@@ -38,7 +38,7 @@ def draw_uncertainty(result: Uncertainty, units: str = "metric") -> Figure:
         figure.suptitle(fitted(f"{title}: how sure", WIDTH, TITLE), x=0.01, ha="left")
         axes = figure.subplot_mosaic([["tornado", "velocity"], ["tornado", "depth"]])
         _draw_tornado(axes["tornado"], result, units)
-        found = result.bands()
+        found = bands(result)
         for name, column in (("velocity", "velocity_m_s"), ("depth", "depth_m")):
             _draw_band(axes[name], found, column, units)
         axes["velocity"].set_title("along the chute: median, and from 5 to 95 %")
@@ -51,7 +51,7 @@ def draw_uncertainty(result: Uncertainty, units: str = "metric") -> Figure:
         return figure
 
 
-def _draw_tornado(axes: Axes, result: Uncertainty, units: str) -> None:
+def _draw_tornado(axes: Axes, result: Outcome, units: str) -> None:
     """Draw a bar for each key from the column at its 5 % quantile to that at its 95 % quantile."""
     name, column = next(iter(columns_of(result).items()))
     alone = result.tornado

@@ -10,7 +10,7 @@ from chutecalc.results.column import Column
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep.columns import own_columns, row_columns
 from chutecalc.studies.uncertain.importance import Indices
-from chutecalc.studies.uncertain.result import Uncertainty
+from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.sampling import REPLICATES
 from chutecalc.studies.uncertain.statistics import FAILS, SHARES, STATUSES
 
@@ -18,7 +18,7 @@ AHEAD = tuple(f"{100 * share:g} %" for share in SHARES)
 """Headings of the quantiles."""
 
 
-def columns_of(result: Uncertainty) -> dict[str, Column]:
+def columns_of(result: Outcome) -> dict[str, Column]:
     """Return the columns of a study as people read them, by name.
 
     Args:
@@ -29,7 +29,7 @@ def columns_of(result: Uncertainty) -> dict[str, Column]:
     return {name: own[name].column if name in own else known[name] for name in result.columns}
 
 
-def print_uncertainty(printer: Printer, result: Uncertainty) -> None:
+def print_uncertainty(printer: Printer, result: Outcome) -> None:
     """Print what is uncertain, what comes out, how it may fail, and which keys matter.
 
     Args:
@@ -51,6 +51,8 @@ def print_uncertainty(printer: Printer, result: Uncertainty) -> None:
     printer.text()
     printer.table(_chances(result))
     for name, column in columns_of(result).items():
+        if np.isnan(result.tornado.columns[name]).all():
+            continue
         printer.text()
         printer.table(_importance(result, name, column, printer.units))
     if FAILS in result.indices:
@@ -61,7 +63,7 @@ def print_uncertainty(printer: Printer, result: Uncertainty) -> None:
         printer.text(f"no Sobol indices: {result.no_indices}")
 
 
-def _keys(result: Uncertainty) -> Grid:
+def _keys(result: Outcome) -> Grid:
     """Return a row for each key: its value in the spec, how it scatters, its quantiles."""
     table = Grid()
     for heading in ("key", "in the spec"):
@@ -76,14 +78,14 @@ def _keys(result: Uncertainty) -> Grid:
     return table
 
 
-def _correlations(result: Uncertainty) -> Iterator[str]:
+def _correlations(result: Outcome) -> Iterator[str]:
     """Yield a line for each pair of keys that are correlated."""
     for one, other in zip(*np.nonzero(np.triu(result.keys.correlation, 1)), strict=True):
         paths = result.keys.paths
         yield f"correlation of {paths[one]} and {paths[other]}: {result.keys.correlation[one, other]:g}"
 
 
-def _summaries(result: Uncertainty, units: str) -> Grid:
+def _summaries(result: Outcome, units: str) -> Grid:
     """Return a row for each column."""
     fails = "" if result.ok.all() else ", over the samples that do not fail"
     table = Grid(f"what comes out{fails}")
@@ -93,11 +95,23 @@ def _summaries(result: Uncertainty, units: str) -> Grid:
     for name, column in columns_of(result).items():
         own = result.summaries[name]
         mean, deviation, *quantiles = (
-            column.shown(value, units) for value in (own.mean, own.deviation, *map(float, own.quantiles))
+            _shown(column, value, units) for value in (own.mean, own.deviation, *own.quantiles)
         )
         error = "" if own.error != own.error else f"{column.converted(own.error, units):.1e}"
         table.row([_label(column, units), mean, error, deviation, *quantiles])
     return table
+
+
+def _shown(column: Column, value: float, units: str) -> str:
+    """Return a number of a column, empty for NaN."""
+    if column.name == "error_estimate":
+        return "" if value != value else f"{value:.0e}"
+    return column.shown(float(value), units)
+
+
+def _status(status: str) -> str:
+    """Return a status as people read it."""
+    return status.replace("_", " ")
 
 
 def _label(column: Column, units: str) -> str:
@@ -105,7 +119,7 @@ def _label(column: Column, units: str) -> str:
     return ", ".join(part for part in (column.heading, column.unit_text(units)) if part)
 
 
-def _chances(result: Uncertainty) -> Grid:
+def _chances(result: Outcome) -> Grid:
     """Return a row for each way to end."""
     table = Grid("how it ends")
     table.column("status", left=True, label=True)
@@ -114,14 +128,14 @@ def _chances(result: Uncertainty) -> Grid:
     for status, own in result.chances.items():
         if own.share or status == FAILS:
             most = "" if status == STATUSES[0] else f"{100 * own.at_most:.2g} %"
-            table.row([status.replace("_", " "), f"{100 * own.share:.4g} %", f"{100 * own.error:.1g} %", most])
+            table.row([_status(status), f"{100 * own.share:.4g} %", f"{100 * own.error:.1g} %", most])
     return table
 
 
-def _importance(result: Uncertainty, name: str, column: Column, units: str) -> Grid:
+def _importance(result: Outcome, name: str, column: Column, units: str) -> Grid:
     """Return a row for each key: the column with the key alone at its ends, and its Sobol indices."""
     own = result.indices.get(name)
-    spec = column.shown(result.tornado.spec[name], units) or "none"
+    spec = _shown(column, result.tornado.spec[name], units) or "none"
     table = Grid(f"{_label(column, units)}, {spec} in the spec: each key alone" + (", Sobol indices" if own else ""))
     table.column("key", left=True, label=True)
     for heading in ("at 5 %", "at 95 %"):
@@ -129,12 +143,12 @@ def _importance(result: Uncertainty, name: str, column: Column, units: str) -> G
     _index_columns(table, own)
     for k in result.tornado.order(name):
         ends = zip(result.tornado.columns[name][k], result.tornado.ends[k], strict=True)
-        alone = [column.shown(float(value), units) or STATUSES[code].replace("_", " ") for value, code in ends]
+        alone = [_shown(column, value, units) if code == 0 else _status(STATUSES[code]) for value, code in ends]
         table.row([result.keys.paths[k], *alone, *_index_cells(own, k)])
     return table
 
 
-def _failure(result: Uncertainty) -> Grid:
+def _failure(result: Outcome) -> Grid:
     """Return a row for each key: its Sobol indices of failure."""
     own = result.indices[FAILS]
     table = Grid("which keys decide whether it fails: Sobol indices of failure")

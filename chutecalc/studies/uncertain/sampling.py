@@ -59,7 +59,7 @@ def error_of(replicates: Array) -> Array:
     """Return the standard error of the mean of replicates, s / √R.
 
     Args:
-        replicates: an estimate from each, shape (replicates, ...); NaN for one that has none.
+        replicates: an estimate from each, in any unit, shape (replicates, ...); NaN for one that has none.
     """
     there = np.isfinite(replicates)
     count = np.maximum(there.sum(axis=0), 1)

@@ -52,7 +52,7 @@ def summary(values: Array) -> Summary:
     """Return what samples say of a column.
 
     Args:
-        values: of all samples, one replicate after the other; NaN where a sample fails.
+        values: of all samples in the unit of the column, one replicate after the other; NaN where a sample fails.
 
     >>> found = summary(np.arange(256.0))
     >>> found.mean, found.quantiles.tolist()

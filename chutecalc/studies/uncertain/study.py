@@ -12,7 +12,7 @@ from chutecalc.physics.arrays import Array
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep.checks import DEFAULT_ON_BELT
 from chutecalc.studies.sweep.columns import row_columns
-from chutecalc.studies.uncertain.importance import FEWEST_FAILURES, indices, tornado
+from chutecalc.studies.uncertain.importance import indices, tornado
 from chutecalc.studies.uncertain.quantiles import Joint
 from chutecalc.studies.uncertain.result import Uncertainty
 from chutecalc.studies.uncertain.sampling import REPLICATES, cubes, sample_count
@@ -83,8 +83,7 @@ def uncertain(
         one[replicate] = joint(cube[:, : len(keys.keys)])
         other[replicate] = joint(cube[:few, len(keys.keys) :])
     rows = solver(one.reshape(-1, len(keys.keys)), solved)
-    matters = {} if alone else indices(solver, one[:, :few], other, _first(rows, few), solved)
-    few_fail = f"fewer than {FEWEST_FAILURES} of the samples for them fail: too few to tell what makes them fail"
+    matters, none = ({}, alone) if alone else indices(solver, one[:, :few], other, _first(rows, few), solved)
     return Uncertainty(
         chute=state,
         case=case,
@@ -97,7 +96,7 @@ def uncertain(
         summaries={name: summary(values) for name, values in rows.columns.items()},
         chances={status: chance(rows.ends, status) for status in (STATUSES[0], FAILS, *FAILURES, STATUSES[-1])},
         indices=matters,
-        no_indices=alone or ("" if matters else few_fail),
+        no_indices=none,
         tornado=tornado(solver, keys, joint),
     )
 
