@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
     from chutecalc.studies.place.placement import Placement, place
+    from chutecalc.studies.sensitivity.study import sensitivity
+    from chutecalc.studies.uncertain.study import uncertain
 
 __all__ = [
     "STARTER",
@@ -58,8 +60,10 @@ __all__ = [
     "load",
     "parse",
     "place",
+    "sensitivity",
     "solve",
     "solve_cases",
+    "uncertain",
 ]
 __version__ = "0.1.0"
 
@@ -84,8 +88,10 @@ _MODULES = {
     "load": "chutecalc.api.load",
     "parse": "chutecalc.api.load",
     "place": "chutecalc.studies.place.placement",
+    "sensitivity": "chutecalc.studies.sensitivity.study",
     "solve": "chutecalc.api.solve",
     "solve_cases": "chutecalc.api.cases",
+    "uncertain": "chutecalc.studies.uncertain.study",
 }
 """Where each public name is defined."""
 

@@ -27,7 +27,21 @@ def solve_cases(chute: Chute, rtol: float = 1e-10, only: str | None = None) -> C
     >>> chutecalc.solve_cases(spoon)
     <Cases: design 1 ok; wet 1 ok>
     """
+    states = {DESIGN_POINT: chute, **chute.cases} if only is None else {only: state_of(chute, only)}
+    return Cases({name: solve(state, rtol) for name, state in states.items()})
+
+
+def state_of(chute: Chute, name: str) -> Chute:
+    """Return a chute in one of its operating states.
+
+    Args:
+        chute: the chute.
+        name: of a case, or ``design`` for the spec as written.
+
+    Raises:
+        UsageError: the chute has no such case.
+    """
     states = {DESIGN_POINT: chute, **chute.cases}
-    if only is not None and only not in states:
-        raise UsageError(f"{chute.source} has no case {only}. It has {', '.join(states)}")
-    return Cases({name: solve(state, rtol) for name, state in states.items() if only in (None, name)})
+    if name not in states:
+        raise UsageError(f"{chute.source} has no case {name}. It has {', '.join(states)}")
+    return states[name]

@@ -20,6 +20,7 @@ from chutecalc.spec.paths import with_values
 
 if TYPE_CHECKING:
     from chutecalc.api.function import Function
+    from chutecalc.api.uncertain_keys import UncertainKeys
 
 
 class Chute:
@@ -134,6 +135,19 @@ class Chute:
         if faults:
             raise SpecError(faults, self.source)
         return found
+
+    @cached_property
+    def uncertain(self) -> "UncertainKeys":
+        r"""The numbers of the spec that ``[uncertainty]`` says are uncertain; of a case, about the values of that case.
+
+        >>> import chutecalc
+        >>> spoon = chutecalc.parse(chutecalc.STARTER + '[uncertainty]\n"flow.rate_t_h" = { uniform = [800, 1100] }')
+        >>> spoon.uncertain.keys[0].scatter.text
+        '800 to 1100'
+        """
+        from chutecalc.api.uncertain_keys import read_uncertainty  # what a run does not need
+
+        return read_uncertainty(self.spec, self.source, self.text)
 
     def steel_for(self, *states: Design) -> Steel:
         """Return where the segments are drawn that follow the stream at this design point.

@@ -45,6 +45,13 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[
     text = spec if isinstance(spec, str) else ""
     data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
     chute = Chute(with_values(data, dict(changes), source) if changes else data, source, text)
-    if chute.spec.cases:
-        chute.cases  # noqa: B018 - their faults are those of the spec
+    faults: list[Fault] = []
+    for table, read in (("cases", lambda: chute.cases), ("uncertainty", lambda: chute.uncertain)):
+        try:
+            if getattr(chute.spec, table):
+                read()  # their faults are those of the spec
+        except SpecError as error:
+            faults += error.faults
+    if faults:
+        raise SpecError(sorted(faults, key=lambda fault: fault.line or 0), source)
     return chute

@@ -18,6 +18,7 @@ def run_dataset(
     chutes: Sequence[Cases],
     stations: Sequence[Mapping[str, Mapping[str, Any]]] | None,
     columns: Sequence[str] = tuple(COLUMNS),
+    more: Sequence[Mapping[str, Any]] | None = None,
 ) -> Dataset:
     """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
 
@@ -26,6 +27,7 @@ def run_dataset(
         stations: stations of each chute by the name of the state, if a user asked for some. The document holds those
             of the state shown in full then. Without them the rows are the default stations, and the document has none.
         columns: names of the station columns.
+        more: further entries of the document of each chute.
     """
 
     def blocks() -> Iterator[Block]:
@@ -37,6 +39,7 @@ def run_dataset(
     def document() -> Any:
         documents = [
             run_document(chute, stations[number][chute.main] if stations else None, columns)
+            | dict(more[number] if more else {})
             for number, chute in enumerate(chutes)
         ]
         return documents[0] if len(documents) == 1 else documents

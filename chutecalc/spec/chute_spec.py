@@ -147,6 +147,9 @@ class ChuteSpec(Table):
     cases: dict[Name, dict[str, Any]] = Field(
         {}, description="operating states that the same steel has to serve, by name: key paths with their values"
     )
+    uncertainty: dict[str, Any] = Field(
+        {}, description="how uncertain numbers are: key paths with plus/minus or a distribution, and their correlation"
+    )
     rules: ClassVar = (known_format, names, placement, known_strength, case_keys)
     hints: ClassVar = dict.fromkeys(("spoon", "crest"), "use curve: a spoon or crest is a curve")
     choices: ClassVar = {"kind": tuple(KINDS), "shape": tuple(SHAPES)}

@@ -56,13 +56,25 @@ def case_faults(faults: Iterable[Fault], name: str, text: str) -> list[Fault]:
         name: of the case.
         text: TOML text of the spec, for line numbers; empty if there is none.
     """
-    tables = parse_text(text, name).get("segments", [])
+    return table_faults(faults, ("cases", name), text)
+
+
+def table_faults(faults: Iterable[Fault], table: tuple[str, ...], text: str) -> list[Fault]:
+    """Return the faults of a table whose keys are key paths, as its own keys are written, with their lines.
+
+    Args:
+        faults: with the key paths.
+        table: keys that lead to the table.
+        text: TOML text of the spec, for line numbers; empty if there is none.
+    """
+    depth = len(table)
+    tables = parse_text(text, "spec").get("segments", [])
     names = segment_names([(table.get("name"), table.get("kind", "")) for table in tables])
     numbers = {name: str(number) for number, name in enumerate(names, 1)}
     keys = [
-        (".".join(map(str, location[2:])).split(".") if location[2:] else [], line)
+        (".".join(map(str, location[depth:])).split(".") if location[depth:] else [], line)
         for location, line in key_lines(text).items()
-        if location[:2] == ("cases", name)
+        if location[:depth] == table
     ]
     found = []
     for fault in faults:
@@ -76,7 +88,7 @@ def case_faults(faults: Iterable[Fault], name: str, text: str) -> list[Fault]:
             if rank > best:
                 best, line = rank, at
                 written = [*key, *whole[shared:]] if shared == len(own) else path
-        found.append(fault._replace(path=".".join(["cases", name, *written]), line=line))
+        found.append(fault._replace(path=".".join([*table, *written]), line=line))
     return found
 
 

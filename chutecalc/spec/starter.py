@@ -78,6 +78,12 @@ _FURTHER = """
 # [cases.wet]
 # "liners.ceramic.friction_deg" = 32
 
+# How uncertain numbers are, for chutecalc uncertain: plus/minus, or a distribution:
+
+# [uncertainty]
+# "liners.ceramic.friction_deg" = 2
+# "flow.rate_t_h" = {{ uniform = [900, 1100] }}
+
 # The steel stands still while operating keys vary. To have it drawn anew under each stream:
 
 # [model]

@@ -10,8 +10,9 @@ from chutecalc.output.dataset import Block
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep.block import joined
 from chutecalc.studies.sweep.parameters import AnyParameter
+from chutecalc.studies.sweep.solved_blocks import solve_blocks
 from chutecalc.studies.sweep.sweep import Sweep
-from chutecalc.studies.sweep.text_parameter import case_parameter
+from chutecalc.studies.sweep.text_parameter import TextParameter, case_parameter
 
 DESIGN_ALONE = (DESIGN_POINT,)
 
@@ -41,7 +42,7 @@ class Variants:
         Args:
             chute: a chute of one design.
             parameters: what varies, as :func:`chutecalc.studies.sweep.parameters.read_parameters` returns it; their
-                values are the first to be checked, and are not solved.
+                values are the ones that are checked, and are not solved.
             columns: names of columns, as for :class:`chutecalc.studies.sweep.sweep.Sweep`.
             states: names of operating states of the spec, ``design`` for the spec as written.
             rtol: relative tolerance, as in :func:`chutecalc.solve`.
@@ -53,27 +54,25 @@ class Variants:
         """
         self.chute, self.parameters, self.rtol, self.jobs = chute, tuple(parameters), rtol, jobs
         self.states = tuple(states)
-        self._by_case = [] if self.states == DESIGN_ALONE else [case_parameter(",".join(self.states), chute)]
-        ends = [each.values[[0, -1]] for each in self.parameters]
-        self.columns = list(self._sweep(ends, columns).columns)
+        first = [
+            each if isinstance(each, TextParameter) else each._replace(values=each.values[[0, -1]])
+            for each in self.parameters
+        ]
+        by_case = [] if self.states == DESIGN_ALONE else [case_parameter(",".join(self.states), chute)]
+        self._sweep = Sweep(chute, [*by_case, *first], columns=columns, rtol=rtol)
+        self.columns = list(self._sweep.columns)
 
     def __call__(self, values: Sequence[Any]) -> Block:
         """Solve variants.
 
         Args:
-            values: for each parameter an array of numbers or names, shape (variants,).
+            values: for each parameter an array of numbers, or of names that it has, shape (variants,). A value out of
+                its bounds makes a variant impossible.
 
         Returns:
             ``status`` and the columns by name, each of shape (states, variants): NaN where a variant fails.
         """
-        sweep = self._sweep(values, self.columns)
-        block = joined([block for _, block in sweep.blocks(range(sweep.block_count), self.jobs)])
+        states = [] if self.states == DESIGN_ALONE else [np.repeat(self.states, len(values[0]))]
+        sweep = self._sweep.over([*states, *(np.tile(own, len(self.states)) for own in values)])
+        block = joined([block for _, block in solve_blocks(sweep, range(sweep.block_count), self.jobs)])
         return {name: block[name].reshape(len(self.states), -1) for name in ("status", *self.columns)}
-
-    def _sweep(self, values: Sequence[Any], columns: Sequence[str]) -> Sweep:
-        """Return a sweep over rows of values, in one state after the other."""
-        count = len(values[0])
-        given = zip(self.parameters, values, strict=True)
-        varied = [each._replace(values=np.tile(own, len(self.states))) for each, own in given]
-        cases = [each._replace(values=np.repeat(each.values, count)) for each in self._by_case]
-        return Sweep(self.chute, [*cases, *varied], parallel=True, columns=columns, rtol=self.rtol)

@@ -3,6 +3,7 @@
 import hashlib
 import json
 from collections.abc import Sequence
+from copy import copy
 from functools import cached_property
 from typing import Any
 
@@ -91,6 +92,17 @@ class Sweep:
         """Those of the columns that are of a segment, by name."""
         if self.top and self.top.column in self.texts:
             raise UsageError(f"--by needs a column of numbers, not {self.top.column}")
+
+    def over(self, values: Sequence[Any]) -> "Sweep":
+        """Return the sweep over other rows of values, which are not checked again: those out of bounds are impossible.
+
+        Args:
+            values: for each parameter an array of numbers, or of names that it has; all of one length.
+        """
+        other, given = copy(self), zip(self.parameters, values, strict=True)
+        other.parameters = tuple(parameter._replace(values=own) for parameter, own in given)
+        other.parallel, other.grid = True, Grid(other.parameters, parallel=True)
+        return other
 
     @property
     def count(self) -> int:

@@ -1,0 +1,144 @@
+"""How an uncertain number scatters, as a spec says it: plus/minus, a distribution, or the points of a shear test."""
+
+import math
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from chutecalc.api.parameter import Parameter
+from chutecalc.fields.units import same_quantity
+
+PLUS_MINUS = "a number for plus/minus"
+"""What the short form is called in messages."""
+HALF_WIDTH = 1.959963984540054
+"""Standard deviations of a normal distribution that hold 95 % of it on both sides of its mean."""
+DISTRIBUTIONS = ("normal", "uniform", "triangular", "shear_test")
+"""Names that a table may have in place of a number."""
+FEWEST_POINTS = 2
+"""Points of a shear test below which nothing is known of their scatter."""
+
+
+class Scatter(NamedTuple):
+    """How a number scatters, in the unit of its key.
+
+    ``normal``: standard deviation about the value of the spec. ``uniform``: least and greatest value. ``triangular``:
+    least, most likely, greatest value. ``shear_test``: slope of a line through the origin, standard error of the
+    slope, and degrees of freedom; the key is the angle of that slope.
+    """
+
+    kind: str
+    """One of :data:`DISTRIBUTIONS`."""
+    numbers: tuple[float, ...]
+    """What describes it."""
+    text: str
+    """What the spec says, for people."""
+
+    @classmethod
+    def read(cls, value: Any, parameter: Parameter) -> "Scatter":
+        """Return what a value of the table says.
+
+        Args:
+            value: as written.
+            parameter: the number that scatters.
+
+        Raises:
+            ValueError: what is wrong, and what to do.
+        """
+        if not isinstance(value, dict):
+            half = _number(value, "must be a number above 0, or a table with a distribution", "write plus/minus as 2")
+            return cls("normal", (half / HALF_WIDTH,), f"± {half:g}")
+        if len(value) != 1:
+            raise ValueError(f"must have one distribution, not {len(value)}", f"use one of {', '.join(DISTRIBUTIONS)}")
+        ((kind, given),) = value.items()
+        return cls(kind, *_READ[kind](given, parameter))
+
+
+_Read = tuple[tuple[float, ...], str]
+
+
+def is_number(value: Any) -> bool:
+    """Return whether a value of TOML is a finite number.
+
+    Args:
+        value: any value.
+
+    >>> is_number(2), is_number(True), is_number(float("nan"))
+    (True, False, False)
+    """
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def bounds_of(parameter: Parameter) -> tuple[float, float]:
+    """Return the least and the greatest value that a number of a spec may have; infinite where there is none.
+
+    Args:
+        parameter: the number; the values are in the unit of its path.
+    """
+    bounds = parameter.quantity.bounds_in(parameter.unit)
+    return bounds.get("gt", bounds.get("ge", -math.inf)), bounds.get("lt", bounds.get("le", math.inf))
+
+
+def _number(value: Any, problem: str, remedy: str) -> float:
+    """Return a number above 0."""
+    if not is_number(value) or value <= 0:
+        raise ValueError(problem, remedy)
+    return float(value)
+
+
+def _normal(given: Any, parameter: Parameter) -> _Read:
+    """Read a standard deviation."""
+    deviation = _number(given, "normal must be a number above 0", "give the standard deviation")
+    return (deviation,), f"σ {deviation:g}"
+
+
+def _ordered(given: Any, names: str, parameter: Parameter) -> tuple[float, ...]:
+    """Read values in rising order, some of which the key takes."""
+    count = len(names.split(", "))
+    if not isinstance(given, list) or len(given) != count or not all(map(is_number, given)):
+        raise ValueError(f"must be {count} numbers", f"write [{names}]")
+    if given[0] >= given[-1] or any(one > other for one, other in pairwise(given)):
+        raise ValueError("has numbers that do not rise", f"write [{names}]")
+    low, high = bounds_of(parameter)
+    if given[-1] <= low or given[0] >= high:
+        remedy = f"use values {parameter.quantity.bounds_text(parameter.unit)}"
+        raise ValueError("lies outside what its key takes", remedy)
+    return tuple(map(float, given))
+
+
+def _uniform(given: Any, parameter: Parameter) -> _Read:
+    """Read the ends of a range."""
+    low, high = _ordered(given, "least, greatest", parameter)
+    return (low, high), f"{low:g} to {high:g}"
+
+
+def _triangular(given: Any, parameter: Parameter) -> _Read:
+    """Read the ends of a range and the most likely value."""
+    low, mode, high = _ordered(given, "least, most likely, greatest", parameter)
+    return (low, mode, high), f"{low:g} to {high:g}, most likely {mode:g}"
+
+
+def _shear_test(given: Any, parameter: Parameter) -> _Read:
+    """Read points of a shear test: fit shear = slope * normal by least squares, through the origin.
+
+    The slope is Σ σ τ / Σ σ², and its standard error s / √Σ σ² with s² = Σ (τ - slope σ)² / (N - 1): one number is
+    fitted, which leaves N - 1 degrees of freedom.
+    """
+    if parameter.key not in same_quantity("friction_deg"):
+        raise ValueError("is not a friction angle, which is all that a shear test tells", "use another distribution")
+    rows = given if isinstance(given, list) else []
+    if len(rows) < FEWEST_POINTS or not all(
+        isinstance(row, list) and len(row) == 2 and all(map(is_number, row)) and min(row) > 0 for row in rows
+    ):
+        problem = f"shear_test must be {FEWEST_POINTS} or more rows of a normal and a shear stress above 0"
+        raise ValueError(problem, "write [[4, 1.9], [8, 3.7], ...] in kPa")
+    normal, shear = np.array(rows, dtype=float).T
+    slope = float(normal @ shear / (normal @ normal))
+    freedom = len(rows) - 1
+    error = math.sqrt(float(np.sum((shear - slope * normal) ** 2)) / freedom / float(normal @ normal))
+    if error <= 1e-12 * slope:
+        raise ValueError("has points on one line through the origin, which tell no scatter", "give a number instead")
+    return (slope, error, float(freedom)), f"shear test of {len(rows)} points"
+
+
+_READ = dict(zip(DISTRIBUTIONS, (_normal, _uniform, _triangular, _shear_test), strict=True))

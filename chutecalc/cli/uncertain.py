@@ -1,0 +1,64 @@
+"""``chutecalc uncertain``: how sure the exit is, if numbers of the spec are uncertain."""
+
+from __future__ import annotations
+
+import typer
+
+from chutecalc.cli.options import JOBS, RTOL, names_of, with_groups
+from chutecalc.cli.outputs import Outputs
+from chutecalc.cli.specs import read_chute
+from chutecalc.errors import ExitStatus
+from chutecalc.spec.operating import DESIGN_POINT
+
+EXAMPLES = (
+    "chutecalc uncertain chute.toml --plot uncertain.svg",
+    "chutecalc uncertain chute.toml --samples 1000000 --case wet --csv samples.csv",
+)
+
+
+class UncertainOutputs(Outputs):
+    """Outputs of a study of uncertainty."""
+
+    picture = "what each key does alone, and bands of velocity and depth along the chute"
+    has_units = True
+
+
+@with_groups
+def uncertain(
+    spec: str = typer.Argument(..., metavar="SPEC", help="A spec with a table [uncertainty]; - for standard input."),
+    samples: int = typer.Option(16_384, metavar="N", help="Number of samples, rounded up to a power of two."),
+    seed: int = typer.Option(1, min=0, metavar="S", help="Seed: the same one gives the same samples."),
+    columns: str | None = typer.Option(
+        None,
+        metavar="NAMES",
+        help="Columns, separated by commas, as those of a sweep. Default: those of the exit and the receiving belt."
+        " min_ and max_ take ten times as long.",
+    ),
+    case: str = typer.Option(DESIGN_POINT, metavar="NAME", help="Operating state of [cases]; design for the spec."),
+    *,
+    jobs: int | None = JOBS,
+    rtol: float = RTOL,
+    outputs: UncertainOutputs,
+) -> int:
+    """Report how sure the exit of a chute is, how likely it fails, and which numbers matter.
+
+    The table [uncertainty] of the spec says how uncertain its numbers are. Data files have a row for each sample, JSON
+    what they say.
+    """
+    outputs.check([spec])
+    chute = read_chute(spec)
+    from chutecalc.output.printer import Printer
+    from chutecalc.output.progress import progress
+    from chutecalc.studies.uncertain.document import uncertainty_dataset
+    from chutecalc.studies.uncertain.report import print_uncertainty
+    from chutecalc.studies.uncertain.study import uncertain as study
+
+    with progress("designs") as show:
+        result = study(chute, samples, seed, names_of(columns), case, rtol, jobs, show)
+    if outputs.files:
+        outputs.write(uncertainty_dataset(result))
+    if outputs.plot:
+        outputs.draw(result.plot(outputs.units))
+    if not outputs.to_standard_output:
+        print_uncertainty(Printer(outputs.units), result)
+    return ExitStatus.OK

@@ -1,0 +1,1 @@
+"""How much each number of a spec changes what comes out."""

@@ -1,0 +1,60 @@
+"""What is known of a chute whose numbers are uncertain, with its text and pictures."""
+
+from typing import TYPE_CHECKING
+
+from chutecalc.results.described import html_table
+from chutecalc.studies.uncertain.bands import POINTS, Bands, bands
+from chutecalc.studies.uncertain.outcome import Outcome
+from chutecalc.studies.uncertain.statistics import FAILS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Uncertainty(Outcome):
+    """Samples of a chute, what they say, and which keys matter; arrays of shape (samples,)."""
+
+    def bands(self, points: int = POINTS) -> Bands:
+        """Return quantiles of velocity and depth along the chute.
+
+        Args:
+            points: stations of each segment.
+        """
+        return bands(self, points)
+
+    def plot(self, units: str = "metric") -> "Figure":
+        """Draw what each key does alone, and the bands of velocity and depth along the chute.
+
+        Args:
+            units: ``metric`` or ``us``.
+        """
+        from chutecalc.studies.uncertain.plot import draw_uncertainty
+
+        figure: Figure = draw_uncertainty(self, units)
+        return figure
+
+    def __repr__(self) -> str:
+        r"""Return the samples, the first column and the chance of failure.
+
+        >>> import chutecalc
+        >>> chutecalc.uncertain(chutecalc.parse(chutecalc.STARTER + '[uncertainty]\n"flow.rate_t_h" = 100'))
+        <Uncertainty of 16384 samples: exit_velocity_m_s 3.878 (5 to 95 %: 3.866 to 3.891), 0 % fail>
+        """
+        return f"<{self._described()}>"
+
+    def _repr_html_(self) -> str:
+        """Return a table of the columns, for notebooks."""
+        rows = [
+            (name, *(f"{value:.4g}" for value in (own.mean, own.deviation, *own.quantiles)))
+            for name, own in self.summaries.items()
+        ]
+        headings = ("column", "mean", "standard deviation", "5 %", "50 %", "95 %")
+        return html_table(self._described(), headings, rows)
+
+    def _described(self) -> str:
+        """Return the first column and the chance of failure, as text."""
+        name, own = next(iter(self.summaries.items()))
+        low, _, high = own.quantiles
+        fails = 100.0 * self.chances[FAILS].share
+        spread = f"{name} {own.mean:.4g} (5 to 95 %: {low:.4g} to {high:.4g})"
+        return f"Uncertainty of {self.count} samples: {spread}, {fails:.3g} % fail"

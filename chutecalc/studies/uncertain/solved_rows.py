@@ -1,0 +1,67 @@
+"""Solves rows of values of uncertain keys, in blocks, so that memory does not grow with their number."""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.api.chute import Chute
+from chutecalc.api.uncertain_keys import UncertainKeys
+from chutecalc.physics.arrays import Array, Numbers
+from chutecalc.studies.sweep.parameters import Parameter
+from chutecalc.studies.uncertain.statistics import STATUSES, Ends
+from chutecalc.studies.variants import Variants
+
+BLOCK = 1 << 17
+"""Rows that are solved together."""
+Show = Callable[[int], None]
+"""Takes the number of rows that were solved."""
+
+
+class Rows(NamedTuple):
+    """How rows end, and their columns."""
+
+    ends: Ends
+    """Number of each row's status in :data:`STATUSES`, shape (rows,)."""
+    columns: Numbers
+    """Columns by name, shape (rows,): NaN where a row fails."""
+
+
+class RowSolver:
+    """Solves rows of values.
+
+    Args:
+        chute: in the state in which it is solved.
+        keys: what varies.
+        columns: names of columns, as those of a sweep.
+        rtol: relative tolerance, as in :func:`chutecalc.solve`.
+        jobs: number of threads; one for each core by default. Numbers do not depend on it.
+    """
+
+    def __init__(
+        self, chute: Chute, keys: UncertainKeys, columns: Sequence[str], rtol: float, jobs: int | None
+    ) -> None:
+        parameters = [
+            Parameter(key.path, (key.path,), np.array([key.parameter.value_in_unit] * 2)) for key in keys.keys
+        ]
+        self._variants = Variants(chute, parameters, columns, rtol=rtol, jobs=jobs)
+        self.columns = self._variants.columns
+
+    def __call__(self, values: Array, show: Show = lambda count: None) -> Rows:
+        """Solve rows.
+
+        Args:
+            values: in the units of the keys, shape (rows, keys).
+            show: is told of each block.
+        """
+        ends = np.zeros(len(values), dtype=np.int8)
+        columns = {name: np.empty(len(values)) for name in self.columns}
+        for first in range(0, len(values), BLOCK):
+            block = slice(first, first + BLOCK)
+            solved = self._variants(list(values[block].T))
+            for code, status in enumerate(STATUSES):
+                ends[block][solved["status"][0] == status] = code
+            for name in self.columns:
+                columns[name][block] = solved[name][0]
+            show(len(values[block]))
+        return Rows(ends, columns)

@@ -1,0 +1,142 @@
+"""``chutecalc uncertain`` and ``run --sensitivity`` through ``main``: tables, files, pictures, what is refused."""
+
+import csv
+import json
+import re
+
+import pytest
+
+import chutecalc
+from chutecalc.cli import main
+from chutecalc.output.table import PIPE_WIDTH
+from tests.conftest import ROOT
+
+HOOD = str(ROOT / "specs/coal_hood_spoon.toml")
+TABLE = """
+[cases.wet]
+"liners.ceramic.friction_deg" = 29
+
+[uncertainty]
+"liners.ceramic.friction_deg" = { normal = 4.0 }
+"flow.rate_t_h" = 100
+"segments.spoon.radius_m" = { uniform = [2.9, 3.1] }
+"""
+
+
+@pytest.fixture
+def spoon(tmp_path):
+    path = tmp_path / "spoon.toml"
+    path.write_text(chutecalc.STARTER + TABLE, encoding="utf-8")
+    return str(path)
+
+
+def told(capsys, *arguments, status=0):
+    assert main([*arguments]) == status
+    return capsys.readouterr().out
+
+
+def test_the_report(capsys, spoon):
+    out = told(capsys, "uncertain", spoon, "--samples", "5000")
+    lines = out.splitlines()
+    assert lines[1] == f"{spoon}: 8,192 samples, 16 scramblings of Sobol points, seed 1"
+    assert max(map(len, lines[2:])) <= PIPE_WIDTH
+    assert "what comes out, over the samples that do not fail" in out
+    assert "which keys decide whether it fails" in out
+    share = float(next(line for line in lines if line.startswith("stall")).split()[1])
+    assert 1.0 < share < 2.0
+
+
+def test_units_and_a_case(capsys, spoon):
+    out = told(capsys, "uncertain", spoon, "--samples", "256", "--units", "us", "--case", "wet")
+    assert "exit velocity, fpm" in out
+    assert "spoon.toml, case wet: 256 samples" in out
+
+
+def test_columns_that_do_not_exist_and_errors(capsys, spoon):
+    names = "error_estimate,max_fill,segments.spoon.max_depth_m"
+    out = told(capsys, "uncertain", spoon, "--samples", "256", "--columns", names)
+    assert "max fill, " not in out
+    assert "\nspoon max depth, m, 0.1399 in the spec: each key alone" in out
+    assert re.search(r"^error, \de-\d\d in the spec", out, re.MULTILINE)
+
+
+def test_no_indices_are_told(capsys, spoon, tmp_path):
+    text = (tmp_path / "spoon.toml").read_text(encoding="utf-8")
+    pair = 'correlation = [["flow.rate_t_h", "segments.spoon.radius_m", 0.5]]\n'
+    (tmp_path / "spoon.toml").write_text(text + pair, encoding="utf-8")
+    out = told(capsys, "uncertain", spoon, "--samples", "256")
+    assert "correlation of flow.rate_t_h and segments.spoon.radius_m: 0.5" in out
+    assert "no Sobol indices: keys are correlated" in out
+
+
+def test_the_same_seed_gives_the_same_bytes(capsys, spoon, tmp_path):
+    files = {}
+    for name, jobs, seed in (("one", 1, 5), ("two", 2, 5), ("other", 2, 6)):
+        target = [tmp_path / f"{name}.{ending}" for ending in ("csv", "json", "svg")]
+        options = [text for own in target[:2] for text in (f"--{own.suffix[1:]}", str(own))] + [
+            "--plot",
+            str(target[2]),
+        ]
+        told(capsys, "uncertain", spoon, "--samples", "512", "--jobs", str(jobs), "--seed", str(seed), *options)
+        files[name] = [own.read_bytes() for own in target]
+    assert files["one"] == files["two"]
+    assert files["one"][0] != files["other"][0]
+
+
+def test_rows_and_document(capsys, spoon, tmp_path):
+    rows = list(csv.DictReader(told(capsys, "uncertain", spoon, "--samples", "300", "--csv", "-").splitlines()))
+    assert len(rows) == 512
+    assert list(rows[0])[-3:] == ["status", "exit_velocity_m_s", "exit_depth_m"]
+    assert all((row["exit_depth_m"] == "") == (row["status"] != "ok") for row in rows)
+    document = json.loads(told(capsys, "uncertain", spoon, "--json", "-"))
+    assert document["samples"] == 16_384
+    assert [key["path"] for key in document["keys"]] == [
+        "liners.ceramic.friction_deg",
+        "flow.rate_t_h",
+        "segments.spoon.radius_m",
+    ]
+    own = document["columns"]["exit_velocity_m_s"]
+    assert own["quantiles"][0] < own["mean"] < own["quantiles"][2]
+    assert own["alone"][0][0] > own["spec"] > own["alone"][0][1]
+    shares = {status: each["share"] for status, each in document["chances"].items()}
+    assert shares["ok"] + shares["fails"] == shares["ok"] + shares["stall"] == 1.0
+    assert list(document["indices"]) == ["fails"]
+    assert document["no_indices"] is None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        ([HOOD], "does not say what is uncertain: add [uncertainty]"),
+        (["SPOON", "--samples", "10"], "samples must be 256"),
+        (["SPOON", "--columns", "exit_speed"], "unknown column exit_speed"),
+        (["SPOON", "--case", "dry"], "has no case dry. It has design, wet"),
+        (["SPOON", "--plot", "x.doc"], "x.doc"),
+    ],
+)
+def test_what_is_refused(capsys, spoon, arguments, problem):
+    assert main(["uncertain", *(spoon if each == "SPOON" else each for each in arguments)]) == 2
+    assert problem in capsys.readouterr().err
+
+
+def test_sensitivity_of_a_run(capsys, tmp_path):
+    file = tmp_path / "run.json"
+    out = told(capsys, "run", HOOD, "--sensitivity", "--json", str(file))
+    table = out[out.index("sensitivity of the exit velocity of 6.338 m/s, in % of it") :].splitlines()
+    assert max(map(len, table)) <= PIPE_WIDTH
+    found = json.loads(file.read_text(encoding="utf-8"))["sensitivity"]
+    assert found["column"] == "exit_velocity_m_s"
+    assert [line.split()[0] for line in table[3:]] == [key["path"] for key in found["keys"]]
+    exact = chutecalc.sensitivity(chutecalc.load(HOOD))
+    assert [key["percent_per_percent"] for key in found["keys"]] == exact.per_percent.tolist()
+    assert "fails on one side" in out
+    assert "sensitivity" not in json.loads(told(capsys, "run", HOOD, "--json", "-"))
+
+
+def test_sensitivity_of_a_case_and_of_a_chute_that_fails(capsys, spoon):
+    dry, wet = (told(capsys, "run", spoon, "--sensitivity", "--case", name) for name in ("design", "wet"))
+    assert "sensitivity of the exit velocity of 3.878 m/s" in dry
+    assert "liners.ceramic.friction_deg" in wet
+    assert "sensitivity of the exit velocity of 3.878 m/s" not in wet
+    out = told(capsys, "run", spoon, "--set", "liners.ceramic.friction_deg=50", "--sensitivity", status=1)
+    assert "no sensitivity: a chute that fails has no exit velocity" in out

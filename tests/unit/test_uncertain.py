@@ -1,0 +1,186 @@
+"""A study of uncertainty: the same samples for the same seed, failures, states, what is refused."""
+
+import matplotlib
+import numpy as np
+import pytest
+
+import chutecalc
+from chutecalc.errors import UsageError
+from chutecalc.studies.uncertain import solved_rows
+from chutecalc.studies.uncertain.sampling import error_of
+from chutecalc.studies.uncertain.statistics import chance, summary
+from tests.conftest import ROOT, chute
+
+KEYS = {"liners.wall.friction_deg": 2, "flow.rate_t_h": {"uniform": [900, 1100]}}
+FEW = 256
+
+
+def study(uncertainty=KEYS, samples=FEW, seed=1, **tables):
+    return chutecalc.uncertain(chute(uncertainty=uncertainty, **tables), samples, seed)
+
+
+def test_the_same_seed_gives_the_same_numbers_whatever_the_jobs_and_blocks(monkeypatch):
+    case = chute(uncertainty=KEYS)
+    found = chutecalc.uncertain(case, FEW, seed=3, jobs=1)
+    monkeypatch.setattr(solved_rows, "BLOCK", 100)
+    again = chutecalc.uncertain(case, FEW, seed=3, jobs=2)
+    other = chutecalc.uncertain(case, FEW, seed=4)
+    for name, values in (found.values | found.columns).items():
+        assert values.tobytes() == (again.values | again.columns)[name].tobytes()
+        assert not np.array_equal(values, (other.values | other.columns)[name])
+    assert found.indices["exit_depth_m"].total.tobytes() == again.indices["exit_depth_m"].total.tobytes()
+
+
+def test_samples_are_those_of_vary():
+    found = study()
+    variants = chute().vary(found.values)
+    assert np.array_equal(found.columns["exit_velocity_m_s"], chutecalc.exits(variants).exit["velocity_m_s"])
+    assert found.count == FEW
+    assert found.ok.all()
+    assert set(found.status) == {"ok"}
+
+
+def test_geometry_is_drawn_anew_for_each_sample():
+    spoon = chutecalc.parse(chutecalc.STARTER + '[uncertainty]\n"segments.spoon.radius_m" = 0.3')
+    found = chutecalc.uncertain(spoon, FEW)
+    exact = chutecalc.solve(spoon.vary(found.values)).exit_velocity
+    assert found.columns["exit_velocity_m_s"] == pytest.approx(exact, rel=1e-9)
+
+
+def test_samples_that_cannot_be_built_are_impossible():
+    """Facets go from the centre outwards, none flatter than the one before."""
+    facets = [{"slope_deg": 40.0, "length_m": 0.2}, {"slope_deg": 45.0, "length_m": 0.2}]
+    keys = {"sections.body.facets.2.slope_deg": {"uniform": [30, 50]}, "flow.rate_t_h": 10}
+    found = study(keys, sections={"body": {"shape": "facets", "facets": facets}})
+    assert found.chances["impossible"].share == pytest.approx(0.5, abs=1 / 16)
+    assert set(found.status) == {"ok", "impossible"}
+    assert (found.values["sections.body.facets.2.slope_deg"][found.ok] >= 40.0).all()
+    assert found.bands(points=3).samples == found.ok.sum()
+
+
+def test_a_case_scatters_about_its_own_values():
+    tables = {"cases": {"slow": {"inlet.velocity_m_s": 3.0}, "wet": {"liners.wall.friction_deg": 28.0}}}
+    case = chute(uncertainty=KEYS, **tables)
+    wet = chutecalc.uncertain(case, FEW, case="wet")
+    assert np.median(wet.values["liners.wall.friction_deg"]) == pytest.approx(28.0, abs=0.02)
+    slow = chutecalc.uncertain(case, FEW, case="slow").summaries["exit_velocity_m_s"]
+    assert slow.mean < chutecalc.uncertain(case, FEW).summaries["exit_velocity_m_s"].mean - 0.3
+
+
+def test_columns_asked_for():
+    case = chute(uncertainty=KEYS)
+    names = ["min_velocity_m_s", "segments.straight.max_depth_m"]
+    found = chutecalc.uncertain(case, FEW, columns=names)
+    assert list(found.columns) == names
+    assert (found.columns["min_velocity_m_s"] > 0.0).all()
+
+
+def test_indices_are_left_out_where_they_mean_nothing():
+    assert "one key alone" in study({"flow.rate_t_h": 10}).no_indices
+    pairs = {"correlation": [[*KEYS, 0.5]]}
+    correlated = study(KEYS | pairs)
+    assert "correlated" in correlated.no_indices
+    assert not correlated.indices
+    few = chutecalc.uncertain(chute(uncertainty={"liners.wall.friction_deg": 14, "flow.rate_t_h": 1}), 1024)
+    assert (few.ends > 0).sum() > 0
+    assert "too few" in few.no_indices
+    assert not study().no_indices
+    missing = chutecalc.uncertain(chute(uncertainty=KEYS), FEW, columns=["max_fill"])
+    assert "do not exist" in missing.no_indices
+
+
+def test_a_tornado_has_each_key_alone():
+    found = study()
+    for k, path in enumerate(found.keys.paths):
+        for end in (0, 1):
+            alone = chute().vary({path: found.tornado.values[k, end]})
+            exact = chutecalc.exits(alone).exit["velocity_m_s"][0]
+            assert found.tornado.columns["exit_velocity_m_s"][k, end] == exact
+    assert found.tornado.order("exit_velocity_m_s") == [0, 1]
+    assert found.tornado.spec["exit_velocity_m_s"] == chutecalc.exits(chute()).exit["velocity_m_s"][0]
+
+
+def test_a_chance_that_no_sample_has_is_limited():
+    ends = np.zeros(1024, dtype=np.int8)
+    assert chance(ends, "stall") == (0.0, 0.0, 3.0 / 1024)
+    ends[::4] = 1
+    ends[1::4] = 2
+    assert chance(ends, "stall") == (0.25, 0.0, 0.25)
+    assert chance(ends, "fails") == (0.5, 0.0, 0.5)
+
+
+def test_errors_leave_out_replicates_without_a_number():
+    assert error_of(np.array([1.0, 3.0, np.nan])) == pytest.approx(1.0)
+    assert np.isnan(error_of(np.array([1.0, np.nan])))
+    assert np.isnan(summary(np.full(256, np.nan)).mean)
+
+
+def test_bands_are_quantiles_at_stations():
+    found = study()
+    bands = found.bands(points=5)
+    low, middle, high = bands.quantiles["velocity_m_s"]
+    assert bands.segment == ("straight",) * 5
+    assert bands.samples == FEW
+    assert low[0] == middle[0] == high[0] == 4.0
+    assert (low[1:] < middle[1:]).all()
+    assert [low[-1], middle[-1], high[-1]] == pytest.approx(found.summaries["exit_velocity_m_s"].quantiles, rel=1e-9)
+
+
+def test_bands_are_of_those_that_do_not_fail():
+    found = study({"liners.wall.friction_deg": {"normal": 15.0}, "flow.rate_t_h": 1}, inlet={"velocity_m_s": 1.0})
+    bands = found.bands(points=11)
+    assert 0 < bands.samples == found.ok.sum() < FEW
+    assert np.isfinite(bands.quantiles["velocity_m_s"]).all()
+    none = study({"liners.wall.friction_deg": 1}, liners={"wall": {"friction_deg": 70.0}})
+    assert none.bands().samples == 0
+    assert np.isnan(none.summaries["exit_velocity_m_s"].mean)
+    assert len(none.plot().axes) == 3
+
+
+def test_a_picture_has_a_bar_for_each_end_and_the_bands():
+    figure = study().plot("us")
+    axes = {each.get_label(): each for each in figure.axes}
+    assert [bar.get_gid() for bar in axes["tornado"].patches] == ["bar 0", "bar 1"] * 2
+    widths = [bar.get_width() for bar in axes["tornado"].patches]
+    assert widths[0] > 0.0 > widths[1]  # less friction is faster
+    assert axes["tornado"].get_xlabel().endswith("fpm")
+    assert [line.get_gid() for line in axes["depth"].lines] == ["median straight"]
+    assert isinstance(figure, matplotlib.figure.Figure)
+
+
+def test_text_and_html():
+    found = study()
+    assert repr(found).startswith("<Uncertainty of 256 samples: exit_velocity_m_s ")
+    assert "<td>exit_depth_m</td>" in found._repr_html_()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        ({"samples": 100}, "samples must be 256 to"),
+        ({"case": "wet"}, "has no case wet"),
+        ({"columns": ["findings"]}, "is no number"),
+        ({"columns": ["segments.straight.status"]}, "is no number"),
+        ({"columns": ["exit_speed"]}, "unknown column"),
+        ({"rtol": 1.0}, "rtol"),
+    ],
+)
+def test_what_is_refused(arguments, problem):
+    with pytest.raises(UsageError, match=problem):
+        chutecalc.uncertain(chute(uncertainty=KEYS), **arguments)
+
+
+def test_what_is_certain_is_refused():
+    with pytest.raises(UsageError, match="does not say what is uncertain"):
+        chutecalc.uncertain(chute())
+    with pytest.raises(UsageError, match="one design"):
+        chutecalc.uncertain(chute(uncertainty=KEYS).vary({"flow.rate_t_h": [1.0, 2.0]}))
+
+
+def test_every_standard_design_may_be_uncertain():
+    """Also with a receiving belt, and a stream that some samples carry past the steel."""
+    belt = chutecalc.load(ROOT / "specs/transfer_90.toml").data
+    belt |= {"uncertainty": {"inlet.belt.velocity_m_s": 0.3, "liners.ceramic.friction_deg": 2}}
+    found = chutecalc.uncertain(chutecalc.parse(belt), FEW)
+    assert list(found.columns)[2:] == ["receiver_velocity_ratio", "receiver_velocity_into_m_s"]
+    assert sum(own.share for status, own in found.chances.items() if status != "fails") == 1.0
