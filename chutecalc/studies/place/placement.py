@@ -51,7 +51,7 @@ class PlacedSegment:
     velocity_after_m_s: float
     """and after it."""
     edges: dict[str, float]
-    """Incidence of the other edges of the stream, degrees, by name, see :class:`chutecalc.Edge`; NaN where one misses."""
+    """Incidence of the other edges of the stream, degrees, by name (:class:`chutecalc.Edge`); NaN where one misses."""
 
 
 @dataclass(frozen=True)
