@@ -34,9 +34,11 @@ if TYPE_CHECKING:
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
+    from chutecalc.studies.aim.aim import Aim, aim
 
 __all__ = [
     "STARTER",
+    "Aim",
     "Cases",
     "Chute",
     "ChutecalcError",
@@ -51,6 +53,7 @@ __all__ = [
     "SpecError",
     "UsageError",
     "__version__",
+    "aim",
     "exits",
     "freeze",
     "load",
@@ -62,6 +65,7 @@ __version__ = "0.1.0"
 
 _MODULES = {
     "STARTER": "chutecalc.spec.starter",
+    "Aim": "chutecalc.studies.aim.aim",
     "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
@@ -75,6 +79,7 @@ _MODULES = {
     "Solution": "chutecalc.api.solution",
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
+    "aim": "chutecalc.studies.aim.aim",
     "exits": "chutecalc.api.batch",
     "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.load",

@@ -24,7 +24,7 @@ from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import TEXT, Top, select_rows
 from chutecalc.studies.sweep.checks import chutes_by_names, selected_columns
-from chutecalc.studies.sweep.columns import own_columns
+from chutecalc.studies.sweep.columns import CODES, own_columns
 from chutecalc.studies.sweep.design_rows import design_rows, station_rows
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import AnyParameter, Parameter
@@ -140,7 +140,7 @@ class Sweep:
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
             return max(1, min(CHUNK, STATIONS // max(stations, 1)))
-        return WITH_FINDINGS if "findings" in self.columns or self.own else CHUNK
+        return WITH_FINDINGS if self.own or not CODES.keys().isdisjoint(self.columns) else CHUNK
 
     @property
     def block_count(self) -> int:
