@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
     from chutecalc.studies.aim.aim import Aim, aim
+    from chutecalc.studies.optimise.optimise import Optimum, optimise
 
 __all__ = [
     "STARTER",
@@ -48,6 +49,7 @@ __all__ = [
     "Fault",
     "Finding",
     "Function",
+    "Optimum",
     "SegmentResult",
     "Solution",
     "SpecError",
@@ -57,6 +59,7 @@ __all__ = [
     "exits",
     "freeze",
     "load",
+    "optimise",
     "parse",
     "solve",
     "solve_cases",
@@ -75,6 +78,7 @@ _MODULES = {
     "Fault": "chutecalc.errors",
     "Finding": "chutecalc.results.finding",
     "Function": "chutecalc.api.function",
+    "Optimum": "chutecalc.studies.optimise.optimise",
     "SegmentResult": "chutecalc.results.segments",
     "Solution": "chutecalc.api.solution",
     "SpecError": "chutecalc.errors",
@@ -83,6 +87,7 @@ _MODULES = {
     "exits": "chutecalc.api.batch",
     "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.load",
+    "optimise": "chutecalc.studies.optimise.optimise",
     "parse": "chutecalc.api.load",
     "solve": "chutecalc.api.solve",
     "solve_cases": "chutecalc.api.cases",
