@@ -47,13 +47,14 @@ def front_places(problem: Problem, second: Objective, points: int, seed: int) ->
     known = np.stack([first_best, second_best])
     for level in np.linspace(*ends, max(points, 2)):
         slack = ROUNDING * (abs(level) or 1.0)
-        limit = Limit(second.column, second.sign, float(second.sign * (level + slack)))
+        value = float(level) + slack if level in ends else float(f"{level:.6g}")  # as it is told
+        limit = Limit(second.column, second.sign, second.sign * value)
         limited = under(problem.objective, (*problem.limits, limit))
         place = best_place(limited, seed, known, GENERATIONS)
         if limited.rows(place[None]).violation[0] == 0.0:
             bound, slopes = binding(limited, place)
-            if level in ends:  # the limit binds to one side only, and has no price
-                bound = [each._replace(price=np.nan) if each.limit == limit.text else each for each in bound]
+            if level in ends:  # no limit of the user, and of no price: beyond it there is no front
+                bound = [each for each in bound if each.limit != limit.text]
             found.append((place, (bound, slopes)))
             known = np.concatenate([known, place[None]])
     both = np.array([[worst(problem.objective, place), worst(second, place)] for place, _ in found])
