@@ -34,12 +34,15 @@ if TYPE_CHECKING:
     from chutecalc.results.finding import Finding
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
+    from chutecalc.studies.aim.aim import Aim, aim
+    from chutecalc.studies.optimise.optimise import Optimum, optimise
     from chutecalc.studies.place.placement import Placement, place
     from chutecalc.studies.sensitivity.study import sensitivity
     from chutecalc.studies.uncertain.study import uncertain
 
 __all__ = [
     "STARTER",
+    "Aim",
     "Cases",
     "Chute",
     "ChutecalcError",
@@ -49,15 +52,18 @@ __all__ = [
     "Fault",
     "Finding",
     "Function",
+    "Optimum",
     "Placement",
     "SegmentResult",
     "Solution",
     "SpecError",
     "UsageError",
     "__version__",
+    "aim",
     "exits",
     "freeze",
     "load",
+    "optimise",
     "parse",
     "place",
     "sensitivity",
@@ -69,6 +75,7 @@ __version__ = "0.1.0"
 
 _MODULES = {
     "STARTER": "chutecalc.spec.starter",
+    "Aim": "chutecalc.studies.aim.aim",
     "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
@@ -78,14 +85,17 @@ _MODULES = {
     "Fault": "chutecalc.errors",
     "Finding": "chutecalc.results.finding",
     "Function": "chutecalc.api.function",
+    "Optimum": "chutecalc.studies.optimise.optimise",
     "Placement": "chutecalc.studies.place.placement",
     "SegmentResult": "chutecalc.results.segments",
     "Solution": "chutecalc.api.solution",
     "SpecError": "chutecalc.errors",
     "UsageError": "chutecalc.errors",
+    "aim": "chutecalc.studies.aim.aim",
     "exits": "chutecalc.api.batch",
     "freeze": "chutecalc.api.freeze",
     "load": "chutecalc.api.load",
+    "optimise": "chutecalc.studies.optimise.optimise",
     "parse": "chutecalc.api.load",
     "place": "chutecalc.studies.place.placement",
     "sensitivity": "chutecalc.studies.sensitivity.study",

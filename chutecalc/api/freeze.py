@@ -1,15 +1,14 @@
 """A chute as a spec whose steel no longer depends on the stream."""
 
 import numpy as np
-import tomli_w
 
 from chutecalc.api.chute import Chute
+from chutecalc.api.written import text_of
 from chutecalc.design import Contact
 from chutecalc.errors import UsageError
 from chutecalc.fields.units import same_quantity
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.frozen import Drawn, frozen_text
-from chutecalc.spec.parse import parse_text
 
 DECIMALS = 12
 """Decimals of written places, m and degrees."""
@@ -55,8 +54,7 @@ def freeze(chute: Chute) -> str:
             f"{chute.source}: the stream does not get to {', '.join(unknown)} at the design point, so it is not known"
             " where that is drawn. Correct the chute first, or give start_m."
         )
-    own = chute.text and parse_text(chute.text, chute.source) == chute.data
-    return frozen_text(chute.text if own else tomli_w.dumps(chute.data), drawn)
+    return frozen_text(text_of(chute), drawn)
 
 
 def _written(number: Array) -> float:

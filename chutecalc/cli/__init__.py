@@ -14,7 +14,10 @@ from chutecalc.cli.command import Command, explain
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
-COMMANDS = ("new", "run", "sweep", "place", "uncertain", "check", "freeze", "schema", "columns", "limits", "dem")
+COMMANDS = (
+    *("new", "run", "sweep", "place", "aim", "optimise", "uncertain", "check", "freeze"),
+    *("schema", "columns", "limits", "dem"),
+)
 HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
 

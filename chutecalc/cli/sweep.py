@@ -37,8 +37,8 @@ def sweep(
         None,
         metavar="NAMES",
         help="Columns, separated by commas: a name from chutecalc columns after exit_, max_ or min_; receiver_"
-        " and a column of the receiving belt; segments.NAME. and a column of that segment; error_estimate; or"
-        " findings.",
+        " and a column of the receiving belt; segments.NAME. and a column of that segment; error_estimate;"
+        " findings; or warnings.",
     ),
     *,
     best: BestOptions,

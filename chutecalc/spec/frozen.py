@@ -1,7 +1,7 @@
 """Writes into the text of a spec where its segments are drawn, with all comments kept."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import tomlkit
@@ -10,6 +10,7 @@ from tomlkit.items import InlineTable
 from chutecalc.fields.units import same_quantity
 from chutecalc.segments.fall import Fall
 from chutecalc.segments.registry import KINDS
+from chutecalc.spec.edited import put_key
 
 FALL = next(kind for kind, table in KINDS.items() if table is Fall)
 """Kind of a fall."""
@@ -41,8 +42,9 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
     for number, segment in drawn.items():
         start = {} if segment.start_m is None else {"start_m": list(segment.start_m)}
         if start and number:
-            _change(tables, number - 1, {"onto_next": True}, FALL_ENDS)
-        _change(tables, number, start | dict(segment.slopes))
+            put_key(tables[number - 1], "onto_next", True, FALL_ENDS)
+        for key, value in (start | dict(segment.slopes)).items():
+            put_key(tables[number], key, value)
     if 0 in drawn and drawn[0].start_m is not None:
         inline = isinstance(tables[0], InlineTable)
         fall: Any = tomlkit.inline_table() if inline else tomlkit.table()
@@ -71,35 +73,3 @@ def _values(table: Any, above: str = "") -> Iterator[tuple[str, Any, str]]:
             yield from _values(value, f"{above}{key}.")
         else:
             yield f"{above}{key}", table, key
-
-
-def _change(tables: Any, number: int, added: Mapping[str, Any], removed: Collection[str] = ()) -> None:
-    """Put keys into a table: where they are already, or else below its own ones.
-
-    That is before the blank lines and comments that lead to the next table.
-    """
-    table = tables[number]
-    removed = {*removed, *(other for key in added for other in same_quantity(key) if other != key)}
-    for key in [key for key in added if key in table]:
-        table[key] = added[key]
-    added = {key: value for key, value in added.items() if key not in table}
-    if isinstance(table, InlineTable):
-        for key in removed:
-            table.pop(key, None)
-        table.update(added)
-        return
-    entries = [(key, item) for key, item in table.value.body if key is None or key.key not in removed]
-    own = max((number for number, (key, _) in enumerate(entries, 1) if key is not None), default=0)
-    lost = [item for key, item in table.value.body if key is not None and key.key in removed and item.trivia.comment]
-    found = tomlkit.table()
-    found.trivia.comment_ws, found.trivia.comment = table.trivia.comment_ws, table.trivia.comment
-    for item in lost:
-        found.append(None, tomlkit.comment(item.trivia.comment.lstrip("# ")))
-    for key, item in entries[:own]:
-        found.append(key, item)
-    for name, value in added.items():
-        found.append(name, value)
-    for key, item in entries[own:]:
-        found.append(key, item)
-    del tables[number]  # tomlkit takes no other table in its place before 0.13.3
-    tables.insert(number, found)

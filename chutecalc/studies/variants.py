@@ -59,8 +59,8 @@ class Variants:
             for each in self.parameters
         ]
         by_case = [] if self.states == DESIGN_ALONE else [case_parameter(",".join(self.states), chute)]
-        self._sweep = Sweep(chute, [*by_case, *first], columns=columns, rtol=rtol)
-        self.columns = list(self._sweep.columns)
+        self.sweep = Sweep(chute, [*by_case, *first], columns=columns, rtol=rtol)
+        self.columns = list(self.sweep.columns)
 
     def __call__(self, values: Sequence[Any]) -> Block:
         """Solve variants.
@@ -73,6 +73,6 @@ class Variants:
             ``status`` and the columns by name, each of shape (states, variants): NaN where a variant fails.
         """
         states = [] if self.states == DESIGN_ALONE else [np.repeat(self.states, len(values[0]))]
-        sweep = self._sweep.over([*states, *(np.tile(own, len(self.states)) for own in values)])
+        sweep = self.sweep.over([*states, *(np.tile(own, len(self.states)) for own in values)])
         block = joined([block for _, block in solve_blocks(sweep, range(sweep.block_count), self.jobs)])
         return {name: block[name].reshape(len(self.states), -1) for name in ("status", *self.columns)}

@@ -8,7 +8,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
-from chutecalc.output.table import PIPE_WIDTH
+from chutecalc.output.printer import PIPE_WIDTH
 from tests.conftest import ROOT
 
 HOOD = str(ROOT / "specs/coal_hood_spoon.toml")

@@ -8,7 +8,7 @@ import numpy as np
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 
-TEXT = ("status", "findings", "segment", "kind")
+TEXT = ("status", "findings", "warnings", "segment", "kind")
 """Columns of text; all others are numbers."""
 
 

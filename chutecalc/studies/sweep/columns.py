@@ -10,12 +10,15 @@ from chutecalc.results.belts import RECEIVER_COLUMNS
 from chutecalc.results.column import Column
 from chutecalc.results.column_names import closest
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.finding import Severity
 from chutecalc.results.segment_columns import GROUPS, SegmentColumn, segment_columns
 from chutecalc.results.stream_column import Extremes
 from chutecalc.spec.paths import is_number
 
 PREFIXES = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
 """Prefixes of the names of station columns in a sweep's rows, each with its meaning."""
+CODES = {"findings": tuple(Severity), "warnings": (Severity.WARNING,)}
+"""Columns of the codes of findings, each with the severities of these."""
 
 
 def row_columns() -> dict[str, Column]:
@@ -27,6 +30,7 @@ def row_columns() -> dict[str, Column]:
     found = {
         "status": Column("status", "status", "", "how the design ends; impossible: a section that cannot exist"),
         "findings": Column("findings", "findings", "", "codes of the findings, see docs/findings.md"),
+        "warnings": Column("warnings", "warnings", "", "codes of those findings that are warnings"),
         "error_estimate": Column("error_estimate", "error", "", "of the exit velocity, relative", "number", "", 14),
     }
     for prefix, where in PREFIXES.items():
@@ -97,7 +101,7 @@ def column_forms() -> list[tuple[str, str]]:
     return [
         *((f"{prefix}_NAME", where) for prefix, where in PREFIXES.items()),
         ("receiver_NAME", f"of the receiving belt: {_members(RECEIVER_COLUMNS.values())}"),
-        *((name, row_columns()[name].meaning) for name in ("error_estimate", "findings")),
+        *((name, row_columns()[name].meaning) for name in ("error_estimate", *CODES)),
         *own,
         *((f"segments.SEGMENT.{name}", segment_columns()[name].meaning) for name in ("duration_s", "status")),
     ]

@@ -7,14 +7,14 @@ import numpy as np
 
 from chutecalc.api.batch import exits
 from chutecalc.api.chute import Chute
-from chutecalc.api.solution import Solution
 from chutecalc.api.solve import solve
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
 from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
-from chutecalc.studies.sweep.columns import OwnColumn
+from chutecalc.results.finding import Finding
+from chutecalc.studies.sweep.columns import CODES, OwnColumn
 
 EXTREME = {"max": LARGEST, "min": LEAST}
 """Prefixes of columns that are extremes."""
@@ -61,7 +61,12 @@ def design_rows(
         keys = [f"{prefix}_{name}" for prefix in EXTREME for name in by_prefix[prefix]]
         numbers = dict(zip(keys, run.trajectory.extreme_columns(extremes).values(), strict=True))
     numbers |= output_numbers(exit_, belt, error)
-    texts: Block = {"findings": _codes(run)} if "findings" in columns else {}
+    coded = {name: severities for name, severities in CODES.items() if name in columns}
+    findings = run.findings() if coded else []
+    texts: Block = {
+        name: _codes([finding for finding in findings if finding.severity in severities], run.count)
+        for name, severities in coded.items()
+    }
     segments = run.segments if own else ()
     for name, (number, column) in (own or {}).items():
         (numbers if column.dimension else texts)[name] = column.of(segments[number])
@@ -105,10 +110,10 @@ def _at_ends(columns: Sequence[str]) -> bool:
     return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in columns)
 
 
-def _codes(run: Solution) -> Any:
+def _codes(findings: Sequence[Finding], count: int) -> Any:
     """Return the codes of each design's findings, each once, with blanks between them."""
-    codes: list[dict[str, None]] = [{} for _ in range(run.count)]
-    for finding in run.findings():
+    codes: list[dict[str, None]] = [{} for _ in range(count)]
+    for finding in findings:
         for k in np.flatnonzero(finding.mask):
             codes[k][finding.code] = None
     return np.array([" ".join(own) for own in codes])

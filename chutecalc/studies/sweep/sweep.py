@@ -16,7 +16,7 @@ from chutecalc.errors import UsageError
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import TEXT, Top
 from chutecalc.studies.sweep.checks import chutes_by_names, selected_columns
-from chutecalc.studies.sweep.columns import own_columns
+from chutecalc.studies.sweep.columns import CODES, own_columns
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import AnyParameter
 
@@ -131,7 +131,7 @@ class Sweep:
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
             return max(1, min(CHUNK, STATIONS // max(stations, 1)))
-        return WITH_FINDINGS if "findings" in self.columns or self.own else CHUNK
+        return WITH_FINDINGS if self.own or not CODES.keys().isdisjoint(self.columns) else CHUNK
 
     @property
     def block_count(self) -> int:

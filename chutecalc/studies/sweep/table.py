@@ -16,7 +16,7 @@ from chutecalc.output.table import heading
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
 from chutecalc.studies.sweep.block import joined, select_rows
-from chutecalc.studies.sweep.columns import row_columns
+from chutecalc.studies.sweep.columns import CODES, row_columns
 from chutecalc.studies.sweep.sweep import Sweep
 
 MOST_SHOWN, SHOWN_WITH_FILE = 1000, 40
@@ -133,7 +133,7 @@ class FirstRows:
         shown = {name: column_of(self.sweep, name) for name in self.sweep.header}
         for name, column in shown.items():
             label = column.meaning == VARIED or name in LABELS
-            table.column(heading(column, units), left=name in self.sweep.texts, label=label, words=name == "findings")
+            table.column(heading(column, units), left=name in self.sweep.texts, label=label, words=name in CODES)
         cells = [_texts(column, block[name], units) for name, column in shown.items()]
         for row in zip(*cells, strict=True):
             table.row(row)

@@ -1,0 +1,1 @@
+"""Aims: which values of some keys give what is wanted."""

@@ -1,0 +1,179 @@
+"""What is to be best, within which limits, in which states."""
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.api.chute import Chute
+from chutecalc.design import Status
+from chutecalc.errors import UsageError
+from chutecalc.physics.arrays import Array, Index
+from chutecalc.studies.keys import Key
+from chutecalc.studies.variants import Variants
+
+SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
+FAILURE, WARNING, MOST = 1000.0, 1.0, 100.0
+"""What counts as violation: a state that fails, a warning, and a limit at most, as shares of it."""
+
+
+class Objective(NamedTuple):
+    """A column that is to be small or large."""
+
+    column: str
+    sign: float
+    """1 where it is minimised, -1 where it is maximised."""
+
+
+class Limit(NamedTuple):
+    """A limit of a column."""
+
+    column: str
+    sign: float
+    """1 for an upper limit, -1 for a lower one."""
+    value: float
+
+    @property
+    def text(self) -> str:
+        """The limit as it is written."""
+        return f"{self.column}{'<=' if self.sign > 0 else '>='}{self.value:.12g}"
+
+    @property
+    def scale(self) -> float:
+        """What violations are a share of."""
+        return abs(self.value) or 1.0
+
+
+def read_limit(text: str) -> Limit:
+    """Return the limit that a text states.
+
+    Args:
+        text: ``COLUMN<=VALUE`` or ``COLUMN>=VALUE``, in the unit of the column.
+
+    Raises:
+        UsageError: it is written otherwise.
+
+    >>> read_limit("max_depth_m <= 0.3")
+    Limit(column='max_depth_m', sign=1.0, value=0.3)
+    """
+    found = SUBJECT.fullmatch(text)
+    try:
+        value = float(found[3]) if found else np.nan
+    except ValueError:
+        value = np.nan
+    if found is None or not np.isfinite(value):
+        raise UsageError(f"a limit is COLUMN<=VALUE or COLUMN>=VALUE, such as 'max_depth_m<=0.3', not {text!r}")
+    return Limit(found[1], 1.0 if found[2] == "<=" else -1.0, value)
+
+
+class Rows(NamedTuple):
+    """What designs do, with an entry for each design last."""
+
+    values: Array
+    """The objective, its sign turned where it is maximised, shape (states, designs)."""
+    margins: Array
+    """Distance from each limit as a share of it, negative where it is violated, shape (limits, states, designs)."""
+    faults: Array
+    """What is violated beside limits, see :data:`FAILURE`, shape (designs,)."""
+
+    @property
+    def worst(self) -> Array:
+        """The objective in the worst state of each design, in the unit of its column."""
+        return np.asarray(self.values.max(axis=0))
+
+    @property
+    def violation(self) -> Array:
+        """Sum of all violations of each design, dimensionless, 0 where it is feasible."""
+        short = np.minimum(np.maximum(-np.nan_to_num(self.margins, nan=0.0), 0.0), MOST)
+        return np.asarray(self.faults + short.sum(axis=(0, 1)))
+
+
+class Problem:
+    """A chute whose keys may change, and what is wanted of it."""
+
+    def __init__(
+        self,
+        chute: Chute,
+        keys: Sequence[Key],
+        objective: Objective,
+        limits: Sequence[Limit],
+        states: Sequence[str],
+        no_warnings: bool = False,
+        jobs: int | None = None,
+    ) -> None:
+        """Check the columns; nothing is solved yet.
+
+        Args:
+            chute: a chute of one design.
+            keys: what may change.
+            objective: what is to be best, in the worst of the states.
+            limits: that hold in each state.
+            states: operating states.
+            no_warnings: whether warnings are violations.
+            jobs: number of threads.
+
+        Raises:
+            UsageError: a column does not exist or is text, or a key has one choice only.
+        """
+        self.chute, self.keys, self.objective, self.limits = chute, tuple(keys), objective, tuple(limits)
+        self.no_warnings, self.jobs = no_warnings, jobs
+        named = dict.fromkeys([objective.column, *(limit.column for limit in limits)])
+        columns = [*named, *(["warnings"] if no_warnings else [])]
+        self.variants = Variants(chute, [key.parameter for key in keys], columns, states, jobs=jobs)
+        if texts := [name for name in named if name in self.variants.sweep.texts]:
+            raise UsageError(f"{', '.join(texts)}: objectives and limits need columns of numbers")
+        if single := [key.name for key in keys if not key.is_continuous and len(key.parameter.values) < 2]:
+            raise UsageError(f"{', '.join(single)}: one value leaves no choice; put it into the spec")
+        self.low, self.high = np.array([key.bounds for key in keys]).T
+        self.continuous = np.array([key.is_continuous for key in keys])
+        self.unit = 1.0
+        """Typical size of the objective."""
+
+    def rows(self, places: Array) -> Rows:
+        """Solve designs.
+
+        Args:
+            places: of the designs, in the units of the keys as :meth:`Key.at` takes them, shape (designs, keys).
+        """
+        block = self.variants([key.at(own) for key, own in zip(self.keys, places.T, strict=True)])
+        values = self.objective.sign * block[self.objective.column]
+        margins = np.array(
+            [limit.sign * (limit.value - block[limit.column]) / limit.scale for limit in self.limits]
+        ).reshape(len(self.limits), *values.shape)
+        fails = (block["status"] != Status.OK_LABEL) | np.isnan(values) | np.isnan(margins).any(axis=0)
+        faults = FAILURE * fails.sum(axis=0)
+        if self.no_warnings:
+            counts = np.vectorize(lambda codes: len(codes.split()), otypes=[float])(block["warnings"])
+            faults = faults + WARNING * counts.sum(axis=0)
+        return Rows(np.where(fails, np.nan, values), margins, faults)
+
+    def merit(self, rows: Rows) -> Array:
+        """Return one number for each design by Deb's rule: of feasible ones the better is less, all others come after.
+
+        Args:
+            rows: of the designs.
+        """
+        share = rows.worst / self.unit
+        violation = rows.violation
+        return np.where(violation > 0.0, 1.0 + violation, share / (1.0 + np.abs(share)))
+
+    def clipped(self, places: Array) -> Array:
+        """Return places within the bounds, those of choices whole.
+
+        Args:
+            places: in the units of the keys, shape (designs, keys).
+        """
+        inside = np.clip(places, self.low, self.high)
+        return np.where(self.continuous, inside, np.rint(inside))
+
+    def all_choices(self, most: int) -> Array | None:
+        """Return all designs where every key is a choice and they are few.
+
+        Args:
+            most: number of designs.
+        """
+        counts: Index = (self.high + 1.0).astype(int)
+        if self.continuous.any() or np.prod(counts.astype(float)) > most:
+            return None
+        return np.stack(np.meshgrid(*map(np.arange, counts), indexing="ij"), -1).reshape(-1, len(counts)).astype(float)

@@ -1,0 +1,126 @@
+"""``chutecalc aim``: what it prints, writes and refuses."""
+
+import json
+import shutil
+import tomllib
+
+import pytest
+
+import chutecalc
+from chutecalc.cli import main
+from tests.conftest import ROOT
+
+SPOON = ROOT / "specs" / "paper" / "r3_d55_chamfered.toml"
+RADIUS = "segments.spoon.radius_m"
+
+
+@pytest.fixture
+def spec(tmp_path):
+    return shutil.copy(SPOON, tmp_path / "chute.toml")
+
+
+def test_the_spec_that_it_writes_gives_what_was_asked_and_keeps_its_comments(capsys, spec):
+    before = spec.read_text(encoding="utf-8")
+    assert main(["aim", str(spec), "radius=1:4", "--target", "exit_velocity_m_s=3.7", "--write"]) == 0
+    assert "1 solution within the bounds\nwrote segments.spoon.radius_m = 2.398" in capsys.readouterr().out
+    after = spec.read_text(encoding="utf-8")
+    changed = [(one, other) for one, other in zip(before.split("\n"), after.split("\n"), strict=True) if one != other]
+    assert [other.startswith("radius_m = 2.398") for _, other in changed] == [True]
+    assert chutecalc.solve(chutecalc.load(spec)).exit_velocity[0] == pytest.approx(3.7, rel=1e-9)
+
+
+def test_a_solution_in_another_unit_replaces_the_key(spec):
+    assert main(["aim", "radius_ft=3:13", str(spec), "--target", "exit_velocity_m_s=3.7", "--write"]) == 0
+    segment = tomllib.loads(spec.read_text(encoding="utf-8"))["segments"][1]
+    assert "radius_m" not in segment
+    assert segment["radius_ft"] == pytest.approx(2.3984533 / 0.3048)
+    assert chutecalc.solve(chutecalc.load(spec)).exit_velocity[0] == pytest.approx(3.7, rel=1e-9)
+
+
+def test_the_document_has_solutions_and_their_outcome(capsys, spec):
+    assert main(["aim", str(spec), f"{RADIUS}=1:4", "--target", "exit_velocity_m_s=3.7", "--json", "-"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["solutions"] == [{RADIUS: pytest.approx(2.3984533)}]
+    assert document["outcome"][0]["exit_velocity_m_s"] == pytest.approx(3.7, rel=1e-9)
+    assert document["outcome"][0]["status"] == "ok"
+    assert document["targets"] == {"exit_velocity_m_s": 3.7}
+    assert document["keys"][RADIUS] == {"paths": [RADIUS], "bounds": [1.0, 4.0]}
+
+
+def test_none_is_said_with_the_nearest_and_nothing_is_written(capsys, spec):
+    before = spec.read_bytes()
+    assert main(["aim", str(spec), "radius=1:4", "--target", "exit_velocity_m_s=9", "--write"]) == 1
+    out = capsys.readouterr().out
+    assert "no solution within the bounds\ndesigns tried: 257 ok\nthe nearest that can be had:" in out
+    assert "     4  ok         4.159" in out
+    assert spec.read_bytes() == before
+    assert main(["aim", str(spec), "phi=60:70", "--target", "exit_velocity_m_s=3"]) == 1
+    assert capsys.readouterr().out.endswith("no solution within the bounds\ndesigns tried: 257 stall\n")
+
+
+def test_of_several_one_is_taken(capsys, spec):
+    given = ["aim", str(spec), "beta=20:89", "--target", "exit_velocity_m_s=3.88"]
+    assert main(given) == 0
+    out = capsys.readouterr().out
+    assert "2 solutions within the bounds" in out
+    assert out.count(" ok ") == 4  # two rows, in two tables
+    assert main([*given, "--write"]) == 2
+    assert "there are 2 solutions: choose one of them with --take N" in capsys.readouterr().err
+    assert main([*given, "--write", "--take", "3"]) == 2
+    assert main([*given, "--write", "--take", "2"]) == 0
+    angle = tomllib.loads(spec.read_text(encoding="utf-8"))["sections"]["spoon"]["chamfer_deg"]
+    assert angle == pytest.approx(55.5005, abs=1e-4)
+
+
+def test_a_case_may_have_to_meet_the_target(capsys, spec):
+    with spec.open("a", encoding="utf-8") as stream:
+        stream.write('\n[cases.wet]\n"material.internal_friction_deg" = 40\n')
+    assert main(["aim", str(spec), "radius=1:4", "--target", "exit_velocity_m_s=3.5", "--case", "wet", "--write"]) == 0
+    chute = chutecalc.load(spec)
+    assert chutecalc.solve(chute.cases["wet"]).exit_velocity[0] == pytest.approx(3.5, rel=1e-9)
+    assert abs(chutecalc.solve(chute).exit_velocity[0] - 3.5) > 0.01
+
+
+TARGET = ["--target", "exit_velocity_m_s=3.7"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        ([SPOON, "radius=1:4"], "1 key for 0 targets: an aim takes as many keys as targets"),
+        ([SPOON, "radius=1:4", "beta=1:80", *TARGET], "2 keys for 1 target"),
+        ([SPOON, *TARGET], "nothing may change: add a key with its bounds"),
+        ([SPOON, "radius=4:1", *TARGET], "the lower bound must be below the upper one"),
+        ([SPOON, "radius=1,4", *TARGET], "an aim needs bounds, radius_m=LOW:HIGH"),
+        ([SPOON, "case=wet:dry", *TARGET], "choose a state with --case"),
+        ([SPOON, "radius=a:b", *TARGET], "not a number"),
+        (["radius=1:4", *TARGET], "name one spec"),
+        ([SPOON, "radius=1:4", "--target", "status=ok"], "ok is not a number"),
+        ([SPOON, "radius=1:4", "--target", "status=1"], "a target needs a column of numbers"),
+        ([SPOON, "radius=1:4", "--target", "velocity=1"], "unknown column velocity"),
+        ([SPOON, "radius=1:4", "--target", "exit_velocity_m_s"], "takes COLUMN=VALUE"),
+        ([SPOON, "radius=1:4", *TARGET, *TARGET], "given twice"),
+        ([SPOON, "radius=1:4", *TARGET, "--case", "wet"], "the spec has no cases"),
+        ([SPOON, "radius=1:4", *TARGET, "--take", "1"], "add --write"),
+        (["-", "radius=1:4", *TARGET, "--write"], "not standard input"),
+        ([SPOON, "phi=10:20", "--target", "exit_slope_deg=0"], "more than 50 solutions"),
+    ],
+)
+def test_what_makes_no_sense_is_told(capsys, arguments, problem):
+    assert main(["aim", *map(str, arguments)]) == 2
+    assert problem in capsys.readouterr().err
+
+
+def test_an_aim_in_python_is_shown_and_written(spec):
+    chute = chutecalc.load(spec)
+    found = chutecalc.aim(chute, {RADIUS: (1, 4)}, {"exit_velocity_m_s": 3.7}, columns=["exit_depth_m"])
+    assert repr(found) == "<Aim at exit_velocity_m_s = 3.7: 1 solution>"
+    assert list(found.outcome) == ["status", "exit_velocity_m_s", "exit_depth_m", "warnings"]
+    assert "<td>2.39845</td>" in found._repr_html_()
+    found.write()
+    assert spec.read_text(encoding="utf-8") == found.text()
+    assert chutecalc.load(spec).spec.segments[1].radius_m == found.values[RADIUS][0]
+    with pytest.raises(chutecalc.UsageError, match="no file"):
+        chutecalc.aim(chutecalc.parse(chutecalc.STARTER), {RADIUS: (1, 4)}, {"exit_velocity_m_s": 3.7}).write()
+    with pytest.raises(chutecalc.UsageError, match="give bounds"):
+        chutecalc.aim(chute, {RADIUS: 3}, {"exit_velocity_m_s": 3.7})
