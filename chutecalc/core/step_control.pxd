@@ -18,3 +18,4 @@ cdef void shorten_after_chatter(state.Stream stream, bint in_r, double step) noe
 cdef void reach_breakpoint(state.Stream stream) noexcept nogil
 cdef void apply_event(state.Stream stream, state.SolverOptions options, int event) noexcept nogil
 cdef int next_interval(int number, int there, int side) noexcept nogil
+cdef void jump(state.Stream stream) noexcept nogil

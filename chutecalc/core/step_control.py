@@ -109,6 +109,7 @@ def accept_step(
         end_slope = math.fabs(gauss.derivative_at(rule, stream.panel.solution, rule.last))
         carried = stream.error * start * start_slope / (4.0 * width)
         shift = sensitivity * carried + off * math.fabs(last - stream.panel.solution[0]) + panel.SHARE_ROUNDING
+        stream.shift = shift
         stream.error = shift if end == 0.0 else floats.quotient(shift * 4.0 * width, end * end_slope)
         stream.share, stream.y = last, end * end * end * end
         if end == 0.0:
@@ -198,6 +199,8 @@ def apply_event(stream: "state.Stream", options: "state.SolverOptions", event: i
         stream.choke_share, stream.choke_y, stream.choke_error = stream.share, stream.y, stream.error
         if not options.dense_output or stream.guide.first.closed:  # between open walls it may rise further
             stream.status = state.CHOKED
+    elif event == events.JUMP:
+        jump(stream)
     elif event == events.SEGMENT_END:
         stream.share = stream.breakpoint
         reach_breakpoint(stream)
@@ -221,3 +224,16 @@ def apply_event(stream: "state.Stream", options: "state.SolverOptions", event: i
 def next_interval(number: int, there: int, side: int) -> int:
     """Return the interval found on one side, or the neighbour on that side if it is nearer."""
     return max(there, number + 1) if side > 0 else min(there, number - 1)
+
+
+def jump(stream: "state.Stream") -> None:
+    """End the stream where the bracket of longitudinal pressure is 0, with the error of the velocity of that place."""
+    step, error = 1e-6, stream.error
+    value = state.event_function(stream, events.JUMP, stream.share, stream.y)
+    by_share = state.event_function(stream, events.JUMP, stream.share + step, stream.y) - value
+    by_velocity = state.event_function(stream, events.JUMP, stream.share, stream.y * (1.0 + step)) - value
+    if stream.shift > 0.0:
+        error = math.fabs(floats.quotient(by_share, by_velocity)) * stream.shift + events.EVENT_TOLERANCE
+    stream.status, stream.error = state.JUMPED, error
+    if stream.choke_share != stream.choke_share:
+        stream.choke_share, stream.choke_y, stream.choke_error = stream.share, stream.y, error

@@ -1,10 +1,11 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport collocation, events, floats, friction, gauss, guide_surface, panel, section, state, step_control
+from chutecalc.core cimport collocation, events, floats, friction, gauss, guide_surface, longitudinal, motion, panel, section, state, step_control
 
 cdef int MAX_PANELS, CREEP_PANELS
-cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY, NEARLY_FULL, STEP_TO_FULL
+cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY, NEARLY_FULL, STEP_TO_FULL, BEYOND_JUMP
 
+@cython.locals(pressed=bint)
 cdef void solve_segment(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept nogil
 @cython.locals(deep=bint)

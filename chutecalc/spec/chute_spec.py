@@ -127,6 +127,16 @@ class Model(Table):
         description="fixed: the chute is drawn at the spec as written and stands still while operating keys vary;"
         " follows_stream: what is placed by the stream moves with it",
     )
+    momentum_factor: Annotated[Number, Quantity("number", ge=1, le=2)] = Field(
+        1.0,
+        description="α_m, momentum of the stream over that of its mean velocity: 1 for a uniform profile, 1.25 for one"
+        " sheared over its whole depth on a rough bed (Bagnold), 1.33 for a linear one",
+    )
+    longitudinal_pressure_ratio: Annotated[Number, Quantity("number", ge=0, le=1)] = Field(
+        0.0,
+        description="K_l, pressure along the stream over that normal to the centre section, between K_v and 1; 0"
+        " neglects it, as the paper does",
+    )
 
 
 class ChuteSpec(Table):
