@@ -19,6 +19,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from chutecalc.api.band import solve_band
     from chutecalc.api.batch import exits
     from chutecalc.api.cases import solve_cases
     from chutecalc.api.chute import Chute
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from chutecalc.api.solution import Solution
     from chutecalc.api.solve import solve
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
+    from chutecalc.results.band import Band
     from chutecalc.results.cases import Cases
     from chutecalc.results.edges import Edge
     from chutecalc.results.exits import Exits
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "STARTER",
+    "Band",
     "Cases",
     "Chute",
     "ChutecalcError",
@@ -56,12 +59,14 @@ __all__ = [
     "load",
     "parse",
     "solve",
+    "solve_band",
     "solve_cases",
 ]
 __version__ = "0.1.0"
 
 _MODULES = {
     "STARTER": "chutecalc.spec.starter",
+    "Band": "chutecalc.results.band",
     "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
@@ -80,6 +85,7 @@ _MODULES = {
     "load": "chutecalc.api.load",
     "parse": "chutecalc.api.load",
     "solve": "chutecalc.api.solve",
+    "solve_band": "chutecalc.api.band",
     "solve_cases": "chutecalc.api.cases",
 }
 """Where each public name is defined."""

@@ -14,11 +14,14 @@ from chutecalc.cli.specs import read_chutes
 from chutecalc.errors import ExitStatus
 
 if TYPE_CHECKING:
+    from chutecalc.api.chute import Chute
+    from chutecalc.results.band import Band
     from chutecalc.results.cases import Cases
 
 EXAMPLES = (
     "chutecalc run chute.toml --plot chute.svg",
     "chutecalc run chute.toml --set flow.rate_t_h=800 --points 21 --csv stations.csv",
+    "chutecalc run chute.toml --band --plot chute.svg",
 )
 
 
@@ -44,6 +47,9 @@ def run(
     case: str | None = typer.Option(
         None, metavar="NAME", help="One operating state of [cases] alone; design for the spec as written."
     ),
+    band: bool = typer.Option(
+        False, "--band", help="Least and largest velocity and depth over the assumptions that the model leaves open."
+    ),
     strict: bool = typer.Option(False, "--strict", help="Exit with status 1 on warnings too."),
     rtol: float = RTOL,
     outputs: RunOutputs,
@@ -61,6 +67,7 @@ def run(
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
+    bands = _bands(chutes, rtol, case) if band else None
     tables = None
     if stations.given:
         from chutecalc.output.run import needed
@@ -76,13 +83,21 @@ def run(
     if outputs.files:
         from chutecalc.output.run import run_dataset
 
-        outputs.write(run_dataset(cases, tables, names or list(COLUMNS)))
+        outputs.write(run_dataset(cases, tables, names or list(COLUMNS), bands))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
-        outputs.draw(draw_run(cases, outputs.units))
-    _print(cases, tables, names, outputs)
+        outputs.draw(draw_run(cases, outputs.units, bands[0] if bands else None))
+    _print(cases, tables, names, outputs, bands)
     return _status(cases, strict)
+
+
+def _bands(chutes: Sequence[Chute], rtol: float, case: str | None) -> list[Band]:
+    """Return the band of each chute in the state that is shown in full."""
+    from chutecalc.api.band import solve_band
+    from chutecalc.spec.operating import DESIGN_POINT
+
+    return [solve_band(chute if case in (None, DESIGN_POINT) else chute.cases[str(case)], rtol) for chute in chutes]
 
 
 def _print(
@@ -90,6 +105,7 @@ def _print(
     tables: Sequence[dict[str, dict[str, Any]]] | None,
     columns: Sequence[str],
     outputs: RunOutputs,
+    bands: Sequence[Band] | None,
 ) -> None:
     """Print reports. If rows go to standard output, print findings to standard error instead."""
     from chutecalc.output.table import Printer
@@ -106,6 +122,10 @@ def _print(
         if number:
             printer.text()
         printer.report(states.main_solution, states.main)
+        if bands:
+            from chutecalc.output.band import print_band
+
+            print_band(printer, bands[number])
         if len(states.names) > 1:
             printer.cases(states)
         if tables:

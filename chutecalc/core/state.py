@@ -9,7 +9,7 @@ OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, JUMPED = range(8)
 RUNNING, UNSOLVED, FAULT = -1, -2, -3
 LEAST_STEP = 1e-14  # share: the shortest step that still advances
 PANEL_SIZE = 32  # numbers of a stored panel
-PANEL_NUMBERS, GAVE_UP, NOT_TANGENT = PANEL_SIZE, UNSOLVED, FAULT  # for Python; the others are C constants if compiled
+PANEL_NUMBERS, GAVE_UP, NOT_TANGENT, HAS_JUMPED = PANEL_SIZE, UNSOLVED, FAULT, JUMPED  # for Python; the others are C constants if compiled
 
 
 class SolverOptions:
@@ -79,7 +79,7 @@ class Stream:
         self.last_crossing = floats.NAN
         """Share at which the branch of the friction law last changed."""
         self.shift = 0.0
-        """Error of the share that its last panel ends with."""
+        """Error of the share at which its last panel ends; after a panel in c that of v², relative."""
         self.choke_share = self.choke_y = self.choke_error = floats.NAN
 
 

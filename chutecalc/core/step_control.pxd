@@ -2,6 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport events, floats, friction, gauss, guide_surface, panel, section, state
 
+cdef int JUMP_ITERATIONS
 cdef double LEAST_R_FRACTION, FIRST_R_FRACTION, BRANCH_CLEARANCE, END_TOLERANCE, ROUNDING, NEAR_END, OVERSHOOT, INNER_ERROR_FACTOR, MIN_FACTOR, MAX_FACTOR
 
 @cython.locals(in_r=bint)

@@ -5,13 +5,13 @@ from chutecalc.core cimport collocation, events, floats, friction, gauss, guide_
 cdef int MAX_PANELS, CREEP_PANELS
 cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY, NEARLY_FULL, STEP_TO_FULL, BEYOND_JUMP
 
-@cython.locals(pressed=bint)
 cdef void solve_segment(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept nogil
 @cython.locals(deep=bint)
 cdef void pass_plate(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef double first_breakpoint(guide_surface.Guide guide, double share) noexcept nogil
 cdef bint detect_stall(state.Stream stream, double change) noexcept nogil
+cdef bint detect_jump(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef bint detect_full(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef bint cross_event(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef void next_panel(state.Stream stream, state.SolverOptions options, double change, double jacobian) noexcept nogil

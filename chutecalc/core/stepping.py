@@ -44,10 +44,12 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
         if stream.status != state.RUNNING:
             return
         change, jacobian = motion.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
-        pressed = stream.guide.longitudinal > 0.0  # then it jumps before it rests or fills a pipe
-        if not pressed and (detect_full(stream, options, change) or detect_stall(stream, change)):
-            continue
-        if not cross_event(stream, options, change):
+        if not (
+            detect_jump(stream, options, change)
+            or detect_full(stream, options, change)
+            or detect_stall(stream, change)
+            or cross_event(stream, options, change)
+        ):
             next_panel(stream, options, change, jacobian)
     stream.status = state.UNSOLVED
 
@@ -133,6 +135,20 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
     return False
 
 
+def detect_jump(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
+    """End the stream where it jumps within the least step, or has come a little beyond; return whether it did.
+
+    No panel can resolve that. It comes before rest and a full pipe, which a stream with pressure along it never gets to.
+    """
+    if stream.guide.longitudinal == 0.0:
+        return False
+    jump = longitudinal.jump_ahead(stream.guide, stream.facet, stream.share, stream.y)
+    if change == change and not 0.5 * (stream.y - jump) < -2.0 * state.LEAST_STEP * change:
+        return False
+    step_control.apply_event(stream, options, events.JUMP)
+    return True
+
+
 def detect_full(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
     """Choke the stream where a pipe runs full within the least step; return whether it did.
 
@@ -152,9 +168,6 @@ def cross_event(stream: "state.Stream", options: "state.SolverOptions", change: 
     A stream that has just crossed one at this share is left alone: near an equilibrium the direction of the first
     instant is rounding noise, and only a panel can tell.
     """
-    if change != change:  # beyond the jump
-        step_control.apply_event(stream, options, events.JUMP)
-        return True
     if not stream.has_events or stream.share == stream.last_crossing:
         return False
     step = 1e-6

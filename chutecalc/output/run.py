@@ -5,8 +5,10 @@ from typing import Any
 
 import numpy as np
 
+from chutecalc.output.band import band_document
 from chutecalc.output.cases import cases_document
 from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
+from chutecalc.results.band import Band
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import AT_STATION, COLUMNS
 from chutecalc.results.segments import SegmentResult
@@ -18,6 +20,7 @@ def run_dataset(
     chutes: Sequence[Cases],
     stations: Sequence[Mapping[str, Mapping[str, Any]]] | None,
     columns: Sequence[str] = tuple(COLUMNS),
+    bands: Sequence[Band] | None = None,
 ) -> Dataset:
     """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
 
@@ -26,6 +29,7 @@ def run_dataset(
         stations: stations of each chute by the name of the state, if a user asked for some. The document holds those
             of the state shown in full then. Without them the rows are the default stations, and the document has none.
         columns: names of the station columns.
+        bands: band of each chute, for the document.
     """
 
     def blocks() -> Iterator[Block]:
@@ -37,6 +41,7 @@ def run_dataset(
     def document() -> Any:
         documents = [
             run_document(chute, stations[number][chute.main] if stations else None, columns)
+            | ({"band": band_document(bands[number])} if bands else {})
             for number, chute in enumerate(chutes)
         ]
         return documents[0] if len(documents) == 1 else documents

@@ -51,7 +51,7 @@ def thick_stream(scene: Scene) -> Iterator[Case]:
     foretells_failure=True,
 )
 def slow_stream(scene: Scene) -> Iterator[Case]:
-    """Find low Froude numbers, where the neglected pressure gradient changes dv/ds by about K/Fr².
+    """Find low Froude numbers, where a neglected pressure gradient changes dv/ds by about K/Fr².
 
     Args:
         scene: the segment with the stream along it.
@@ -61,7 +61,7 @@ def slow_stream(scene: Scene) -> Iterator[Case]:
         "the Froude number falls to {froude} (limit {limit}): the pressure gradient along the stream, which the model"
         " neglects, changes dv/ds by about 1/Fr² there; a steeper slope makes the stream faster"
     )
-    mask = froude.value < limit
+    mask = (froude.value < limit) & (scene.design.longitudinal_ratio == 0.0)
     yield Case(mask, scene.distance(froude.share), template, {"froude": froude.value, "limit": limit})
 
 
