@@ -19,10 +19,10 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
     Args:
         chute: state of a chute of this layout; rows agree in all that comes before its segment ``first_varied``.
         options: tolerances and rules.
-        numbers: a row each: density, gravity, volume rate, K_v, α_m, K_l; position, velocity and slope of the stream at the
-            inlet; then the segments: start, drop and run of a fall; else start, entry and exit slope, radius, length,
-            the pieces of the wall's friction law, the section at the start, and at the end of a taper; at last position
-            and slope of the receiving belt.
+        numbers: a row each: density, gravity, volume rate, K_v, α_m, K_l; position, velocity and slope of the stream at
+            the inlet; then the segments: start, drop and run of a fall; else start, entry and exit slope, radius,
+            length, the pieces of the wall's friction law, the section at the start, and at the end of a taper; at last
+            position and slope of the receiving belt.
         first, last: rows.
     """
     row = first

@@ -22,7 +22,8 @@ def velocities_squared(
         panels: the stored panels.
         first, count: number of each design's first panel, and how many it has.
         rules: collocation rules by their number of nodes.
-        ends: a row each of the share where each design begins, √y there, the share where it ends, and y there; the first counts where a stream gets no further than its start.
+        ends: a row each of the share where each design begins, √y there, the share where it ends, and y there; the
+            first counts where a stream gets no further than its start.
         shares: c, shape (shares, designs).
         out: v², likewise.
     """

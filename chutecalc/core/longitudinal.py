@@ -1,12 +1,12 @@
 """Compute what pressure along the stream adds to its equation of motion.
 
 At the depth ζ below its free surface a stream bears the pressure K_l ρ n ζ across its section, K_l ρ n T in all, where
-T = ∫ b ζ dζ is the first moment of the flow area about the surface. Momentum then gives, per unit of mass,
+T = ∫ b ζ dζ is the first moment of the flow area about the surface. Momentum then gives for a uniform stream
 
-    v dv/ds · [1 - K_l n A/(b v²) + 2 K_l σ κ T/A] = g sin a - μ_e n - K_l (σ κ T/A g sin a + n ∂H/∂s)
+    v dv/ds · [1 - K_l n A/(b_s v²) + 2 K_l σ κ T/A] = g sin a - μ_e n - K_l (σ κ T/A g sin a + n ∂H/∂s)
 
-with b the width of the free surface and ∂H/∂s the change of depth along a taper at the same flow area, 0 elsewhere. The
-bracket falls to 0 where v² b/(n A) falls to about K_l: the stream jumps to a greater depth there.
+with b_s the width of the free surface and ∂H/∂s the change of depth along a taper at the same flow area, 0 elsewhere.
+The bracket falls to 0 where v² b_s/(n A) falls to about K_l: the stream jumps to a greater depth there.
 """
 
 import math

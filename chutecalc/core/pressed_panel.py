@@ -14,9 +14,7 @@ def freeze_bracket(trial: "panel.Panel", guide: "guide_surface.Guide", nodes: in
         trial.equation.jacobian[j] = floats.quotient(trial.equation.jacobian[j], bracket)
 
 
-def linearise(
-    trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule", iterate: "gauss.Iterate"
-) -> None:
+def linearise(trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule", iterate: "gauss.Iterate") -> None:
     """Write the equation in Y, v² over 2 g h, linearised at an iterate, and what Newton leaves of an update of 1.
 
     That is half of Y ∂²f/∂Y² at the nodes. Beyond the jump everything is NaN, and the panel is refused.

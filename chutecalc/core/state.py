@@ -9,7 +9,8 @@ OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, JUMPED = range(8)
 RUNNING, UNSOLVED, FAULT = -1, -2, -3
 LEAST_STEP = 1e-14  # share: the shortest step that still advances
 PANEL_SIZE = 32  # numbers of a stored panel
-PANEL_NUMBERS, GAVE_UP, NOT_TANGENT, HAS_JUMPED = PANEL_SIZE, UNSOLVED, FAULT, JUMPED  # for Python; the others are C constants if compiled
+# For Python; the others are C constants if compiled.
+PANEL_NUMBERS, GAVE_UP, NOT_TANGENT, HAS_JUMPED = PANEL_SIZE, UNSOLVED, FAULT, JUMPED
 
 
 class SolverOptions:

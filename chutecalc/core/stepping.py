@@ -138,7 +138,7 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
 def detect_jump(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
     """End the stream where it jumps within the least step, or has come a little beyond; return whether it did.
 
-    No panel can resolve that. It comes before rest and a full pipe, which a stream with pressure along it never gets to.
+    No panel can resolve that. A stream with pressure along it gets neither to rest nor to a full pipe before.
     """
     if stream.guide.longitudinal == 0.0:
         return False

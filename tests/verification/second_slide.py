@@ -144,7 +144,7 @@ class _Piece:
         return force / bracket
 
     def margins(self, u: float, v: float) -> list[float]:
-        """Return what stays positive on this piece: bounds of facet and row, wall height, n, bracket; force, any sign."""
+        """Return what stays positive on this piece: bounds of facet and row, wall height, n, bracket; and the force."""
         setting = self.setting
         f, n, stress, section, bracket = self.state(u, v)
         area = setting.rate / v

@@ -1,4 +1,4 @@
-"""A velocity profile and pressure along the stream: first integrals, jumps, and the second solver's momentum balance."""
+"""A velocity profile and pressure along the stream: first integrals, jumps, and momentum balanced by differences."""
 
 import random
 from collections import Counter
