@@ -1,7 +1,7 @@
 """The band of a model's own assumptions: what the momentum factor and pressure along the stream may change.
 
-One mean velocity and no pressure along the stream are assumptions. The variants of :data:`MOMENTUM_FACTORS` and of
-:func:`longitudinal_ratios` cover what they leave open. It is a band of assumptions, not a confidence interval.
+One mean velocity and no pressure along the stream are assumptions. The variants of :func:`variants_of` cover what they
+leave open. It is a band of assumptions, not a confidence interval.
 """
 
 from collections.abc import Iterator, Sequence
@@ -61,7 +61,7 @@ def variants_of(given: Variant, vertical_ratio: float) -> list[Variant]:
 
     Args:
         given: the numbers of the spec.
-        vertical_ratio: K_v.
+        vertical_ratio: pressure ratio K_v.
 
     >>> [str(variant) for variant in variants_of(Variant(1.0, 0.0), 0.1)][:3]
     ['α_m = 1, K_l = 0', 'α_m = 1, K_l = 0.1', 'α_m = 1, K_l = 1']

@@ -34,7 +34,7 @@ class GuideRows(NamedTuple):
 
     @property
     def momentum_root(self) -> Array:
-        """√α_m of the designs: the core's y is α_m v²; shape (designs,)."""
+        """√α_m of the designs, a ratio: the core's y is α_m v². Shape (designs,)."""
         root: Array = np.sqrt(self.rows[:, batch.MOMENTUM_COLUMN])
         return root
 
