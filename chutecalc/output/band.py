@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 
 ROWS = {"in": "entry", "out": "exit", "min": "minimum", "max": "maximum"}
 """Rows of each segment, by their labels."""
+MISSED = (
+    "the steel stands where the stream of the spec needs it: give the segment a place that catches the others too, or"
+    ' see what they would do with steel = "follows_stream"'
+)
+"""What to do where variants miss a segment."""
 BEYOND = 1e-6
 """Relative difference by which an extreme is beyond both ends, so that it has a row."""
 
@@ -100,6 +105,7 @@ def band_lines(band: Band, units: str) -> Iterator[str]:
         yield (
             f"ends for {len(stop.variants)} of {len(band.variants)} variants on {stop.segment}, {stop.status} at s ="
             f" {_from_to('s_m', stop.s_m, units)}, and holds without them from there on: {names}"
+            + (f"; {MISSED}" if stop.status == "missed" else "")
         )
 
 

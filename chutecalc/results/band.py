@@ -106,9 +106,8 @@ class Band:
         """Where variants end that do not end as the chute as written does."""
         found: dict[tuple[str, str], list[tuple[float, Variant]]] = {}
         for number in np.flatnonzero(~self._alike):
-            segment = self._last_segment(int(number))
-            key = str(self.solution.status[number]), segment.name
-            found.setdefault(key, []).append((float(segment.exit["s_m"][number]), self.variants[number]))
+            name, s = self._end(int(number))
+            found.setdefault((str(self.solution.status[number]), name), []).append((s, self.variants[number]))
         return [
             Stop(
                 status,
@@ -147,10 +146,11 @@ class Band:
         alike: Mask = self.solution.status == self.solution.status[0]
         return alike
 
-    def _last_segment(self, number: int) -> SegmentResult:
-        """Return the segment on which a variant ends."""
+    def _end(self, number: int) -> tuple[str, float]:
+        """Return the segment on which a variant ends, and how far it comes, m."""
         reached = [segment for segment in self.solution.segments if segment.status[number] != "not_reached"]
-        return reached[-1]
+        distances = [float(segment.exit["s_m"][number]) for segment in reached]
+        return reached[-1].name, max((s for s in distances if s == s), default=0.0)
 
     def __repr__(self) -> str:
         velocity = self.exit["velocity_m_s"]

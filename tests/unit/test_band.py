@@ -60,6 +60,17 @@ def test_variants_that_jump_end_the_band_and_are_named():
     assert "flat" in repr(stop)
 
 
+def test_variants_that_miss_a_segment_placed_by_the_stream_are_named():
+    belt = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
+    band = chutecalc.solve_band(belt)
+    (stop,) = band.stops
+    assert (stop.status, stop.segment, len(stop.variants)) == ("missed", "spoon", 8)
+    assert stop.s_m.least == band.solution.segments["hood"].exit["s_m"][1:].min()
+    moving = chutecalc.solve_band(chutecalc.parse(belt.data | {"model": {"steel": "follows_stream"}}))
+    assert not moving.stops
+    assert moving.exit["velocity_m_s"].least < 0.98 * moving.exit["velocity_m_s"].largest
+
+
 def test_a_band_is_that_of_one_design():
     with pytest.raises(chutecalc.UsageError, match="2"):
         chutecalc.solve_band(chutecalc.load(SPOON).vary({"flow.rate_t_h": [500.0, 600.0]}))
