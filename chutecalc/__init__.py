@@ -19,6 +19,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from chutecalc.api.band import solve_band
     from chutecalc.api.batch import exits
     from chutecalc.api.cases import solve_cases
     from chutecalc.api.chute import Chute
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from chutecalc.api.solution import Solution
     from chutecalc.api.solve import solve
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
+    from chutecalc.results.band import Band
     from chutecalc.results.cases import Cases
     from chutecalc.results.edges import Edge
     from chutecalc.results.exits import Exits
@@ -43,6 +45,7 @@ if TYPE_CHECKING:
 __all__ = [
     "STARTER",
     "Aim",
+    "Band",
     "Cases",
     "Chute",
     "ChutecalcError",
@@ -68,6 +71,7 @@ __all__ = [
     "place",
     "sensitivity",
     "solve",
+    "solve_band",
     "solve_cases",
     "uncertain",
 ]
@@ -76,6 +80,7 @@ __version__ = "0.1.0"
 _MODULES = {
     "STARTER": "chutecalc.spec.starter",
     "Aim": "chutecalc.studies.aim.aim",
+    "Band": "chutecalc.results.band",
     "Cases": "chutecalc.results.cases",
     "Chute": "chutecalc.api.chute",
     "ChutecalcError": "chutecalc.errors",
@@ -100,6 +105,7 @@ _MODULES = {
     "place": "chutecalc.studies.place.placement",
     "sensitivity": "chutecalc.studies.sensitivity.study",
     "solve": "chutecalc.api.solve",
+    "solve_band": "chutecalc.api.band",
     "solve_cases": "chutecalc.api.cases",
     "uncertain": "chutecalc.studies.uncertain.study",
 }

@@ -10,17 +10,16 @@ import typer
 
 from chutecalc.cli.options import RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
+from chutecalc.cli.run_studies import RunStudies
 from chutecalc.cli.specs import read_chutes
 from chutecalc.errors import ExitStatus
 
 if TYPE_CHECKING:
-    from chutecalc.api.chute import Chute
-    from chutecalc.output.printer import Printer
     from chutecalc.results.cases import Cases
-    from chutecalc.studies.sensitivity.study import Sensitivity
 
 EXAMPLES = (
     "chutecalc run chute.toml --plot chute.svg",
+    "chutecalc run chute.toml --band --plot chute.svg",
     "chutecalc run chute.toml --set flow.rate_t_h=800 --points 21 --csv stations.csv",
 )
 
@@ -46,6 +45,9 @@ def run(
     ),
     case: str | None = typer.Option(
         None, metavar="NAME", help="One operating state of [cases] alone; design for the spec as written."
+    ),
+    band: bool = typer.Option(
+        False, "--band", help="Least and largest velocity and depth over the assumptions that the model leaves open."
     ),
     sensitivity: bool = typer.Option(
         False, "--sensitivity", help="Tell how much each number of the spec changes the exit velocity."
@@ -80,39 +82,23 @@ def run(
             }
             for states in cases
         ]
-    slopes = _sensitivities(chutes, cases, rtol) if sensitivity else None
+    studies = RunStudies(chutes, cases, rtol, band=band, sensitivity=sensitivity)
     if outputs.files:
         from chutecalc.output.run import run_dataset
 
-        more = None
-        if slopes:
-            from chutecalc.studies.sensitivity.report import sensitivity_document
-
-            more = [{"sensitivity": sensitivity_document(own) if own else None} for own in slopes]
-        outputs.write(run_dataset(cases, tables, names or list(COLUMNS), more))
+        outputs.write(run_dataset(cases, tables, names or list(COLUMNS), studies.document))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
-        outputs.draw(draw_run(cases, outputs.units))
-    _print(cases, tables, slopes, names, outputs)
+        outputs.draw(draw_run(cases, outputs.units, studies.bands[0] if studies.bands else None))
+    _print(cases, tables, studies, names, outputs)
     return _status(cases, strict)
-
-
-def _sensitivities(chutes: Sequence[Chute], cases: Sequence[Cases], rtol: float) -> list[Sensitivity | None]:
-    """Return the sensitivity of the exit velocity of each chute in the state shown in full, None where it fails."""
-    from chutecalc.studies.sensitivity.study import sensitivity
-
-    pairs = zip(chutes, cases, strict=True)
-    return [
-        sensitivity(chute, case=states.main, rtol=rtol) if states.main_solution.ok[0] else None
-        for chute, states in pairs
-    ]
 
 
 def _print(
     cases: Sequence[Cases],
     tables: Sequence[dict[str, dict[str, Any]]] | None,
-    slopes: Sequence[Sensitivity | None] | None,
+    studies: RunStudies,
     columns: Sequence[str],
     outputs: RunOutputs,
 ) -> None:
@@ -136,9 +122,7 @@ def _print(
         print_report(printer, states.main_solution, states.main, columns)
         if len(states.names) > 1:
             print_cases(printer, states)
-        if slopes:
-            printer.text()
-            _print_sensitivity(printer, slopes[number])
+        studies.print(printer, number)
         if tables:
             printer.text()
             printer.table(stream_tables.stations(tables[number][states.main]))
@@ -150,16 +134,6 @@ def _print(
     if len(cases) > 1:
         printer.text()
         printer.table(stream_tables.comparison([states.main_solution for states in cases]))
-
-
-def _print_sensitivity(printer: Printer, found: Sensitivity | None) -> None:
-    """Print how much each number changes the exit velocity."""
-    from chutecalc.studies.sensitivity.report import sensitivity_table
-
-    if found is None:
-        printer.text("no sensitivity: a chute that fails has no exit velocity")
-    else:
-        printer.table(sensitivity_table(found, printer.units))
 
 
 def _status(cases: Sequence[Cases], strict: bool) -> int:

@@ -4,8 +4,10 @@ from typing import Any
 
 from chutecalc.core import chain, closed, floats, guide_surface, receiver, records, section, state, wall_loads
 
-HEADER = 8
+HEADER = 10
 """Number of entries of a row before those of the segments."""
+MOMENTUM_COLUMN = 4
+"""Number of the entry that is the momentum factor."""
 
 
 def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numbers: Any, first: int, last: int) -> int:
@@ -17,10 +19,10 @@ def solve_rows(chute: "records.ChuteState", options: "state.SolverOptions", numb
     Args:
         chute: state of a chute of this layout; rows agree in all that comes before its segment ``first_varied``.
         options: tolerances and rules.
-        numbers: a row each: density, gravity, volume rate, K_v; position, velocity and slope of the stream at the
-            inlet; then the segments: start, drop and run of a fall; else start, entry and exit slope, radius, length,
-            the pieces of the wall's friction law, the section at the start, and at the end of a taper; at last position
-            and slope of the receiving belt.
+        numbers: a row each: density, gravity, volume rate, K_v, α_m, K_l; position, velocity and slope of the stream at
+            the inlet; then the segments: start, drop and run of a fall; else start, entry and exit slope, radius,
+            length, the pieces of the wall's friction law, the section at the start, and at the end of a taper; at last
+            position and slope of the receiving belt.
         first, last: rows.
     """
     row = first
@@ -75,8 +77,8 @@ def read_segments(chute: "records.ChuteState", segment: "records.Segment", numbe
     """Read a segment and all that follow it from a row; with the first of them the inlet."""
     if at == HEADER:
         chute.gravity = float(numbers[row, 1])
-        chute.inlet.x, chute.inlet.z = float(numbers[row, 4]), float(numbers[row, 5])
-        chute.inlet.velocity, chute.inlet.slope = float(numbers[row, 6]), float(numbers[row, 7])
+        chute.inlet.x, chute.inlet.z = float(numbers[row, 6]), float(numbers[row, 7])
+        chute.inlet.velocity, chute.inlet.slope = float(numbers[row, 8]), float(numbers[row, 9])
     if segment.fall:
         segment.drop, segment.run = float(numbers[row, at + 2]), float(numbers[row, at + 3])
     else:
@@ -96,7 +98,8 @@ def read_segments(chute: "records.ChuteState", segment: "records.Segment", numbe
 def read_guide(guide: "guide_surface.Guide", numbers: Any, row: int, at: int) -> int:
     """Read the flow, the wall and the sections; return the offset of the next number."""
     guide.density, guide.gravity = float(numbers[row, 0]), float(numbers[row, 1])
-    guide.flow, guide.vertical_ratio = float(numbers[row, 2]), float(numbers[row, 3])
+    guide.momentum_root, guide.longitudinal = floats.root(float(numbers[row, 4])), float(numbers[row, 5])
+    guide.flow, guide.vertical_ratio = float(numbers[row, 2]) * guide.momentum_root, float(numbers[row, 3])
     for k in range(guide.pieces):
         guide.starts[k], guide.intercepts[k] = float(numbers[row, at]), float(numbers[row, at + 1])
         guide.slopes[k] = float(numbers[row, at + 2])

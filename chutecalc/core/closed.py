@@ -128,7 +128,9 @@ def fly_out(chute: "records.ChuteState", segment: "records.Segment", own: "guide
 def overfills(chute: "records.ChuteState", own: "guide_surface.Guide", share: float) -> bool:
     """Return whether a flight needs more than the whole closed section where it passes a share of a segment."""
     velocity = flight.velocity_at(chute.flight, surface.crossing_time(own, chute.flight, share))
-    return velocity * guide_surface.choke_area(own, share) < own.flow * (1.0 - events.EVENT_TOLERANCE)
+    return own.momentum_root * velocity * guide_surface.choke_area(own, share) < own.flow * (
+        1.0 - events.EVENT_TOLERANCE
+    )
 
 
 def leave_out(chute: "records.ChuteState", segment: "records.Segment", status: int) -> None:

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, friction, gauss, guide_surface, matrix, panel, section
+from chutecalc.core cimport floats, friction, gauss, guide_surface, matrix, motion, panel, pressed_panel, section
 
 cdef double NEWTON_FRACTION
 

@@ -2,7 +2,7 @@
 
 import math
 
-from chutecalc.core import floats, friction, gauss, guide_surface, matrix, panel, section
+from chutecalc.core import floats, friction, gauss, guide_surface, matrix, motion, panel, pressed_panel, section
 
 NEWTON_FRACTION = 0.1
 """Fraction of the tolerance that Newton's method may leave without another iteration."""
@@ -37,6 +37,8 @@ def solve_in_share(
         trial.solution[j] *= unit
     trial.solution[0] = y0
     rho = panel.ellipse_rho_in_share(trial, guide, pair.fine)
+    if guide.longitudinal > 0.0:
+        rho = min(rho, pressed_panel.ellipse_rho(trial, guide, pair.fine))
     panel.estimate(trial, valid, update, newton, rho, floats.quotient(panel.ROUNDING, end), pair, kind)
     if kind == panel.IN_SHARE_STIFF:
         trial.error += max(offset - cancellation, 0.0)
@@ -160,6 +162,8 @@ def freeze_friction(
             drag, adhesion = 1.0 + guide.facets.loads.excess[0], guide.facets.loads.adhesion[0]
         trial.equation.forcing[j] = trial.sine[j] - drag * trial.wall_drag[j] - adhesion
         trial.equation.jacobian[j] = -drag * centrifugal
+    if guide.longitudinal > 0.0:
+        pressed_panel.freeze_bracket(trial, guide, rule.count, initial)
 
 
 def linearise(
@@ -175,6 +179,9 @@ def linearise(
     That is at most A χ'/Y times 3/8 of gravity's load and 1/4 of the centrifugal load, and A_full/(A_full - A) times
     that in a pipe. On a crest and under a hood the two may cancel in f, so (1 + χ) b less b, χ b, is added there.
     """
+    if guide.longitudinal > 0.0:
+        pressed_panel.linearise(trial, guide, rule, iterate)
+        return
     for j in range(rule.count):
         guide.facets.loads.area[j] = floats.quotient(flow, floats.root(iterate.solution[j + 1]))
     if guide.taper:
@@ -247,7 +254,7 @@ def solve_in_r(
     """Solve c over a panel in r = √v from a share; valid only where v rises or falls throughout."""
     trial.start, trial.width, trial.in_r = start, width, True
     facet, piece = trial.facet, trial.piece
-    start_rate, _, change = friction.rhs_in_r(guide, facet, piece, start, width, share)
+    start_rate, _, change, bracket = motion.rhs_in_r(guide, facet, piece, start, width, share)
     for j in range(pair.coarse.count):
         r = start + width * pair.coarse.knots[j + 1]
         trial.coarse.solution[j + 1] = share + floats.quotient(r * r * r * r - start * start * start * start, change)
@@ -273,13 +280,13 @@ def solve_in_r(
     for j in range(pair.fine.count):
         noise = max(noise, math.fabs(trial.solution[j + 1] - trial.guess.solution[j + 1]))
     update = max(noise - panel.SHARE_ROUNDING, 0.0) / max(math.fabs(trial.solution[last] - share), panel.SHARE_ROUNDING)
-    rho = panel.ellipse_rho_in_r(trial, guide, pair.fine, start_rate, share)
+    rho = panel.ellipse_rho_in_r(trial, guide, pair.fine, floats.quotient(start_rate, bracket), share)
     panel.estimate(trial, valid, update, panel.NEWTON_SAFETY * update * update, rho, 0.0, pair, panel.IN_R)
 
 
 def set_resistance_in_r(trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule") -> None:
     """Write v² and the loads at the nodes of a panel in r, which do not depend on the iterate unless it tapers."""
-    if guide.taper:
+    if guide.taper or guide.longitudinal > 0.0:
         return
     for j in range(rule.count):
         r = trial.start + trial.width * rule.knots[j + 1]
@@ -291,17 +298,18 @@ def set_resistance_in_r(trial: "panel.Panel", guide: "guide_surface.Guide", rule
 def linearise_in_r(
     trial: "panel.Panel", guide: "guide_surface.Guide", rule: "gauss.Rule", iterate: "gauss.Iterate"
 ) -> float:
-    """Write the equation in r linearised at an iterate, with dc/dr in ``sine``; return the least dc/dr."""
-    least = floats.INFINITY
+    """Write the equation in r linearised at an iterate; return the least dc/dr over its bracket, also in ``sine``."""
+    least, bracket = floats.INFINITY, 1.0
     for j in range(rule.count):
         r, c = trial.start + trial.width * rule.knots[j + 1], iterate.solution[j + 1]
-        if guide.taper:
-            rate, jacobian, _ = friction.rhs_in_r(guide, trial.facet, trial.piece, r, trial.width, c)
+        if guide.taper or guide.longitudinal > 0.0:
+            rate, jacobian, _, bracket = motion.rhs_in_r(guide, trial.facet, trial.piece, r, trial.width, c)
         else:
-            change, change_in_share = friction.rhs_at_node(guide, trial.piece, c, trial.work[j], j)
+            change, change_in_share = motion.rhs_at_node(guide, trial.piece, c, trial.work[j], j)
             rate = floats.quotient(4.0 * trial.width * r * r * r, change)
             jacobian = floats.quotient(-rate * change_in_share, change)
-        trial.sine[j], trial.equation.forcing[j], trial.equation.jacobian[j] = rate, rate - jacobian * c, jacobian
-        if not rate >= least:
-            least = rate
+        trial.equation.forcing[j], trial.equation.jacobian[j] = rate - jacobian * c, jacobian
+        trial.sine[j] = floats.quotient(rate, bracket)
+        if not trial.sine[j] >= least:
+            least = trial.sine[j]
     return least

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport closed, flight, floats, friction, guide_surface, joint, placement, records, solution_rows, state, stepping, surface
+from chutecalc.core cimport closed, flight, floats, guide_surface, joint, motion, placement, records, solution_rows, state, stepping, surface
 
 cdef int MAX_STRIKES
 

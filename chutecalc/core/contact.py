@@ -6,9 +6,9 @@ from chutecalc.core import (
     closed,
     flight,
     floats,
-    friction,
     guide_surface,
     joint,
+    motion,
     placement,
     records,
     solution_rows,
@@ -66,7 +66,7 @@ def solve_surface(
     chute.end.error = math.fabs(error)
     stream.share, stream.y, stream.error = (
         chute.arrival.share,
-        chute.entry.velocity * chute.entry.velocity,
+        joint.squared(stream.guide, chute.entry.velocity),
         2.0 * chute.end.error,
     )
     if chute.arrival.status == state.OK:
@@ -141,14 +141,14 @@ def leave_surface(chute: "records.ChuteState", segment: "records.Segment", strea
     elif chute.segment_status == state.CONTACT_LOST:
         error, shift = contact_loss_error(stream.guide, share, y, error)
     chute.end.distance = chute.entry.distance + stream.guide.length * (share - chute.arrival.share)
-    chute.end.velocity = math.sqrt(y)
+    chute.end.velocity = math.sqrt(y) / stream.guide.momentum_root
     placement.set_point(chute.end, segment, stream.guide, share, error, shift)
 
 
 def contact_loss_error(guide: "guide_surface.Guide", share: float, y: float, error: float) -> tuple[float, float]:
     """Return the relative error of the velocity where contact is lost, n(c, y) = 0, and the error of the share."""
     slope = guide.entry_slope + guide.turn * share
-    rise = friction.rhs_any_branch(guide, share, y)
+    rise = motion.rhs_any_branch(guide, share, y)
     turned = -guide.side * guide.gravity * math.sin(slope) * guide.turn
     shift = flight.safe_quotient(-2.0 * error * y * guide.signed_curvature, turned + guide.signed_curvature * rise)
     return error + 0.5 * rise / y * shift, shift

@@ -1,11 +1,11 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport batch, floats, friction, guide_surface
+from chutecalc.core cimport batch, floats, guide_surface, motion
 
 cdef double SLOWEST, STEP
 cdef double STEPS
 
-@cython.locals(design=int, row=int)
+@cython.locals(design=int, row=int, uniform=double)
 cpdef critical_velocities(guide_surface.Guide guide, double[:, ::1] numbers, int start, double[:, :] surfaces, double[:, :] shares, double[:, :] velocities, double[:, :] out)
 @cython.locals(accelerates=bint, k=double)
 cdef double critical_velocity(guide_surface.Guide guide, double share, double velocity) noexcept nogil

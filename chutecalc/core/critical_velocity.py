@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from chutecalc.core import batch, floats, friction, guide_surface
+from chutecalc.core import batch, floats, guide_surface, motion
 
 SLOWEST, STEP, STEPS = 1e-9, 0.1518, 320
 """Lowest velocity tried, m/s; logarithm of the ratio between neighbours; and how many there are: up to 1e12 m/s."""
@@ -27,14 +27,15 @@ def critical_velocities(
     for design in range(shares.shape[1]):
         batch.restore_guide(guide, numbers, design, start, surfaces[design])
         for row in range(shares.shape[0]):
-            out[row, design] = critical_velocity(guide, shares[row, design], velocities[row, design])
+            uniform = guide.momentum_root * velocities[row, design]
+            out[row, design] = critical_velocity(guide, shares[row, design], uniform) / guide.momentum_root
 
 
 def critical_velocity(guide: "guide_surface.Guide", share: float, velocity: float) -> float:
-    """Return v_c at one share."""
+    """Return √α_m v_c at one share, where √α_m v is ``velocity``."""
     if velocity != velocity:
         return floats.INFINITY
-    accelerates = friction.rhs_any_branch(guide, share, velocity * velocity) > 0.0
+    accelerates = motion.force_any_branch(guide, share, velocity * velocity) > 0.0
     k = 0.0
     if velocity > SLOWEST:
         k = min(math.floor(math.log(velocity / SLOWEST) / STEP), STEPS - 1.0)
@@ -60,7 +61,7 @@ def critical_velocity(guide: "guide_surface.Guide", share: float, velocity: floa
 def net_acceleration(guide: "guide_surface.Guide", share: float, number: float) -> float:
     """Return the net acceleration, times a positive factor, at one of the velocities tried."""
     velocity = SLOWEST * math.exp(STEP * number)
-    return friction.rhs_any_branch(guide, share, velocity * velocity)
+    return motion.force_any_branch(guide, share, velocity * velocity)
 
 
 def find_root(guide: "guide_surface.Guide", share: float, number: float, f_low: float, f_high: float) -> float:

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport batch, floats, friction, gauss, guide_surface, matrix, section, state
+from chutecalc.core cimport batch, floats, gauss, guide_surface, matrix, motion, section, state
 
 cdef double SHARE_TOLERANCE, MAX_GROWTH
 

@@ -5,7 +5,7 @@ Panels are stored as by :class:`chutecalc.core.state.PanelStore`, those of a des
 
 from typing import Any
 
-from chutecalc.core import batch, floats, friction, gauss, matrix, state
+from chutecalc.core import batch, floats, gauss, matrix, motion, state
 
 SHARE_TOLERANCE = 1e-12
 """Shares are products of other shares, so their last digits are not the panels'."""
@@ -16,14 +16,14 @@ MAX_GROWTH = 3.0
 def velocities_squared(
     panels: Any, first: Any, count: Any, rules: dict[int, "gauss.Rule"], ends: Any, shares: Any, out: Any
 ) -> None:
-    """Write v² at shares; NaN where there is no stream.
+    """Write y at shares; NaN where there is no stream.
 
     Args:
         panels: the stored panels.
         first, count: number of each design's first panel, and how many it has.
         rules: collocation rules by their number of nodes.
-        ends: a row each of the share where each design begins, its velocity there, the share where it ends, and its v²
-            there; the first counts where a stream gets no further than its start.
+        ends: a row each of the share where each design begins, √y there, the share where it ends, and y there; the
+            first counts where a stream gets no further than its start.
         shares: c, shape (shares, designs).
         out: v², likewise.
     """
@@ -131,15 +131,16 @@ def integrate_time(
 ) -> None:
     """Write the time at the knots of that part to ``event_values``: the integral of ds/v over c, or over r."""
     width *= panels[at + 5] - panels[at + 4]
+    length = stream.guide.length * stream.guide.momentum_root  # ds/v is √α_m ds/√y
     for j in range(rule.count):
         if panels[at] > 0.0:
             r = stream.panel.work[j + 1]
-            rate, _, _ = friction.rhs_in_r(
+            rate, _, _, _ = motion.rhs_in_r(
                 stream.guide, int(panels[at + 2]), int(panels[at + 3]), r, width, stream.work[j + 1]
             )
-            stream.panel.equation.forcing[j] = stream.guide.length * rate / (r * r)
+            stream.panel.equation.forcing[j] = length * rate / (r * r)
         else:
-            stream.panel.equation.forcing[j] = stream.guide.length * width / floats.root(stream.work[j + 1])
+            stream.panel.equation.forcing[j] = length * width / floats.root(stream.work[j + 1])
     matrix.multiply(rule.integral, stream.panel.equation.forcing, stream.panel.wall_drag, 0)
     stream.event_values[0] = elapsed
     for k in range(rule.last):

@@ -1,8 +1,8 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport floats, friction, gauss, guide_surface, section
+from chutecalc.core cimport floats, friction, gauss, guide_surface, longitudinal, section
 
-cdef int CONTACT_LOSS, CHOKE, FACET_UP, FACET_DOWN, PIECE_UP, PIECE_DOWN, SEGMENT_END
+cdef int CONTACT_LOSS, CHOKE, JUMP, FACET_UP, FACET_DOWN, PIECE_UP, PIECE_DOWN, SEGMENT_END
 cdef double EVENT_TOLERANCE, DIFFERENCE_STEP
 
 cdef double event_function(guide_surface.Guide guide, int facet, int piece, int event, double share, double y, double next_breakpoint) noexcept nogil

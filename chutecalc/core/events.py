@@ -2,9 +2,9 @@
 
 from array import array
 
-from chutecalc.core import floats, friction, gauss, guide_surface
+from chutecalc.core import floats, friction, gauss, guide_surface, longitudinal
 
-CONTACT_LOSS, CHOKE, FACET_UP, FACET_DOWN, PIECE_UP, PIECE_DOWN, SEGMENT_END = range(7)
+CONTACT_LOSS, CHOKE, JUMP, FACET_UP, FACET_DOWN, PIECE_UP, PIECE_DOWN, SEGMENT_END = range(8)
 """Events; where two occur at once the first counts."""
 
 EVENT_TOLERANCE = 1e-13
@@ -23,6 +23,8 @@ def event_function(
         return guide_surface.normal_acceleration(guide, share, y) / guide.gravity
     if event == CHOKE:
         return relative_excess(floats.root(y) * guide_surface.choke_area(guide, share), guide.flow)
+    if event == JUMP:
+        return longitudinal.bracket(guide, facet, share, y)
     if event == FACET_UP:
         if facet + 1 >= guide.facets.count:
             return 1.0

@@ -2,8 +2,6 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats, guide_surface, section
 
-cdef double TAPER_STEP, FARTHEST_SHARE
-
 cdef void hydrostatic_loads(section.Facets facets, int k, section.Loads at, int first, int last) noexcept nogil
 cdef void hydrostatic_loads_at(section.Facets facets, int k, double area) noexcept nogil
 cdef void apply_friction_law(bint equilibrium, section.Loads at, int first, int last) noexcept nogil
@@ -12,8 +10,3 @@ cdef (double, double) friction_law(bint equilibrium, section.Loads at) noexcept 
 cdef double wall_stress(guide_surface.Guide guide, int facet, double share, double y) noexcept nogil
 cdef void set_resistance(guide_surface.Guide guide, int facet, int piece, int first, int last) noexcept nogil
 cdef void set_adhesion(guide_surface.Guide guide, int facet, int piece, section.Loads at, int first, int last) noexcept nogil
-cdef (double, double) rhs_at_node(guide_surface.Guide guide, int piece, double share, double y, int number) noexcept nogil
-cdef (double, double) rhs(guide_surface.Guide guide, int facet, int piece, double share, double y) noexcept nogil
-cdef (double, double) rhs_and_jacobian(guide_surface.Guide guide, int facet, int piece, double share, double y) noexcept nogil
-cdef double rhs_any_branch(guide_surface.Guide guide, double share, double y) noexcept nogil
-cdef (double, double, double) rhs_in_r(guide_surface.Guide guide, int facet, int piece, double r, double width, double share) noexcept nogil

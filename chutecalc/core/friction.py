@@ -1,7 +1,4 @@
-"""Evaluate the friction law, the loads that it reads, and the right-hand side of the equation of motion.
-
-Along a segment the independent variable is the share c, 0 at its drawn start and 1 at its drawn end, and the unknown is
-y = v². Near rest this form is singular, so there r = √v is the independent variable and c the unknown.
+"""Evaluate the friction law, and the loads that it reads.
 
 Several streams are evaluated at once: those at the nodes of a panel, on one facet of a section and one piece of the
 wall's yield locus. They are held in the section's :class:`chutecalc.core.section.Loads`.
@@ -10,11 +7,6 @@ wall's yield locus. They are held in the section's :class:`chutecalc.core.sectio
 import math
 
 from chutecalc.core import floats, guide_surface, section
-
-FARTHEST_SHARE = 1e6
-"""Shares beyond this are not evaluated."""
-TAPER_STEP = 1e-6
-"""Share over which a taper's change is differenced; it enters Newton's derivative only."""
 
 
 def hydrostatic_loads(facets: "section.Facets", k: int, at: "section.Loads", first: int, last: int) -> None:
@@ -136,63 +128,3 @@ def set_adhesion(
         if at.area[j] < guide.facets.full:  # beyond, depth is that of a full pipe
             at.adhesion_fall[j] = floats.quotient(0.5 * at.adhesion[j] * at.area[j], width * depth)
         at.adhesion_rise[j] = (at.excess_sensitivity[j] - at.missing_sensitivity[j]) * adhesion
-
-
-def rhs_at_node(guide: "guide_surface.Guide", piece: int, share: float, y: float, number: int) -> tuple[float, float]:
-    """Return dy/dc of an entry of the loads at a share, and its derivative by c for a constant section."""
-    if not (share > -FARTHEST_SHARE and share < FARTHEST_SHARE):  # a diverged iterate
-        return floats.NAN, floats.NAN
-    slope = guide.entry_slope + guide.turn * share
-    resistance = guide.slopes[piece] * (1.0 + guide.facets.loads.excess[number])  # μ_e
-    sine, cosine = math.sin(slope), math.cos(slope)
-    scale = 2.0 * guide.length * guide.gravity
-    normal_share = guide.side * cosine + guide.signed_curvature / guide.gravity * y
-    change = scale * (sine - resistance * normal_share - guide.facets.loads.adhesion[number])
-    return change, scale * guide.turn * (cosine + resistance * guide.side * sine)
-
-
-def rhs(guide: "guide_surface.Guide", facet: int, piece: int, share: float, y: float) -> tuple[float, float]:
-    """Return dy/dc at a share and a y, and its derivative by c for a constant section."""
-    guide_surface.set_section(guide, share)
-    guide.facets.loads.area[0] = guide_surface.flow_area(guide, y)
-    set_resistance(guide, facet, piece, 0, 1)
-    return rhs_at_node(guide, piece, share, y, 0)
-
-
-def rhs_and_jacobian(
-    guide: "guide_surface.Guide", facet: int, piece: int, share: float, y: float
-) -> tuple[float, float]:
-    """Return dy/dc at a share and a y, and its derivative by y."""
-    change, _ = rhs(guide, facet, piece, share, y)
-    drag, pressed = (
-        1.0 + guide.facets.loads.excess[0],
-        guide_surface.normal_acceleration(guide, share, y) / guide.gravity,
-    )
-    load_change = guide.slopes[piece] * guide.facets.loads.excess_sensitivity[0] * pressed
-    load_change += guide.facets.loads.adhesion_rise[0] - guide.facets.loads.adhesion_fall[0]
-    centrifugal = guide.slopes[piece] * drag * guide.signed_curvature / guide.gravity
-    return change, 2.0 * guide.length * guide.gravity * (floats.quotient(load_change, y) - centrifugal)
-
-
-def rhs_any_branch(guide: "guide_surface.Guide", share: float, y: float) -> float:
-    """Return dy/dc at a share and a y, on whatever facet and piece hold there."""
-    guide_surface.set_section(guide, share)
-    facet, piece = section.facet_of(guide.facets, guide_surface.flow_area(guide, y)), 0
-    if guide.pieces > 1:
-        piece = guide_surface.piece_of(guide, wall_stress(guide, facet, share, y))
-    change, _ = rhs(guide, facet, piece, share, y)
-    return change
-
-
-def rhs_in_r(
-    guide: "guide_surface.Guide", facet: int, piece: int, r: float, width: float, share: float
-) -> tuple[float, float, float]:
-    """Return dc over a panel of a given width in r = √v, its derivative by c, and dy/dc: dc/dr = 4 r³/(dy/dc)."""
-    y = r * r * r * r
-    change, slope_in_share = rhs(guide, facet, piece, share, y)
-    if guide.taper:
-        ahead, _ = rhs(guide, facet, piece, share + TAPER_STEP, y)
-        behind, _ = rhs(guide, facet, piece, share - TAPER_STEP, y)
-        slope_in_share = (ahead - behind) / (2.0 * TAPER_STEP)
-    rate = floats.quotient(4.0 * width * r * r * r, change)
-    return rate, floats.quotient(-rate * slope_in_share, change), change

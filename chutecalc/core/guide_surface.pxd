@@ -8,7 +8,7 @@ cdef class Guide:
     cdef public section.Section first, last, section_here
     cdef public bint taper, equilibrium, adhesive
     cdef public int pieces
-    cdef public double x, z, section_share, side, gravity, entry_slope, turn, length, flow, density, vertical_ratio, signed_curvature
+    cdef public double x, z, section_share, side, gravity, entry_slope, turn, length, flow, density, vertical_ratio, signed_curvature, momentum_root, longitudinal
     cdef public double[::1] starts, intercepts, slopes
 
 cdef void set_constants(Guide guide) noexcept nogil

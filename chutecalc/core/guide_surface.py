@@ -25,6 +25,11 @@ class Guide:
         """Start of the segment, m."""
         self.side = self.gravity = self.entry_slope = self.turn = self.length = 0.0
         self.flow = self.density = self.vertical_ratio = 0.0
+        self.momentum_root = 1.0
+        """√α_m. The stream is solved as a uniform one of the same flow area and momentum, √α_m as fast: ``flow`` is
+        √α_m Q, and y is α_m v² everywhere."""
+        self.longitudinal = 0.0
+        """K_l, longitudinal pressure over that normal to the centre section; 0 neglects it."""
         self.equilibrium = False
         self.pieces = pieces
         """Pieces of the wall's friction law, τ = intercept + slope σ above a σ each."""
@@ -74,7 +79,7 @@ def full_velocity(guide: Guide) -> float:
 
 
 def flow_area(guide: Guide, y: float) -> float:
-    """Return the flow area A = Q/v, m²."""
+    """Return the flow area A = √α_m Q/√y, m²."""
     return floats.quotient(guide.flow, floats.root(y))
 
 

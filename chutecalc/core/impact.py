@@ -28,7 +28,8 @@ def compute_impact(
     result.velocity_after = velocity
     if not incidence > 0.0:
         return
-    area = floats.quotient(guide.flow, velocity)
+    uniform = guide.momentum_root * velocity
+    area = floats.quotient(guide.flow, uniform)
     guide_surface.set_section(guide, share)
     facet = section.facet_of(guide.facets, area)
     excess, factor = friction.friction_law_at(guide, facet, area)
@@ -37,7 +38,7 @@ def compute_impact(
     result.footprint = min(floats.quotient(depth, sine), guide.length)
     result.pressure = floats.quotient(guide.density * velocity * velocity * sine * depth, result.footprint)
     running_stress = (
-        guide.density * max(guide_surface.normal_acceleration(guide, share, velocity * velocity), 0.0) * depth
+        guide.density * max(guide_surface.normal_acceleration(guide, share, uniform * uniform), 0.0) * depth
     )
     result.wall_friction = added_friction(guide, factor * running_stress, factor * result.pressure)
     result.stress = factor * (running_stress + result.pressure)

@@ -1,6 +1,6 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport flight, floats, friction, guide_surface, impact, records, state, surface
+from chutecalc.core cimport flight, floats, guide_surface, impact, motion, records, state, surface
 
 cdef double TANGENT, START_TOLERANCE, START_ERRORS, PERTURBATION
 
@@ -12,3 +12,4 @@ cdef double landing_error(records.ChuteState chute, records.Segment segment, gui
 @cython.locals(strikes=bint)
 cdef void impact_error(records.ChuteState chute, records.Segment segment, guide_surface.Guide guide) noexcept nogil
 cdef double entry_error(records.ChuteState chute, guide_surface.Guide guide) noexcept nogil
+cdef double squared(guide_surface.Guide guide, double velocity) noexcept nogil

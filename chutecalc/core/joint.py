@@ -7,7 +7,7 @@ a fixed position.
 
 import math
 
-from chutecalc.core import flight, floats, friction, guide_surface, impact, records, state, surface
+from chutecalc.core import flight, floats, guide_surface, impact, motion, records, state, surface
 
 TANGENT = TANGENT_ANGLE = 1e-6 * math.pi / 180.0  # the second is for Python
 """Directions closer than this are equal: the stream passes on unchanged."""
@@ -160,6 +160,12 @@ def entry_error(chute: "records.ChuteState", guide: "guide_surface.Guide") -> fl
         return chute.arrival.share_error
     if chute.arrival.share_error == 0.0:
         return chute.arrival.error
-    y = chute.impact.velocity_after * chute.impact.velocity_after
-    rise = 0.5 * friction.rhs_any_branch(guide, chute.arrival.share, y) / y
+    y = squared(guide, chute.impact.velocity_after)
+    rise = 0.5 * motion.rhs_any_branch(guide, chute.arrival.share, y) / y
     return chute.arrival.error - rise * chute.arrival.share_error
+
+
+def squared(guide: "guide_surface.Guide", velocity: float) -> float:
+    """Return y = α_m v² of a stream on a surface."""
+    scaled = guide.momentum_root * velocity
+    return scaled * scaled

@@ -163,7 +163,7 @@ FIELDS = (
     *("footprint", "pressure", "stress", "wall_friction", "friction", "velocity_after", "wear"),
     *("end_share", "end_velocity_squared", "beyond_share", "beyond_status", "attempts", "panels"),
 )  # fmt: skip
-"""Numbers of a segment's solution, in order. ``end_velocity_squared`` is v² where the segment's solution ends."""
+"""Numbers of a segment's solution, in order. ``end_velocity_squared`` is α_m v² where the segment's solution ends."""
 SOLUTION_SIZE = 62
 SOLUTION_NUMBERS = SOLUTION_SIZE  # for Python; the other is a C constant if compiled
 

@@ -1,7 +1,7 @@
 cimport cython
 from chutecalc.core cimport events, floats, gauss, guide_surface, matrix, panel
 
-cdef int OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, RUNNING, UNSOLVED, FAULT, PANEL_SIZE
+cdef int OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, JUMPED, RUNNING, UNSOLVED, FAULT, PANEL_SIZE
 cdef double LEAST_STEP
 
 @cython.final
@@ -26,6 +26,6 @@ cdef class Stream:
     cdef public int[::1] active_events
     cdef public int status, facet, piece, attempts
     cdef public bint has_events, target_in_r, try_finer, r_rejected
-    cdef public double share, y, error, breakpoint, next_step, r_fraction, event_target, last_crossing, choke_share, choke_y, choke_error
+    cdef public double share, y, error, breakpoint, next_step, r_fraction, event_target, last_crossing, choke_share, choke_y, choke_error, shift
 
 cdef double event_function(Stream stream, int event, double share, double y) noexcept nogil

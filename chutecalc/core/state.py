@@ -5,11 +5,12 @@ from typing import Any
 
 from chutecalc.core import events, floats, gauss, guide_surface, matrix, panel
 
-OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED = range(7)
+OK, STALL, CHOKED, CONTACT_LOST, MISSED, NOT_REACHED, PASSED, JUMPED = range(8)
 RUNNING, UNSOLVED, FAULT = -1, -2, -3
 LEAST_STEP = 1e-14  # share: the shortest step that still advances
 PANEL_SIZE = 32  # numbers of a stored panel
-PANEL_NUMBERS, GAVE_UP, NOT_TANGENT = PANEL_SIZE, UNSOLVED, FAULT  # for Python; the others are C constants if compiled
+# For Python; the others are C constants if compiled.
+PANEL_NUMBERS, GAVE_UP, NOT_TANGENT, HAS_JUMPED = PANEL_SIZE, UNSOLVED, FAULT, JUMPED
 
 
 class SolverOptions:
@@ -56,7 +57,7 @@ class Stream:
         self.store = store
         self.panel = store.panel
         self.event_values, self.work = store.event_values, store.work
-        self.active_events = array("i", [0] * 7)
+        self.active_events = array("i", [0] * events.SEGMENT_END)
         """Which events can occur on this segment at all."""
         self.has_events = False
         self.share = self.y = self.error = 0.0
@@ -78,6 +79,8 @@ class Stream:
         """Whether panels in r have failed since the last accepted one in c."""
         self.last_crossing = floats.NAN
         """Share at which the branch of the friction law last changed."""
+        self.shift = 0.0
+        """Error of the share at which its last panel ends; after a panel in c that of v², relative."""
         self.choke_share = self.choke_y = self.choke_error = floats.NAN
 
 

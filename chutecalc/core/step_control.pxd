@@ -2,6 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport events, floats, friction, gauss, guide_surface, panel, section, state
 
+cdef int JUMP_ITERATIONS
 cdef double LEAST_R_FRACTION, FIRST_R_FRACTION, BRANCH_CLEARANCE, END_TOLERANCE, ROUNDING, NEAR_END, OVERSHOOT, INNER_ERROR_FACTOR, MIN_FACTOR, MAX_FACTOR
 
 @cython.locals(in_r=bint)
@@ -18,3 +19,4 @@ cdef void shorten_after_chatter(state.Stream stream, bint in_r, double step) noe
 cdef void reach_breakpoint(state.Stream stream) noexcept nogil
 cdef void apply_event(state.Stream stream, state.SolverOptions options, int event) noexcept nogil
 cdef int next_interval(int number, int there, int side) noexcept nogil
+cdef void jump(state.Stream stream) noexcept nogil

@@ -9,6 +9,7 @@ BRANCH_CLEARANCE = 4e-13  # how far beyond an event the branch is read: more tha
 END_TOLERANCE, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an event so near its end is at its end
 NEAR_END, OVERSHOOT = 0.98, 1e-6  # of a panel: an event past this is near its end; how far past an event the next goes
 MIN_FACTOR, MAX_FACTOR = 0.25, 0.8  # of a rejected panel's length: bounds of the next
+JUMP_ITERATIONS = 3  # of Newton's method for the velocity of a jump
 INNER_ERROR_FACTOR = 10.0  # times the tolerance of a panel's end: error allowed inside where it is cut
 
 
@@ -109,13 +110,14 @@ def accept_step(
         end_slope = math.fabs(gauss.derivative_at(rule, stream.panel.solution, rule.last))
         carried = stream.error * start * start_slope / (4.0 * width)
         shift = sensitivity * carried + off * math.fabs(last - stream.panel.solution[0]) + panel.SHARE_ROUNDING
+        stream.shift = shift
         stream.error = shift if end == 0.0 else floats.quotient(shift * 4.0 * width, end * end_slope)
         stream.share, stream.y = last, end * end * end * end
         if end == 0.0:
             stream.status = state.STALL
         stream.r_fraction = min(2.0 * stream.r_fraction, 1.0)
     else:
-        stream.error = sensitivity * stream.error * stream.y / last + off
+        stream.shift = stream.error = sensitivity * stream.error * stream.y / last + off
         stream.share, stream.y = end, last
         if end >= stream.breakpoint:
             reach_breakpoint(stream)
@@ -198,6 +200,8 @@ def apply_event(stream: "state.Stream", options: "state.SolverOptions", event: i
         stream.choke_share, stream.choke_y, stream.choke_error = stream.share, stream.y, stream.error
         if not options.dense_output or stream.guide.first.closed:  # between open walls it may rise further
             stream.status = state.CHOKED
+    elif event == events.JUMP:
+        jump(stream)
     elif event == events.SEGMENT_END:
         stream.share = stream.breakpoint
         reach_breakpoint(stream)
@@ -221,3 +225,23 @@ def apply_event(stream: "state.Stream", options: "state.SolverOptions", event: i
 def next_interval(number: int, there: int, side: int) -> int:
     """Return the interval found on one side, or the neighbour on that side if it is nearer."""
     return max(there, number + 1) if side > 0 else min(there, number - 1)
+
+
+def jump(stream: "state.Stream") -> None:
+    """End the stream where the bracket of longitudinal pressure is 0, with the error of the velocity of that place.
+
+    Next to it a place known to 1e-14 says little of the velocity, but there the bracket does.
+    """
+    step, error = 1e-6, stream.error
+    by_share = by_velocity = 0.0
+    for _ in range(JUMP_ITERATIONS if stream.attempts > 0 else 0):  # not where it enters beyond the jump
+        value = state.event_function(stream, events.JUMP, stream.share, stream.y)
+        by_share = state.event_function(stream, events.JUMP, stream.share + step, stream.y) - value
+        by_velocity = state.event_function(stream, events.JUMP, stream.share, stream.y * (1.0 + step)) - value
+        change = step * floats.quotient(value, by_velocity)
+        if change > -0.5 and change < 0.5:
+            stream.y *= 1.0 - change
+        error = math.fabs(floats.quotient(by_share, by_velocity)) * stream.shift + events.EVENT_TOLERANCE
+    stream.status, stream.error = state.JUMPED, error
+    if stream.choke_share != stream.choke_share:
+        stream.choke_share, stream.choke_y, stream.choke_error = stream.share, stream.y, error

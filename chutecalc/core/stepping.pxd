@@ -1,9 +1,9 @@
 cimport cython
 from libc cimport math
-from chutecalc.core cimport collocation, events, floats, friction, gauss, guide_surface, panel, section, state, step_control
+from chutecalc.core cimport collocation, events, floats, friction, gauss, guide_surface, longitudinal, motion, panel, section, state, step_control
 
 cdef int MAX_PANELS, CREEP_PANELS
-cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY, NEARLY_FULL, STEP_TO_FULL
+cdef double STOP_AHEAD, REST_BEHIND, STEP_DECELERATING, STEP_ACCELERATING, STIFFNESS_LIMIT, CREEP_VELOCITY, NEARLY_FULL, STEP_TO_FULL, BEYOND_JUMP
 
 cdef void solve_segment(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept nogil
@@ -11,6 +11,7 @@ cdef void initialise(state.Stream stream, state.SolverOptions options) noexcept 
 cdef void pass_plate(state.Stream stream, state.SolverOptions options) noexcept nogil
 cdef double first_breakpoint(guide_surface.Guide guide, double share) noexcept nogil
 cdef bint detect_stall(state.Stream stream, double change) noexcept nogil
+cdef bint detect_jump(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef bint detect_full(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef bint cross_event(state.Stream stream, state.SolverOptions options, double change) noexcept nogil
 cdef void next_panel(state.Stream stream, state.SolverOptions options, double change, double jacobian) noexcept nogil

@@ -15,6 +15,8 @@ from chutecalc.core import (
     friction,
     gauss,
     guide_surface,
+    longitudinal,
+    motion,
     panel,
     section,
     state,
@@ -25,6 +27,7 @@ STOP_AHEAD, REST_BEHIND = 0.8, 0.02  # of what is left: rest nearer than that ta
 STEP_DECELERATING, STEP_ACCELERATING = 0.667, 2.0  # of the distance to rest ahead or behind: longest panel in c
 NEARLY_FULL, STEP_TO_FULL = 1e-7, 1.5  # of v²: a pipe so near to full takes one panel up to it, and a little beyond
 STIFFNESS_LIMIT = -6.0  # ∂f/∂y times a panel's length below which the equation is stiff
+BEYOND_JUMP = 0.02  # of the distance to it in r
 MAX_PANELS = 2000  # a bound, so that no input can hang
 MOST_PANELS = MAX_PANELS  # for Python; the other is a C constant if compiled
 CREEP_VELOCITY, CREEP_PANELS = 1e-3, 60  # m/s; a slower stream that takes more panels than that has stalled
@@ -40,9 +43,12 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
     for _ in range(MAX_PANELS):
         if stream.status != state.RUNNING:
             return
-        change, jacobian = friction.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
+        change, jacobian = motion.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
         if not (
-            detect_full(stream, options, change) or detect_stall(stream, change) or cross_event(stream, options, change)
+            detect_jump(stream, options, change)
+            or detect_full(stream, options, change)
+            or detect_stall(stream, change)
+            or cross_event(stream, options, change)
         ):
             next_panel(stream, options, change, jacobian)
     stream.status = state.UNSOLVED
@@ -51,7 +57,7 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
 def initialise(stream: "state.Stream", options: "state.SolverOptions") -> None:
     """Set the branch, the breakpoint, the first step and the events that can occur on this segment."""
     stream.status, stream.attempts = state.RUNNING, 0
-    stream.r_fraction, stream.r_rejected, stream.try_finer = 1.0, False, True
+    stream.r_fraction, stream.r_rejected, stream.try_finer, stream.shift = 1.0, False, True, 0.0
     stream.event_target = stream.last_crossing = stream.choke_share = stream.choke_y = stream.choke_error = floats.NAN
     guide_surface.set_section(stream.guide, stream.share)
     stream.facet = (
@@ -69,6 +75,7 @@ def initialise(stream: "state.Stream", options: "state.SolverOptions") -> None:
     # On all but hoods and crests weight alone presses the stream on its floor.
     stream.active_events[events.CONTACT_LOSS] = stream.guide.side < 0.0 or stream.guide.turn > 0.0
     stream.active_events[events.CHOKE] = stream.guide.first.wall_height < floats.INFINITY
+    stream.active_events[events.JUMP] = stream.guide.longitudinal > 0.0
     stream.active_events[events.FACET_UP] = stream.active_events[events.FACET_DOWN] = stream.guide.facets.count > 1
     stream.active_events[events.PIECE_UP] = stream.active_events[events.PIECE_DOWN] = stream.guide.pieces > 1
     stream.has_events = False
@@ -86,6 +93,12 @@ def initialise(stream: "state.Stream", options: "state.SolverOptions") -> None:
         and state.event_function(stream, events.CHOKE, stream.share, stream.y) < -events.EVENT_TOLERANCE
     ):
         step_control.apply_event(stream, options, events.CHOKE)
+    if (
+        stream.status == state.RUNNING
+        and stream.active_events[events.JUMP]
+        and not state.event_function(stream, events.JUMP, stream.share, stream.y) > events.EVENT_TOLERANCE
+    ):
+        step_control.apply_event(stream, options, events.JUMP)
 
 
 def pass_plate(stream: "state.Stream", options: "state.SolverOptions") -> None:
@@ -120,6 +133,20 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
         stream.status, stream.error = state.STALL, 1.0 - stream.share
         return True
     return False
+
+
+def detect_jump(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
+    """End the stream where it jumps within the least step, or has come a little beyond; return whether it did.
+
+    No panel can resolve that. A stream with pressure along it gets neither to rest nor to a full pipe before.
+    """
+    if stream.guide.longitudinal == 0.0:
+        return False
+    jump = longitudinal.jump_ahead(stream.guide, stream.facet, stream.share, stream.y)
+    if change == change and not 0.5 * (stream.y - jump) < -2.0 * state.LEAST_STEP * change:
+        return False
+    step_control.apply_event(stream, options, events.JUMP)
+    return True
 
 
 def detect_full(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
@@ -162,7 +189,8 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
     It is in r towards a stop that is near or away from a start near rest, and in c otherwise. A panel that turns out
     too long is rejected and shortened. In a pipe the velocity at which it runs full takes the place of rest: friction
     has a branch point there, (v - v_full)^(2/3), which r does not remove. Panels in c shrink with the distance to it;
-    what is left of the term falls with its power 5/3, so the last few 1e-7 take one panel.
+    what is left of the term falls with its power 5/3, so the last few 1e-7 take one panel. With longitudinal pressure
+    the jump takes the place of rest: v² falls with the root of the distance to it, and c is smooth in r.
     """
     if stream.event_target == stream.event_target:
         if stream.target_in_r:
@@ -171,15 +199,19 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
             step_in_share(stream, options, stream.event_target, jacobian)
         return
     full = guide_surface.full_velocity(stream.guide)
-    above = stream.y - full * full
+    jump = longitudinal.jump_ahead(stream.guide, stream.facet, stream.share, stream.y)
+    above = 0.5 * (stream.y - jump) if jump > 0.0 else stream.y - full * full
     rest, scale = stream.breakpoint - stream.share, math.fabs(floats.quotient(above, change))
-    if full > 0.0:
+    if full > 0.0 and jump == 0.0:
         longest = STEP_DECELERATING if above > NEARLY_FULL * stream.y else STEP_TO_FULL
         step = min(stream.next_step, (longest if change < 0.0 else STEP_ACCELERATING) * scale)
         step_in_share(stream, options, stream.share + step if step < rest else stream.breakpoint, jacobian)
         return
     if not stream.r_rejected and change < 0.0 and scale < STOP_AHEAD * rest:
         goal = math.sqrt(slowest_on_branch(stream))
+        if jump > 0.0:  # a little beyond, so that it lies inside
+            start, least = math.sqrt(math.sqrt(stream.y)), math.sqrt(math.sqrt(jump))
+            goal = max(goal, least - BEYOND_JUMP * (start - least))
     elif not stream.r_rejected and change > 0.0 and scale < REST_BEHIND * rest:
         goal = min(math.sqrt(math.sqrt(stream.y + 0.5 * change * rest)), math.sqrt(fastest_on_branch(stream)))
     else:

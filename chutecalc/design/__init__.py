@@ -39,6 +39,10 @@ class Design(NamedTuple):
     """δ, rad; None where the spec gives a pressure ratio alone."""
     vertical_ratio: Array
     """Pressure ratio K_v at vertical walls."""
+    momentum_factor: Array
+    """Momentum factor α_m."""
+    longitudinal_ratio: Array
+    """Longitudinal pressure ratio K_l."""
     equilibrium: bool
     """Whether wall pressures are scaled until they carry the weight, instead of the paper's friction law."""
     inlet_position: tuple[Array, Array]

@@ -1,6 +1,6 @@
 """The results of a run as rows, a station each, and as a document."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ def run_dataset(
     chutes: Sequence[Cases],
     stations: Sequence[Mapping[str, Mapping[str, Any]]] | None,
     columns: Sequence[str] = tuple(COLUMNS),
-    more: Sequence[Mapping[str, Any]] | None = None,
+    more: Callable[[int], Mapping[str, Any]] = lambda number: {},
 ) -> Dataset:
     """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
 
@@ -27,7 +27,7 @@ def run_dataset(
         stations: stations of each chute by the name of the state, if a user asked for some. The document holds those
             of the state shown in full then. Without them the rows are the default stations, and the document has none.
         columns: names of the station columns.
-        more: further entries of the document of each chute.
+        more: returns further entries of the document of each chute, by its number from 0.
     """
 
     def blocks() -> Iterator[Block]:
@@ -38,8 +38,7 @@ def run_dataset(
 
     def document() -> Any:
         documents = [
-            run_document(chute, stations[number][chute.main] if stations else None, columns)
-            | dict(more[number] if more else {})
+            run_document(chute, stations[number][chute.main] if stations else None, columns) | dict(more(number))
             for number, chute in enumerate(chutes)
         ]
         return documents[0] if len(documents) == 1 else documents

@@ -5,6 +5,14 @@ y = v²:
 
     dy/ds = 2 (g sin a - μ_e n),    n = σ (g cos a + κ y),    n ≥ 0
 
+This is for a uniform stream without pressure along it. A momentum factor α_m and a longitudinal pressure ratio K_l
+make it, with b_s the width of the free surface and T = ∫ b ζ dζ the first moment of the flow area about it,
+
+    v dv/ds [α_m - K_l n A/(b_s v²) + 2 α_m K_l σ κ T/A] = g sin a - μ_e n - K_l (σ κ T/A g sin a + n ∂H/∂s),
+    n = σ (g cos a + α_m κ y)
+
+where ∂H/∂s is the change of depth along a taper at the same flow area. docs/physics.md derives it.
+
 n is the normal acceleration that presses the stream on its surface, m/s². σ is 1 on a floor and -1 under a roof.
 Where n falls below 0 the stream has left the surface and the equation no longer holds. On a spoon this is the equation
 of motion of Roberts (2003), Paper Eq 1. :mod:`chutecalc.core` solves it. Its exact solutions for constant friction

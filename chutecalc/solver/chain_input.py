@@ -182,6 +182,7 @@ def row_columns(design: Design) -> tuple[list[Array | float], list[int], list[in
         The columns, each a number or an array of length 1 or n; the offset of each segment's wall; and of each segment.
     """
     columns: list[Array | float] = [design.density, design.gravity, design.volume_rate, design.vertical_ratio]
+    columns += [design.momentum_factor, design.longitudinal_ratio]
     columns += [*design.inlet_position, design.inlet_velocity, design.inlet_slope]
     wall_offsets, segment_offsets = [], []
     for segment in design.segments:

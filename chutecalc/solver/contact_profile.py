@@ -33,7 +33,7 @@ class ContactProfile:
 
     @cached_property
     def velocity_squared(self) -> Array:
-        """Velocity squared, m²/s²."""
+        """Velocity squared times momentum factor, α_m v², m²/s², as the core has it."""
         y = np.empty(self.share.shape)
         self.contact.panels.velocities_squared(self.contact.bounds, self.share, y)
         return y
@@ -41,7 +41,8 @@ class ContactProfile:
     @cached_property
     def velocity(self) -> Array:
         """Velocity, m/s."""
-        return np.sqrt(self.velocity_squared)
+        velocity: Array = np.sqrt(self.velocity_squared) / self.contact.guide_rows.momentum_root
+        return velocity
 
     @cached_property
     def time(self) -> Array:
@@ -188,7 +189,7 @@ class ContactProfile:
         """Return a profile at the same shares with one velocity at all of them.
 
         Args:
-            velocity_squared: m²/s².
+            velocity_squared: α_m v², m²/s².
         """
         other = ContactProfile(self.solved, self.contact, self.flow, self.share)
         other.__dict__["velocity_squared"] = np.full(self.share.shape, velocity_squared)

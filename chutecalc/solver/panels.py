@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.core import dense_output, gauss, state
+from chutecalc.core import batch, dense_output, gauss, state
 from chutecalc.core.guide_surface import Guide
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.solver.chain_input import SegmentLayout, stream_for
@@ -31,6 +31,12 @@ class GuideRows(NamedTuple):
         """
         rows, surfaces = np.repeat(self.rows, count, axis=0), np.repeat(self.surfaces, count, axis=0)
         return self._replace(rows=rows, surfaces=surfaces)
+
+    @property
+    def momentum_root(self) -> Array:
+        """√α_m of the designs, a ratio: the core's y is α_m v². Shape (designs,)."""
+        root: Array = np.sqrt(self.rows[:, batch.MOMENTUM_COLUMN])
+        return root
 
     @property
     def guide(self) -> Guide:
@@ -70,12 +76,12 @@ class Panels:
         return self.store.reshape(-1, state.PANEL_NUMBERS)[first : first + self.count[design]]
 
     def velocities_squared(self, ends: Array, shares: Array, out: Array) -> None:
-        """Write v² at shares, m²/s².
+        """Write α_m v² at shares, m²/s².
 
         Args:
             ends: as in :func:`chutecalc.core.dense_output.velocities_squared`, shape (4, designs).
             shares: shares of the segment, shape (shares, designs).
-            out: v², m²/s², of the same shape.
+            out: α_m v², m²/s², of the same shape.
         """
         assert shares.shape == out.shape == (len(shares), len(self.count))  # the compiled loop does not check
         dense_output.velocities_squared(self.store, self.first, self.count, self._rules, ends, shares, out)

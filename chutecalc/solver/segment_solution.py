@@ -62,7 +62,8 @@ class ContactEnd(NamedTuple):
 
     share: Array
     """Share of the segment's length."""
-    velocity_squared: Array
+    momentum_velocity_squared: Array
+    """α_m v², m²/s²."""
     beyond_share: Array
     """After a choke, the share at which the stream would end between higher walls; else NaN."""
     beyond_status: Index
@@ -118,8 +119,10 @@ class ContactSolution:
 
     @cached_property
     def bounds(self) -> Array:
-        """Share and velocity, m/s, where contact begins; share and v², m²/s², where it ends; shape (4, designs)."""
-        return self.table.take(_BOUNDS, axis=0)
+        """Share and √α_m v, m/s, where contact begins; share and α_m v², m²/s², where it ends; shape (4, designs)."""
+        bounds: Array = self.table.take(_BOUNDS, axis=0)
+        bounds[1] *= self.guide_rows.momentum_root
+        return bounds
 
     @cached_property
     def end(self) -> ContactEnd:

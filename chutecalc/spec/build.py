@@ -55,6 +55,8 @@ class _Geometry:
             gravity=in_si(flow.gravity_m_s2, "acceleration"),
             internal_friction=friction,
             vertical_ratio=ratio,
+            momentum_factor=in_si(self.spec.model.momentum_factor, "number"),
+            longitudinal_ratio=in_si(self.spec.model.longitudinal_pressure_ratio, "number"),
             equilibrium=self.spec.model.friction_law == "equilibrium",
             inlet_position=position,
             inlet_velocity=velocity,

@@ -29,6 +29,7 @@ _WEIGHS = Plausible(1.0, 25.0, "weaker than on the Moon", "stronger than on any 
 _DENSE = Plausible(100.0, 7000.0, "lighter than sawdust", "denser than any ore")
 _COARSE = Plausible(5e-5, 2.0, "as fine as dust", "larger than any crusher takes")
 _RATIO = Plausible(0.05, 1.0, "next to nothing", "more than all of it")
+_SHEARED = Plausible(1.0, 1.5, "less than a uniform profile has", "more than any profile that rests on the floor has")
 _PRESSES = Plausible(0.005, 200.0, "less than a millimetre of material weighs", "more than any chute bears")
 _LINES = Plausible(0.0005, 0.5, "as thin as paint", "thicker than any liner")
 _WEARS = Plausible(1e-9, 1.0, "less than any liner loses", "softer than any liner")
@@ -127,6 +128,16 @@ class Model(Table):
         "fixed",
         description="fixed: the chute is drawn at the spec as written and stands still while operating keys vary;"
         " follows_stream: what is placed by the stream moves with it",
+    )
+    momentum_factor: Annotated[Number, Quantity("number", ge=1, le=2, plausible=_SHEARED)] = Field(
+        1.0,
+        description="α_m, momentum of the stream over that of its mean velocity: 1 for a uniform profile, 1.25 for one"
+        " sheared over its whole depth on a rough bed (Bagnold), 1.33 for a linear one",
+    )
+    longitudinal_pressure_ratio: Annotated[Number, Quantity("number", ge=0, le=1, plausible=_RATIO)] = Field(
+        0.0,
+        description="K_l, pressure along the stream over that normal to the centre section, between K_v and 1; 0"
+        " neglects it, as the paper does",
     )
 
 

@@ -13,6 +13,7 @@ DESIGN_POINT = "design"
 """Name of the state that the spec describes itself; no case may have it."""
 OPERATING = (
     *("flow", "material", "liners", "limits", "model.friction_law"),
+    *("model.momentum_factor", "model.longitudinal_pressure_ratio"),
     *("inlet.velocity", "inlet.belt.velocity", "inlet.belt.material_depth"),
     *("inlet.belt.surcharge", "inlet.belt.friction", "receiver.velocity", "receiver.friction"),
 )

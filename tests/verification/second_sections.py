@@ -13,12 +13,14 @@ TALL = 1e150  # m, a chamfer without a top
 
 @dataclass
 class Load:
-    """What a section carries at one flow area: depth, area, and the sums over its wetted walls, both sides."""
+    """What a section carries at one flow area: depth, area, the sums over its wetted walls, both sides, its surface."""
 
     depth: float
     area: float
     bent: float  # ∫ K (1 − cos ψ) ζ dl
     missing: float  # A − ∫ K ζ cos ψ dl
+    width: float
+    moment: float  # ∫ b ζ dζ
 
     def chi(self, law: str) -> float:
         chi = self.bent / self.area
@@ -79,15 +81,21 @@ class Polygon:
     def load(self, area: float, piece: int | None = None) -> Load:
         piece = self.piece(area) if piece is None else piece
         depth = self.depth(area, piece)
-        bent = missing = 0.0
+        bent = missing = moment = 0.0
         for k in range(piece + 1):
             sine, cosine, versed = self.trig[k]
             above = depth - self.heights[k]
+            thick = above if k == piece else self.heights[k + 1] - self.heights[k]
+            # a strip as wide as its foot, and the two triangles beside it
+            moment += 2 * self.halves[k] * thick * (above - thick / 2)
+            moment += 2 * cosine / sine * thick**2 * (above / 2 - thick / 3)
             wetted = above / sine if k == piece else self.rising[k][0]
             weight = 2 * wetted * (above - wetted * sine / 2)  # ∫ ζ dl of both sides
             bent += self.pressure[k] * versed * weight
             missing += self.lifted[k] * cosine * weight
-        return Load(depth, area, bent, missing)
+        sine, cosine, _ = self.trig[piece]
+        width = 2 * (self.halves[piece] + (depth - self.heights[piece]) * cosine / sine)
+        return Load(depth, area, bent, missing, width, moment)
 
     def area_at(self, depth: float) -> float:
         piece = max(k for k in range(self.pieces) if k == 0 or self.heights[k] <= depth)
@@ -105,9 +113,9 @@ class Circle:
         self.radius, self.ratio, self.wall = radius, ratio, wall
         self.top = self.sums(pi / 2)[0]
 
-    def sums(self, half: float) -> tuple[float, float, float]:
-        """Area, bent and missing of the pipe alone, wetted up to this half angle."""
-        area = bent = missing = 0.0
+    def sums(self, half: float) -> tuple[float, float, float, float]:
+        """Area, bent, missing and moment of the pipe alone, wetted up to this half angle."""
+        area = bent = missing = moment = 0.0
         for node, weight in zip(NODES, WEIGHTS, strict=True):
             angle = half * (1 + node) / 2
             depth = 2 * sin((half + angle) / 2) * sin((half - angle) / 2)
@@ -117,7 +125,8 @@ class Circle:
             area += element * cosine
             bent += element * (1 - lifted) * 2 * sin(angle / 2) ** 2
             missing += element * lifted * cosine
-        return area, bent, missing
+            moment += element * sine * sine * self.radius
+        return area, bent, missing, moment
 
     def piece(self, area: float) -> int:
         return int(area >= self.top)
@@ -129,15 +138,16 @@ class Circle:
         piece = self.piece(area) if piece is None else piece
         radius = self.radius
         if piece:
-            _, bent, missing = self.sums(pi / 2)
+            _, bent, missing, moment = self.sums(pi / 2)
             height = (area - self.top) / (2 * radius)
             # each element of the pipe lies deeper by `height`
             bent += 2 * height * radius * self.arc(lambda angle: self.k(angle) * (1 - cos(angle)))
             missing += 2 * height * radius * self.arc(lambda angle: (1 - self.k(angle)) * cos(angle))
-            return Load(radius + height, area, bent + self.ratio * height**2, missing)
+            moment += self.top * height + radius * height**2
+            return Load(radius + height, area, bent + self.ratio * height**2, missing, 2 * radius, moment)
         half = self.half_angle(area)
-        _, bent, missing = self.sums(half)
-        return Load(2 * radius * sin(half / 2) ** 2, area, bent, missing)
+        _, bent, missing, moment = self.sums(half)
+        return Load(2 * radius * sin(half / 2) ** 2, area, bent, missing, 2 * radius * sin(half), moment)
 
     def half_angle(self, area: float) -> float:
         """Newton on the quadrature's own area; its start is the shallow pipe's."""
@@ -181,9 +191,9 @@ class Pipe(Circle):
 
     def load(self, area: float, piece: int | None = None) -> Load:
         half = self.half_angle(min(area, self.full))
-        held, bent, missing = self.sums(half)
-        over = max(area / self.full, 1.0)
-        return Load(2 * self.radius * sin(half / 2) ** 2, held * over, bent * over, missing * over)
+        held, bent, missing, moment = self.sums(half)
+        over, width = max(area / self.full, 1.0), 2 * self.radius * sin(half)
+        return Load(2 * self.radius * sin(half / 2) ** 2, held * over, bent * over, missing * over, width, moment)
 
     def half_angle(self, area: float) -> float:
         """Bisect; in the upper half for what is dry, ψ - sin ψ cos ψ of the other angle."""

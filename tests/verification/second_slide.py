@@ -33,6 +33,8 @@ class Setting:
     rate: float  # m³/s
     density: float
     g: float
+    profile: float = 1.0  # momentum factor
+    lengthwise: float = 0.0  # longitudinal pressure ratio
 
     def __post_init__(self) -> None:
         self.tapers = self.tables[0] != self.tables[1]
@@ -49,7 +51,29 @@ class Setting:
     def press(self, u: float, v: float) -> float:
         """n."""
         surface = self.surface
-        return surface.side * (self.g * cos(surface.slope_at(u)) + surface.kappa * v * v)
+        return surface.side * (self.g * cos(surface.slope_at(u)) + surface.kappa * self.profile * v * v)
+
+    def accelerated(self, u: float, v: float, force: float, facet: int) -> tuple[float, float]:
+        """Return v dv/ds times a positive factor, and that factor.
+
+        Over ρ, momentum and pressure along the stream are M = α Q v + K n T, and dM/ds = A · force but for a taper's
+        walls, which with the change of T at the same flow area come to -K n A times the change of depth there. So
+        v dv/ds = (A · force - ∂M/∂s) v / (∂M/∂v), with derivatives of M by differences.
+        """
+        if self.lengthwise == 0:
+            return force, self.profile
+        section, area, surface, k = self.section(u), self.rate / v, self.surface, self.lengthwise
+
+        def momentum(v: float) -> float:
+            return self.profile * self.rate * v + k * self.press(u, v) * section.load(self.rate / v, facet).moment
+
+        n, load = self.press(u, v), section.load(area, facet)
+        turned = surface.side * surface.kappa * self.g * sin(surface.slope_at(u))  # ∂n/∂s at the same v
+        change = k * turned * load.moment
+        if self.tapers:
+            deeper = _derivative(lambda at: self.section(at).load(area, facet).depth, u, 1e-2 * surface.length)
+            change += k * n * area * deeper
+        return force - change / area, _derivative(momentum, v, 1e-2 * v) / self.rate
 
     def stress(self, load: Load, n: float) -> float:
         return load.factor(self.law) * self.density * n * load.depth
@@ -77,6 +101,15 @@ class Setting:
         return section.wall < inf and self.rate / v > section.area_at(section.wall)
 
 
+def _derivative(function: Callable[[float], float], at: float, step: float) -> float:
+    """Central differences of the eighth order."""
+    weights = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
+    total = 0.0
+    for k, weight in enumerate(weights, 1):
+        total += weight * (function(at + k * step) - function(at - k * step))
+    return total / step
+
+
 @dataclass
 class Slid:
     how: str  # end, stall, choke, lost
@@ -93,20 +126,27 @@ class _Piece:
         self.facet = setting.section(u).piece(load.area)
         self.row = setting.friction.piece(setting.stress(load, max(setting.press(u, v), 0.0)))
 
-    def state(self, u: float, v: float) -> tuple[float, float, float, Section]:
-        """Acceleration along the flow, n, stress, section."""
+    def state(self, u: float, v: float) -> tuple[float, float, float, Section, float]:
+        """Acceleration along the flow times the bracket, n, stress, section, and the bracket."""
         setting = self.setting
         section = setting.section(u)
         load = section.load(setting.rate / v, self.facet)
         n = setting.press(u, v)
         stress = setting.stress(load, n)
         mu = setting.friction.coefficient(stress, self.row) * (1 + load.chi(setting.law)) if n else 0.0
-        return setting.g * sin(setting.surface.slope_at(u)) - mu * n, n, stress, section
+        force = setting.g * sin(setting.surface.slope_at(u)) - mu * n
+        force, bracket = setting.accelerated(u, v, force, self.facet)
+        return force, n, stress, section, bracket
+
+    def rate(self, u: float, v: float) -> float:
+        """Acceleration along the flow."""
+        force, *_, bracket = self.state(u, v)
+        return force / bracket
 
     def margins(self, u: float, v: float) -> list[float]:
-        """Return what stays positive on this piece: bounds of facet and row, wall height, n, and f, of any sign."""
+        """Return what stays positive on this piece: bounds of facet and row, wall height, n, bracket; and the force."""
         setting = self.setting
-        f, n, stress, section = self.state(u, v)
+        f, n, stress, section, bracket = self.state(u, v)
         area = setting.rate / v
         low, high = section.bounds(self.facet)
         out = [area / low - 1 if low else 1.0, 1 - area / high]
@@ -114,24 +154,26 @@ class _Piece:
         out += [stress / first - 1 if first else 1.0, 1 - stress / last]
         out.append(1 - area / section.area_at(section.wall) if section.wall < inf else 1.0)
         out.append(n if setting.surface.kappa * setting.surface.side < 0 or setting.surface.side < 0 else 1.0)
-        return [*out, f]
+        return [*out, bracket, f]
 
 
-CHOKE, LOST, TURN, END, SWITCH = 4, 5, 6, 7, 8
+CHOKE, LOST, JUMP, TURN, END, SWITCH = 4, 5, 6, 7, 8, 9
 
 
 def slide(setting: Setting, u: float, v: float) -> Slid:
     """Follows a stream from u with velocity v to the surface's end or to what ends it."""
     piece = _Piece(setting, u, v)
     event = -1
+    if piece.state(u, v)[-1] <= 0:
+        return Slid("choke", u, v)
     for _ in range(SPLITS):
         event, u, v = _stretch(piece, u, v, event)
         if event == END:
             return Slid("end", u, v)
         if v == 0:
             return Slid("stall", u, 0.0)
-        if event in (CHOKE, LOST):
-            return Slid("choke" if event == CHOKE else "lost", u, v)
+        if event in (CHOKE, LOST, JUMP):
+            return Slid("lost" if event == LOST else "choke", u, v)
         if event in (0, 1):
             piece.facet += 2 * event - 1
         if event in (2, 3):
@@ -149,25 +191,26 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
     setting = piece.setting
     length = setting.surface.length
     beyond = 1.2 * length  # old SciPy tries its first step anywhere, where a taper may have no width
-    least, most = 1e-12 * v * v, v * v + 2 * setting.g * beyond  # what energy allows, till the stream turns slow
+    least, most = 1e-12 * v * v, 10 * (v * v + 2 * setting.g * beyond)  # 10 times what gravity gives
 
     def speed_of(y: float) -> float:
         """v, also of a trial step: one that overshoots to rest meets a bed of any depth, and forces of any size."""
         return sqrt(min(max(y, least), most))
 
-    slow = _slow(piece.state(u, v)[0], v, length, 0.2)
+    slow = _slow(piece.rate(u, v), v, length, 0.2)
     if slow:
 
         def rhs(r: float, state: np.ndarray) -> list[float]:
             if r <= 0:
                 return [0.0]
-            return [2 * r**3 / piece.state(min(float(state[0]), beyond), r * r)[0]]
+            force, *_, bracket = piece.state(min(float(state[0]), beyond), r * r)
+            return [2 * r**3 * bracket / force]
 
         solver = DOP853(rhs, sqrt(v), [u], 0.0, rtol=RTOL, atol=RTOL * 1e-2 * length, max_step=sqrt(v) / 12)
     else:
 
         def rhs(s: float, state: np.ndarray) -> list[float]:
-            return [2 * piece.state(min(s, beyond), speed_of(float(state[0])))[0]]
+            return [2 * piece.rate(min(s, beyond), speed_of(float(state[0])))]
 
         solver = DOP853(rhs, u, [v * v], length, rtol=RTOL, atol=1e-200, max_step=length / 10)
 
@@ -180,7 +223,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
         else:
             at, speed = t, speed_of(y)
         margins = piece.margins(at, speed)
-        far = _ratio(margins[TURN], speed, length)
+        far = _ratio(margins[TURN] / abs(margins[JUMP]), speed, length)
         if slow:  # no turn can come before the stream is fast again
             return [*margins[:TURN], 1.0, length - at, 0.4 - far]
         return [*margins, 1.0, far - 0.1]
@@ -199,7 +242,7 @@ def _stretch(piece: _Piece, u: float, v: float, last_event: int) -> tuple[int, f
             t = solver.t_old + (solver.t - solver.t_old) * share
             y = float(dense(t)[0] if share < 1 else solver.y[0])
             after = watched(t, y)
-            hits = [k for k in range(9) if after[k] <= 0 < before[k] or (k == TURN and _turns(before[k], after[k]))]
+            hits = [k for k in range(10) if after[k] <= 0 < before[k] or (k == TURN and _turns(before[k], after[k]))]
             if t != solver.t and last == t_begin:
                 back = [k for k in range(4) if before[k] <= 0 and after[k] < min(before[k], -1e-14)]
                 if back:  # it stands on the edge of a piece, and goes the other way

@@ -96,7 +96,8 @@ class Solver:
         self.delta = None if delta is None else radians(delta)
         ratio = material.get("pressure_ratio")
         self.ratio = (1 - sin(self.delta)) / (1 + sin(self.delta)) if ratio is None else ratio  # type: ignore[arg-type]
-        self.law = data.get("model", {}).get("friction_law", "paper")
+        self.model = data.get("model", {})
+        self.law = self.model.get("friction_law", "paper")
         self.result = Result()
         self.stream = self.inlet = inlet_of(data, self.g)
         self.flight: Flight | None = None  # while nothing carries the stream
@@ -223,6 +224,8 @@ class Solver:
             self.rate,
             self.density,
             self.g,
+            self.model.get("momentum_factor", 1.0),
+            self.model.get("longitudinal_pressure_ratio", 0.0),
         )
 
     def surface(self, table: dict[str, Any], segment: Segment, number: int) -> None:

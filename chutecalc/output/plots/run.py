@@ -6,6 +6,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from chutecalc.output.plots.band import band_notes, draw_band
 from chutecalc.output.plots.cases import case_lines, case_notes, draw_columns, handles
 from chutecalc.output.plots.compare import draw_comparison
 from chutecalc.output.plots.layout import PANELS, WIDTH, page
@@ -16,6 +17,7 @@ from chutecalc.output.plots.style import SMALL, lay_out, styled
 from chutecalc.output.plots.text import legend_columns, legend_rows
 from chutecalc.output.plots.traces import extent
 from chutecalc.output.plots.view import view
+from chutecalc.results.band import Band
 from chutecalc.results.cases import Cases
 from chutecalc.spec.operating import DESIGN_POINT
 
@@ -26,28 +28,31 @@ LONG = {"handlelength": 3.6}
 """Lines that show their strokes."""
 
 
-def draw_run(chutes: Sequence[Cases], units: str = "metric") -> Figure:
+def draw_run(chutes: Sequence[Cases], units: str = "metric", band: Band | None = None) -> Figure:
     """Draws one chute with its stream in all its operating states, or the design points of several to compare.
 
     Args:
         chutes: the operating states of each chute, of one design each.
         units: ``metric`` or ``us``.
+        band: of one chute, if it is asked for.
 
     Returns:
         The figure: axes ``side`` to scale, and one for each of ``PANELS`` over the distance along the stream.
     """
     with styled():
         if len(chutes) == 1:
-            return _one(chutes[0], units)
+            return _one(chutes[0], units, band)
         return draw_comparison([states.main_solution for states in chutes], units)
 
 
-def _one(states: Cases, units: str) -> Figure:
+def _one(states: Cases, units: str, band: Band | None) -> Figure:
     """Draw a chute with its stream between its edges, and those of its other operating states as lines."""
     solution = states.main_solution
     seen, cases = view(solution), case_lines(states)
     lines, marks = notes(solution, seen, units, WIDTH)
     lines += case_notes(states, units, WIDTH)
+    if band:
+        lines += band_notes(band, units, WIDTH)
     title, named = solution.spec.title or solution.source, handles(cases)
     if states.main != DESIGN_POINT:
         title += f" — case {states.main}"
@@ -58,6 +63,8 @@ def _one(states: Cases, units: str) -> Figure:
     side = SideView(axes["side"], solution, seen, cases, units)
     _explain(axes["key"], side.handles, named, columns)
     draw_panels(axes, seen, units)
+    if band:
+        draw_band(axes, band, units)
     draw_columns(axes, cases, units)
     for panel in PANELS:
         limit(axes[panel])

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chutecalc.core import state
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, Mask
 from chutecalc.physics.motion import ROOF
 from chutecalc.results.criterion import Case, criterion
 from chutecalc.results.finding import Severity
@@ -53,11 +54,11 @@ def stall(scene: Scene) -> Iterator[Case]:
 @criterion(
     "choke",
     Severity.FAILURE,
-    summary="the depth passes the height of the walls, or a pipe or box runs full",
-    limit="H > wall_height, fill > 1",
+    summary="the depth passes the height of the walls, a pipe or box runs full, or the stream jumps to a greater depth",
+    limit="H > wall_height, fill > 1; with longitudinal pressure Fr² = K_l/α_m",
 )
 def choke(scene: Scene) -> Iterator[Case]:
-    """Find depths above the height of the walls, and closed sections that run full.
+    """Find depths above the height of the walls, closed sections that run full, and hydraulic jumps.
 
     Args:
         scene: the segment with the stream along it.
@@ -68,6 +69,10 @@ def choke(scene: Scene) -> Iterator[Case]:
     wall_height = scene.segment.wall_height(share)
     numbers = {"wall_height_m": wall_height, "velocity_m_s": solved.exit.velocity}
     s = solved.exit.distance
+    jumped = choked & (end == JUMPED) & (beyond == share)
+    if jumped.any():
+        yield _jump(scene, jumped)
+        choked = choked & ~jumped
     if scene.segment.section.closed:
         template = (
             "the chute chokes: at {velocity_m_s} the stream fills the closed section up to its roof, {wall_height_m:in}"
@@ -89,6 +94,11 @@ def choke(scene: Scene) -> Iterator[Case]:
             Status.STALL,
             "make the slope steeper or reduce the wall friction; higher walls alone do not help, as the stream"
             " would stop {further_m} further on",
+        ),
+        (
+            JUMPED,
+            "make the slope steeper or reduce the wall friction; higher walls alone do not help, as the stream"
+            " would jump to a greater depth {further_m} further on",
         ),
         (
             Status.CONTACT_LOST,
@@ -139,8 +149,8 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     numbers = {
         "velocity_m_s": solved.exit.velocity,
         "slope_deg": np.degrees(solved.exit.slope),
-        "balance_m_s": np.sqrt(weight / np.abs(surface.curvature)),
-        "radius_m": solved.exit.velocity**2 / weight,
+        "balance_m_s": np.sqrt(weight / np.abs(surface.curvature) / scene.design.momentum_factor),
+        "radius_m": scene.design.momentum_factor * solved.exit.velocity**2 / weight,
     }
     begin = (
         "the stream leaves the surface at {velocity_m_s}, at a slope of {slope_deg}: there it would keep contact at "
@@ -157,6 +167,30 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
     yield Case(lost & flies_on, s, f"{begin}; it flies on", numbers, Severity.WARNING, badness=off)
     alone = f"{begin}; no later segment catches it"
     yield Case(lost & ~flies_on, s, alone, numbers)
+
+
+def _jump(scene: Scene, jumped: Mask) -> Case:
+    """Return the case of streams that jump to a greater depth, where pressure along them outweighs momentum.
+
+    The status is that of a choke: the depth would grow beyond any bound on a length of nothing.
+    """
+    solved = scene.solved
+    template = (
+        "the stream jumps to a greater depth, which the model does not follow: at {velocity_m_s} the Froude number is"
+        " {froude}, and pressure along the stream outweighs its momentum, with K_l = {longitudinal_ratio} and α_m ="
+        " {momentum_factor}; make the slope steeper, or neglect K_l"
+    )
+    numbers = {
+        "velocity_m_s": solved.exit.velocity,
+        "froude": scene.at(scene.contact.end.share, "froude")[0],
+        "longitudinal_ratio": scene.design.longitudinal_ratio,
+        "momentum_factor": scene.design.momentum_factor,
+    }
+    return Case(jumped, solved.exit.distance, template, numbers)
+
+
+JUMPED = state.HAS_JUMPED
+"""How a stream ends beyond a choke that jumps there."""
 
 
 def _steepest_impact(scene: Scene) -> Array:

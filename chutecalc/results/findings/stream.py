@@ -52,7 +52,7 @@ def thick_stream(scene: Scene) -> Iterator[Case]:
     foretells_failure=True,
 )
 def slow_stream(scene: Scene) -> Iterator[Case]:
-    """Find low Froude numbers, where the neglected pressure gradient changes dv/ds by about K/Fr².
+    """Find low Froude numbers, where a neglected pressure gradient changes dv/ds by about K/Fr².
 
     Args:
         scene: the segment with the stream along it.
@@ -62,7 +62,7 @@ def slow_stream(scene: Scene) -> Iterator[Case]:
         "the Froude number falls to {froude} (limit {limit}): the pressure gradient along the stream, which the model"
         " neglects, changes dv/ds by about 1/Fr² there; a steeper slope makes the stream faster"
     )
-    mask = froude.value < limit
+    mask = (froude.value < limit) & (scene.design.longitudinal_ratio == 0.0)
     numbers = {"froude": froude.value, "limit": limit}
     yield Case(mask, scene.distance(froude.share), template, numbers, badness=-froude.value)
 
