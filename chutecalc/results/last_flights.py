@@ -57,6 +57,7 @@ def _flight(name: str, design: Design, before: Part, begins: list[Array], time: 
     forward = np.where(slope == np.pi / 2, 0.0, velocity * np.cos(slope))
     path = (x, z, forward, velocity * np.sin(slope), np.broadcast_to(design.gravity, count))
     table[FIELD["start_distance"]], table[FIELD["flight_time"]] = distance, time
+    table[FIELD["status"]] = np.where(np.isfinite(time), Status.OK, Status.NOT_REACHED)
     table[FIELD["path_x"] : FIELD["path_x"] + 5] = path
     lengths = np.empty((1, count))
     profile.flight_lengths(np.array(path), time[None], lengths)

@@ -5,7 +5,7 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.fields.quantities import LONGEST_NAME
-from chutecalc.output.table import PIPE_WIDTH, Printer
+from chutecalc.output.printer import PIPE_WIDTH, Printer
 from tests.conftest import spec
 
 TEXT = """\
