@@ -17,7 +17,7 @@ class ExitStatus(IntEnum):
         return status
 
     OK = 0, "Success. A sweep succeeds whatever its rows say."
-    FAILS = 1, "A chute fails, no design is as wanted, check finds a difference, or a dem case fails."
+    FAILS = 1, "A chute or dem case fails, check finds a difference, or a search fails."
     USAGE = 2, "The command or a spec is wrong, or an output cannot be opened."
     EXTRA_MISSING = 3, "An optional library or program is not installed."
     INTERNAL = 70, "A bug in chutecalc; --debug shows a traceback."

@@ -43,10 +43,10 @@ def aim(
     jobs: int | None = JOBS,
     outputs: StudyOutputs,
 ) -> int:
-    """Find all values of keys, within bounds, with which a chute gives what is wanted.
+    """Find the values of keys that give what is wanted.
 
-    There must be as many keys as targets. Each solution meets its targets to 1e-9. Without any, the design that comes
-    closest is shown, and the exit status is 1.
+    All solutions within the bounds are found. There must be as many keys as targets. Each solution meets its targets
+    to 1e-9. Without any, the design that comes closest is shown, and the exit status is 1.
     """
     from chutecalc.spec.operating import DESIGN_POINT
     from chutecalc.studies.aim.aim import find_aim

@@ -52,10 +52,11 @@ def optimise(
     jobs: int | None = JOBS,
     outputs: OptimiseOutputs,
 ) -> int:
-    """Find the best values of keys, in the worst of the spec's cases and its design point.
+    """Find the best values of keys, in the worst of all cases.
 
-    A key is KEY=LOW:HIGH, or one of several values: KEY=LOW:HIGH:STEP, a list of numbers or of names. No state may
-    fail. Where no design within the bounds is feasible, the one that lacks least is shown, and the exit status is 1.
+    What counts is the worst of the design point and of the spec's cases. A key is KEY=LOW:HIGH, or one of several
+    values: KEY=LOW:HIGH:STEP, a list of numbers or of names. No state may fail. Where no design within the bounds is
+    feasible, the one that lacks least is shown, and the exit status is 1.
     """
     from chutecalc.studies.found_report import found_dataset
     from chutecalc.studies.keys import read_keys

@@ -111,9 +111,9 @@ def test_version_and_help(capsys):
     assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}{form}\n"
     assert main(["--help"]) == 0
     listed = capsys.readouterr().out
-    for command in ("run", "sweep", "check", "dem", "new", "schema", "columns"):
+    for command in ("run", "sweep", "aim", "optimise", "check", "dem", "new", "schema", "columns"):
         assert command in listed
-    for later in ("optimise", "uncertainty", "explain"):
+    for later in ("uncertainty", "explain"):
         assert later not in listed
     assert main(["run", "-h"]) == 0
     assert "--stations" in capsys.readouterr().out
