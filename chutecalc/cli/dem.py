@@ -114,19 +114,22 @@ def _run(campaign: Campaign, options: EngineOptions) -> None:
     from chutecalc.dem.engine import Engine
     from chutecalc.output.progress import progress
     from chutecalc.runtime import cores
+    from chutecalc.workers import pool_of
 
     if not any(campaign.outcome(group).needed for group in campaign.groups):
         return
     engine = Engine(options.mpi, options.lmp)
-    at_once = options.jobs or max(cores() // options.mpi, 1)
+    by_default = None if options.dask else max(cores() // options.mpi, 1)
+    pool = pool_of(options.jobs or by_default, options.dask)
     count, seconds = expected_seconds(campaign)
-    minutes = max(round(seconds / at_once / options.mpi / 60), 1)
+    minutes = max(round(seconds / pool.at_once / options.mpi / 60), 1)
     typer.echo(
-        f"{count} cases, {at_once} at once: about {minutes} min. A second call continues from {campaign.store.folder}",
+        f"{count} cases, {pool.at_once} at once: about {minutes} min. A second call continues from"
+        f" {campaign.store.folder}",
         err=True,
     )
     with progress("cases", slow=True) as show:
-        campaign.run(engine, at_once, show)
+        campaign.run(engine, pool, show)
 
 
 def _print(study: Study, outputs: DemOutputs) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from chutecalc.cli.options import JOBS, OptionGroup
+from chutecalc.cli.options import DASK, JOBS, OptionGroup
 from chutecalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -102,5 +102,6 @@ class EngineOptions(OptionGroup):
     """How LAMMPS runs."""
 
     jobs: int | None = JOBS
+    dask: str | None = DASK
     mpi: int = typer.Option(1, min=1, metavar="N", help="Processes of each case, through mpirun.")
     lmp: str = typer.Option("lmp", metavar="PROGRAM", help="Executable of LAMMPS.")

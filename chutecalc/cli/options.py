@@ -15,6 +15,9 @@ import typer
 from chutecalc.errors import UsageError
 
 RTOL = typer.Option(1e-10, min=1e-13, max=1e-3, metavar="R", help="Relative tolerance of the velocity.")
+DASK = typer.Option(
+    None, metavar="ADDRESS", help="Solve on the workers of a Dask scheduler, such as tcp://10.0.0.1:8786 (extra dask)."
+)
 JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Default: one for each processor.")
 
 

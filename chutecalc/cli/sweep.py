@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.options import JOBS, RTOL, StationOptions, names_of, with_groups
+from chutecalc.cli.options import DASK, JOBS, RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.specs import read_chute
 from chutecalc.cli.sweep_options import BestOptions, Keep, StudyOptions, SweepOutputs
 from chutecalc.errors import UsageError
@@ -47,6 +47,7 @@ def sweep(
     resume: bool = typer.Option(False, "--resume", help="Continue an interrupted sweep from its FILE.part."),
     yes: bool = typer.Option(False, "--yes", help=f"Do not ask for confirmation above {CONFIRMED_ABOVE:,} designs."),
     jobs: int | None = JOBS,
+    dask: str | None = DASK,
     rtol: float = RTOL,
     outputs: SweepOutputs,
 ) -> int:
@@ -72,6 +73,7 @@ def sweep(
     from chutecalc.studies.sweep.parameters import read_parameters
     from chutecalc.studies.sweep.sweep import Sweep
     from chutecalc.studies.sweep.table import MOST_SHOWN
+    from chutecalc.workers import pool_of
 
     outputs.check(specs)
     chute = read_chute(specs[0])
@@ -93,7 +95,7 @@ def sweep(
     outputs.check_drawn(task)
     if task.count > CONFIRMED_ABOVE and not yes:
         _confirm(task)
-    return SweepRun(task, outputs, resume, jobs).run()
+    return SweepRun(task, outputs, resume, pool_of(jobs, dask)).run()
 
 
 def _refuse(options: dict[str, Any], reason: str) -> None:

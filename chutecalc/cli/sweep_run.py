@@ -17,24 +17,25 @@ from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
 from chutecalc.studies.sweep.solved_blocks import solve_blocks
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import MOST_SHOWN, SHOWN_WITH_FILE, FirstRows
+from chutecalc.workers import Pool
 
 
 class SweepRun:
     """A sweep and its outputs."""
 
-    def __init__(self, sweep: Sweep, outputs: Outputs, resume: bool, jobs: int | None) -> None:
+    def __init__(self, sweep: Sweep, outputs: Outputs, resume: bool, pool: Pool) -> None:
         """Open the store of blocks, if there is a data file.
 
         Args:
             sweep: the designs, and the columns of their rows.
             outputs: checked outputs.
             resume: whether to use the blocks that an interrupted sweep stored beside its file.
-            jobs: number of threads; None for one on each processor.
+            pool: where blocks are solved.
 
         Raises:
             UsageError: there is nothing to resume.
         """
-        self.sweep, self.outputs, self.jobs = sweep, outputs, jobs
+        self.sweep, self.outputs, self.pool = sweep, outputs, pool
         files = [file for file in outputs.files.values() if _is_regular(file)]
         if resume and not files:
             raise UsageError(
@@ -74,7 +75,7 @@ class SweepRun:
     def _solved(self, numbers: list[int]) -> Generator[tuple[int, Block], None, None]:
         """Yield blocks as they are solved, with a progress bar."""
         done = self.sweep.count - sum(self._size(number) for number in numbers)
-        with progress("designs") as show, closing(solve_blocks(self.sweep, numbers, self.jobs)) as blocks:
+        with progress("designs") as show, closing(solve_blocks(self.sweep, numbers, self.pool)) as blocks:
             show(done, self.sweep.count)
             for number, block in blocks:
                 yield number, block

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from chutecalc.cli.options import JOBS, RTOL, names_of, with_groups
+from chutecalc.cli.options import DASK, JOBS, RTOL, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.specs import read_chute
 from chutecalc.errors import ExitStatus
@@ -37,6 +37,7 @@ def uncertain(
     case: str = typer.Option(DESIGN_POINT, metavar="NAME", help="Operating state of [cases]; design for the spec."),
     *,
     jobs: int | None = JOBS,
+    dask: str | None = DASK,
     rtol: float = RTOL,
     outputs: UncertainOutputs,
 ) -> int:
@@ -54,7 +55,7 @@ def uncertain(
     from chutecalc.studies.uncertain.study import uncertain as study
 
     with progress("designs") as show:
-        result = study(chute, samples, seed, names_of(columns), case, rtol, jobs, show)
+        result = study(chute, samples, seed, names_of(columns), case, rtol, jobs, dask, show)
     if outputs.files:
         outputs.write(uncertainty_dataset(result))
     if outputs.plot:

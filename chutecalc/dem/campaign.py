@@ -1,7 +1,7 @@
 """Campaigns: beds are made level with the first seed, then all seeds are run; no case on disk is run twice."""
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ from chutecalc.dem.engine import Engine, RunError
 from chutecalc.dem.pour import steps
 from chutecalc.dem.store import Store
 from chutecalc.errors import UsageError
+from chutecalc.workers import Pool
 
 LEVEL_ENOUGH = 0.5 * LEVEL
 """Unevenness of the first seed's bed, over its depth, at which its pour is used for the other seeds."""
@@ -107,26 +108,26 @@ class Campaign:
             self.store.write(case)
         return needed
 
-    def run(self, engine: Engine, jobs: int, report_progress: Callable[[int, int], None]) -> None:
+    def run(self, engine: Engine, pool: Pool, report_progress: Callable[[int, int], None]) -> None:
         """Run all cases that are needed.
 
         Args:
             engine: Runs a case in its folder.
-            jobs: Number of cases to run at once.
+            pool: Where cases run. Workers of a Dask scheduler need the folder of the cases under the same path.
             report_progress: Called with the number of cases that are done and the number known to be needed, at the
                 start and after each case.
 
         A case that fails is reported in the :class:`Outcome` of its group; the others go on.
         """
-        with ThreadPoolExecutor(jobs) as pool:
+        with pool.workers() as workers:
             try:
-                self._run_all(pool, engine, report_progress)
-            except BaseException:  # interrupted: the pool waits for what runs
-                pool.shutdown(wait=False, cancel_futures=True)
+                self._run_all(workers.executor, engine, report_progress)
+            except BaseException:  # interrupted: threads would wait for what runs
+                workers.executor.shutdown(wait=False, cancel_futures=True)
                 engine.stop()
                 raise
 
-    def _run_all(self, pool: ThreadPoolExecutor, engine: Engine, report_progress: Callable[[int, int], None]) -> None:
+    def _run_all(self, executor: Executor, engine: Engine, report_progress: Callable[[int, int], None]) -> None:
         started: set[str] = set()
         running: dict[Future[None], Case] = {}
         while True:
@@ -134,7 +135,7 @@ class Campaign:
             for case in (case for outcome in outcomes for case in outcome.needed):
                 if case.name not in started:
                     started.add(case.name)
-                    running[pool.submit(self._run_one, engine, case)] = case
+                    running[executor.submit(run_case, self.store, engine, case)] = case
             report_progress(len(started) - len(running), len(started) + self._waiting(outcomes))
             if not running:
                 return
@@ -145,12 +146,6 @@ class Campaign:
                 except (RunError, UsageError, OSError) as error:
                     self._errors[case.name] = f"{case.name}: {error}"
 
-    def _run_one(self, engine: Engine, case: Case) -> None:
-        folder = self.store.write(case)
-        engine.run(folder)
-        if self.store.read(case) is None:
-            raise RunError(f"LAMMPS ended without writing all results. Is the disk full? See {folder}")
-
     def _waiting(self, outcomes: Sequence[Outcome]) -> int:
         """Count the cases that wait for a level pour of their group."""
         return sum(
@@ -158,6 +153,23 @@ class Campaign:
             for group, outcome in zip(self.groups, outcomes, strict=True)
             if not outcome.beds and outcome.needed
         )
+
+
+def run_case(store: Store, engine: Engine, case: Case) -> None:
+    """Run a case in its folder.
+
+    Args:
+        store: Where the folder is.
+        engine: Runs it.
+        case: The case.
+
+    Raises:
+        RunError: It failed, or has not written all results.
+    """
+    folder = store.write(case)
+    engine.run(folder)
+    if store.read(case) is None:
+        raise RunError(f"LAMMPS ended without writing all results. Is the disk full? See {folder}")
 
 
 def expected_seconds(campaign: Campaign) -> tuple[int, float]:

@@ -46,6 +46,13 @@ class Engine:
         self._lock = threading.Lock()
         self._stopped = False
 
+    def __getstate__(self) -> dict[str, object]:
+        """Return the command alone, for another process: what runs belongs to this one."""
+        return {"command": self.command}
+
+    def __setstate__(self, state: dict[str, list[str]]) -> None:
+        self.command, self._running, self._lock, self._stopped = state["command"], set(), threading.Lock(), False
+
     def run(self, folder: Path) -> None:
         """Run a case to its end.
 

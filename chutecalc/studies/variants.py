@@ -13,6 +13,7 @@ from chutecalc.studies.sweep.parameters import AnyParameter
 from chutecalc.studies.sweep.solved_blocks import solve_blocks
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.text_parameter import TextParameter, case_parameter
+from chutecalc.workers import Pool, Threads
 
 DESIGN_ALONE = (DESIGN_POINT,)
 
@@ -35,7 +36,7 @@ class Variants:
         columns: Sequence[str],
         states: Sequence[str] = DESIGN_ALONE,
         rtol: float = 1e-10,
-        jobs: int | None = None,
+        pool: Pool | None = None,
     ) -> None:
         """Take what varies and what to compute.
 
@@ -46,13 +47,13 @@ class Variants:
             columns: names of columns, as for :class:`chutecalc.studies.sweep.sweep.Sweep`.
             states: names of operating states of the spec, ``design`` for the spec as written.
             rtol: relative tolerance, as in :func:`chutecalc.solve`.
-            jobs: number of threads; one for each core by default. Values do not depend on it.
+            pool: where they are solved; threads, one for each core, by default. Values do not depend on it.
 
         Raises:
             UsageError: there is no such column or state.
             SpecError: a path is not in the spec, or a value is out of bounds.
         """
-        self.chute, self.parameters, self.rtol, self.jobs = chute, tuple(parameters), rtol, jobs
+        self.chute, self.parameters, self.rtol, self.pool = chute, tuple(parameters), rtol, pool or Threads()
         self.states = tuple(states)
         first = [
             each if isinstance(each, TextParameter) else each._replace(values=each.values[[0, -1]])
@@ -74,5 +75,5 @@ class Variants:
         """
         states = [] if self.states == DESIGN_ALONE else [np.repeat(self.states, len(values[0]))]
         sweep = self.sweep.over([*states, *(np.tile(own, len(self.states)) for own in values)])
-        block = joined([block for _, block in solve_blocks(sweep, range(sweep.block_count), self.jobs)])
+        block = joined([block for _, block in solve_blocks(sweep, range(sweep.block_count), self.pool)])
         return {name: block[name].reshape(len(self.states), -1) for name in ("status", *self.columns)}

@@ -8,6 +8,7 @@ import pytest
 from chutecalc.dem.campaign import LEVEL_ENOUGH, Campaign, Group
 from chutecalc.dem.engine import RunError
 from chutecalc.dem.store import Store
+from chutecalc.workers import Threads
 from tests.dem.beds import bed, case
 
 SMALL = case(base=0.2, area=0.01, inclinations=(1.0,))
@@ -64,7 +65,7 @@ def make_campaign(tmp_path):
 
 def run(campaign, store, jobs=1):
     reports = []
-    campaign.run(store.engine, jobs, lambda *numbers: reports.append(numbers))
+    campaign.run(store.engine, Threads(jobs), lambda *numbers: reports.append(numbers))
     return reports
 
 
@@ -142,5 +143,5 @@ def test_an_interruption_ends_what_runs(make_campaign):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        campaign.run(store.engine, 1, interrupt)
+        campaign.run(store.engine, Threads(1), interrupt)
     assert store.engine.stopped

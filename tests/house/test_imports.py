@@ -10,7 +10,7 @@ import chutecalc
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
     {"errors", "registry", "runtime", "core"},
-    {"physics"},
+    {"physics", "workers"},
     {"design", "fields"},
     {"sections"},
     {"segments"},

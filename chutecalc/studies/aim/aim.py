@@ -15,6 +15,7 @@ from chutecalc.studies.found import Found, solved
 from chutecalc.studies.keys import Key, key_arguments, read_keys
 from chutecalc.studies.sweep.checks import selected_columns
 from chutecalc.studies.variants import Variants
+from chutecalc.workers import Threads
 
 MOST = 50
 """Most solutions; more lie on a line or a plane, and there is no end of them."""
@@ -102,7 +103,7 @@ def find_aim(
     """
     _check(keys, targets)
     parameters, states = [key.parameter for key in keys], (case,)
-    missing = Variants(chute, parameters, list(targets), states, RTOL, jobs)
+    missing = Variants(chute, parameters, list(targets), states, RTOL, Threads(jobs))
     if texts := [name for name in targets if name in missing.sweep.texts]:
         raise UsageError(f"{', '.join(texts)}: a target needs a column of numbers")
     misses = Misses(missing, keys, targets)
@@ -117,7 +118,7 @@ def find_aim(
             " that change the target"
         )
     shown = [*targets, *(name for name in columns or selected_columns([], chute, False) if name not in targets)]
-    outcome = Variants(chute, parameters, [*shown, "warnings"], states, RTOL, jobs)
+    outcome = Variants(chute, parameters, [*shown, "warnings"], states, RTOL, Threads(jobs))
     nearest = None
     if not len(places) and len(misses.closest):
         refined(misses, misses.closest)  # which takes note of the closest

@@ -17,6 +17,7 @@ from chutecalc.studies.optimise.problem import Limit, Objective, Problem, read_l
 from chutecalc.studies.optimise.search import best_place
 from chutecalc.studies.sweep.checks import selected_columns
 from chutecalc.studies.variants import Variants
+from chutecalc.workers import Threads
 
 POINTS = 9
 """Points of a front."""
@@ -188,7 +189,7 @@ def find_optimum(
     named = [*(each.column for each in objectives), *(limit.column for limit in limits)]
     usual = columns or selected_columns([], chute, False)
     shown = list(dict.fromkeys([*named, *usual, "warnings"]))
-    outcome = Variants(chute, [key.parameter for key in keys], shown, states, jobs=jobs)
+    outcome = Variants(chute, [key.parameter for key in keys], shown, states, pool=Threads(jobs))
     found = solved(outcome, keys, places)
     worst = {each.column: each.sign * (each.sign * found[1][each.column]).max(axis=0) for each in objectives}
     bound = [each for each, _ in binds]

@@ -12,6 +12,7 @@ from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.studies.keys import Key
 from chutecalc.studies.variants import Variants
+from chutecalc.workers import Threads
 
 SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
 FAILURE, WARNING, MOST = 1000.0, 1.0, 100.0
@@ -120,7 +121,7 @@ class Problem:
         self.no_warnings, self.jobs = no_warnings, jobs
         named = dict.fromkeys([objective.column, *(limit.column for limit in limits)])
         columns = [*named, *(["warnings"] if no_warnings else [])]
-        self.variants = Variants(chute, [key.parameter for key in keys], columns, states, jobs=jobs)
+        self.variants = Variants(chute, [key.parameter for key in keys], columns, states, pool=Threads(jobs))
         if texts := [name for name in named if name in self.variants.sweep.texts]:
             raise UsageError(f"{', '.join(texts)}: objectives and limits need columns of numbers")
         if single := [key.name for key in keys if not key.is_continuous and len(key.parameter.values) < 2]:

@@ -1,8 +1,8 @@
-"""The blocks of a sweep, solved in threads: its variants in batches, without those that cannot be built."""
+"""The blocks of a sweep, solved on workers: its variants in batches, without those that cannot be built."""
 
 from collections import deque
 from collections.abc import Generator, Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 
 import numpy as np
 
@@ -10,41 +10,35 @@ from chutecalc.design import Status
 from chutecalc.errors import SpecError
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Index
-from chutecalc.runtime import cores
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import select_rows
 from chutecalc.studies.sweep.design_rows import design_rows, station_rows
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.text_parameter import TextParameter
+from chutecalc.workers import Pool
 
 
-def solve_blocks(
-    sweep: Sweep, numbers: Iterable[int], jobs: int | None = None
-) -> Generator[tuple[int, Block], None, None]:
-    """Solve blocks in threads, a few ahead of the one yielded.
+def solve_blocks(sweep: Sweep, numbers: Iterable[int], pool: Pool) -> Generator[tuple[int, Block], None, None]:
+    """Solve blocks on workers, a few ahead of the one yielded.
 
     Args:
         sweep: What is asked for.
         numbers: Numbers of the blocks, from 0.
-        jobs: Number of threads; one for each core by default. The rows do not depend on it.
+        pool: Where blocks are solved. The rows do not depend on it.
 
     Yields:
         Number and rows of each block, in the order of ``numbers``.
     """
-    threads = jobs or cores()
     waiting: deque[tuple[int, Future[Block]]] = deque()
-    with ThreadPoolExecutor(threads) as pool:
-        try:
-            for number in numbers:
-                waiting.append((number, pool.submit(solve_block, sweep, number)))
-                if len(waiting) > threads:
-                    yield waiting[0][0], waiting.popleft()[1].result()
-            while waiting:
+    with pool.workers() as workers:
+        shared = workers.shared(sweep)
+        for number in numbers:
+            waiting.append((number, workers.executor.submit(solve_block, shared, number)))
+            if len(waiting) > pool.at_once:
                 yield waiting[0][0], waiting.popleft()[1].result()
-        finally:
-            for _, future in waiting:
-                future.cancel()
+        while waiting:
+            yield waiting[0][0], waiting.popleft()[1].result()
 
 
 def solve_block(sweep: Sweep, number: int) -> Block:

@@ -11,6 +11,7 @@ from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.uncertain.statistics import STATUSES, Ends
 from chutecalc.studies.variants import Variants
+from chutecalc.workers import Pool
 
 BLOCK = 1 << 17
 """Rows that are solved together."""
@@ -35,16 +36,14 @@ class RowSolver:
         keys: what varies.
         columns: names of columns, as those of a sweep.
         rtol: relative tolerance, as in :func:`chutecalc.solve`.
-        jobs: number of threads; one for each core by default. Numbers do not depend on it.
+        pool: where they are solved. Numbers do not depend on it.
     """
 
-    def __init__(
-        self, chute: Chute, keys: UncertainKeys, columns: Sequence[str], rtol: float, jobs: int | None
-    ) -> None:
+    def __init__(self, chute: Chute, keys: UncertainKeys, columns: Sequence[str], rtol: float, pool: Pool) -> None:
         parameters = [
             Parameter(key.path, (key.path,), np.array([key.parameter.value_in_unit] * 2)) for key in keys.keys
         ]
-        self._variants = Variants(chute, parameters, columns, rtol=rtol, jobs=jobs)
+        self._variants = Variants(chute, parameters, columns, rtol=rtol, pool=pool)
         self.columns = self._variants.columns
 
     def __call__(self, values: Array, show: Show = lambda count: None) -> Rows:

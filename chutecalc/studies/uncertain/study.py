@@ -18,6 +18,7 @@ from chutecalc.studies.uncertain.result import Uncertainty
 from chutecalc.studies.uncertain.sampling import REPLICATES, cubes, sample_count
 from chutecalc.studies.uncertain.solved_rows import Rows, RowSolver
 from chutecalc.studies.uncertain.statistics import FAILS, FAILURES, STATUSES, chance, summary
+from chutecalc.workers import pool_of
 
 SAMPLES = 16_384
 """Samples of a study by default."""
@@ -35,6 +36,7 @@ def uncertain(
     case: str = DESIGN_POINT,
     rtol: float = 1e-10,
     jobs: int | None = None,
+    dask: str | None = None,
     show: Callable[[int, int], None] = lambda done, total: None,
 ) -> Uncertainty:
     r"""Return how sure the exit of a chute is, if the numbers in ``[uncertainty]`` of its spec are as uncertain.
@@ -47,6 +49,7 @@ def uncertain(
         case: operating state of the spec, ``design`` for the spec as written.
         rtol: relative tolerance, as in :func:`chutecalc.solve`.
         jobs: number of threads; one for each core by default. Numbers do not depend on it.
+        dask: address of a Dask scheduler whose workers solve the samples instead.
         show: is told how many designs are solved, and of how many.
 
     Returns:
@@ -76,7 +79,7 @@ def uncertain(
         done += rows
         show(done, total)
 
-    solver = RowSolver(state, keys, names, rtol, jobs)
+    solver = RowSolver(state, keys, names, rtol, pool_of(jobs, dask))
     joint = Joint(keys)
     one, other = np.empty((REPLICATES, count, len(keys.keys))), np.empty((REPLICATES, few, len(keys.keys)))
     for replicate, cube in enumerate(cubes(2 * len(keys.keys), count, seed)):

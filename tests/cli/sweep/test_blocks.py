@@ -6,6 +6,7 @@ import chutecalc
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.parameters import read_parameters
 from chutecalc.studies.sweep.solved_blocks import solve_blocks
+from chutecalc.workers import Threads
 from tests.cli.sweep.commands import SPOON, swept
 
 
@@ -30,13 +31,13 @@ def test_a_few_blocks_are_solved_ahead_of_the_one_that_is_told(monkeypatch):
     sweep = rows_of.Sweep(chute, read_parameters(["radius=1,2"], chute))
     monkeypatch.setattr("chutecalc.studies.sweep.solved_blocks.solve_block", lambda sweep, number: {"number": number})
     asked = []
-    blocks = solve_blocks(sweep, (asked.append(number) or number for number in itertools.count()), jobs=3)
+    blocks = solve_blocks(sweep, (asked.append(number) or number for number in itertools.count()), Threads(3))
     for number in range(20):
         assert next(blocks) == (number, {"number": number})
         assert len(asked) <= number + 4
     blocks.close()
     numbers = [4, 0, 7, 1, 9]
-    assert list(solve_blocks(sweep, numbers, jobs=3)) == [(number, {"number": number}) for number in numbers]
+    assert list(solve_blocks(sweep, numbers, Threads(3))) == [(number, {"number": number}) for number in numbers]
 
 
 def test_a_block_of_profiles_has_a_quarter_of_a_million_stations():
