@@ -29,7 +29,8 @@ def freeze(chute: Chute) -> str:
 
     >>> import chutecalc
     >>> text = chutecalc.freeze(chutecalc.parse(chutecalc.STARTER))
-    >>> [line for line in text.splitlines() if line.startswith(("onto_next", "start_m", "from_slope"))]
+    >>> lines = [line.partition("#")[0].strip() for line in text.splitlines()]
+    >>> [line for line in lines if line.startswith(("onto_next", "start_m", "from_slope"))]
     ['onto_next = true', 'start_m = [0.0, -2.0]', 'from_slope_deg = 90.0']
     """
     if chute.count != 1:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from chutecalc.spec.operating import DESIGN_POINT
-
 if TYPE_CHECKING:
     from chutecalc.api.chute import Chute
     from chutecalc.output.printer import Printer
@@ -35,6 +33,7 @@ class RunStudies:
         self.sensitivities: list[Sensitivity | None] = []
         if band:
             from chutecalc.api.band import solve_band
+            from chutecalc.spec.operating import DESIGN_POINT
 
             states = (chute if of.main == DESIGN_POINT else chute.cases[of.main] for chute, of in pairs)
             self.bands = [solve_band(state, rtol) for state in states]

@@ -8,7 +8,6 @@ from chutecalc.cli.options import DASK, JOBS, RTOL, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.specs import read_chute
 from chutecalc.errors import ExitStatus
-from chutecalc.spec.operating import DESIGN_POINT
 
 EXAMPLES = (
     "chutecalc uncertain chute.toml --plot uncertain.svg",
@@ -34,7 +33,9 @@ def uncertain(
         help="Columns, separated by commas, as those of a sweep. Default: those of the exit and the receiving belt."
         " min_ and max_ take ten times as long.",
     ),
-    case: str = typer.Option(DESIGN_POINT, metavar="NAME", help="Operating state of [cases]; design for the spec."),
+    case: str | None = typer.Option(
+        None, metavar="NAME", help="One operating state of [cases]; the spec as written by default."
+    ),
     *,
     jobs: int | None = JOBS,
     dask: str | None = DASK,
@@ -50,12 +51,13 @@ def uncertain(
     chute = read_chute(spec)
     from chutecalc.output.printer import Printer
     from chutecalc.output.progress import progress
+    from chutecalc.spec.operating import DESIGN_POINT
     from chutecalc.studies.uncertain.document import uncertainty_dataset
     from chutecalc.studies.uncertain.report import print_uncertainty
     from chutecalc.studies.uncertain.study import uncertain as study
 
     with progress("designs") as show:
-        result = study(chute, samples, seed, names_of(columns), case, rtol, jobs, dask, show)
+        result = study(chute, samples, seed, names_of(columns), case or DESIGN_POINT, rtol, jobs, dask, show)
     if outputs.files:
         outputs.write(uncertainty_dataset(result))
     if outputs.plot:

@@ -148,7 +148,7 @@ def placement(table: dict[str, Any]) -> Iterator[Violation]:
                     yield Violation(
                         (*location, key),
                         "is missing, and needed after onto_next = true",
-                        f"add {example}",
+                        f"add {example}, or let chutecalc place find it",
                         is_missing=True,
                     )
         elif starts := _given(segment, "start_m"):

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.studies.optimise.plot import draw_optimum, neighbourhood
+from chutecalc.studies.sweep.solved_blocks import solve_block
 from tests.conftest import ROOT
 
 SPOON = ROOT / "specs" / "paper" / "r3_d55_chamfered.toml"
@@ -69,7 +70,7 @@ def test_pictures(tmp_path, spec):
     sweep, best = neighbourhood(found)
     assert best == [found.values[RADIUS][0], found.values[BETA][0]]
     assert sweep.count == 33 * 33
-    assert sweep.block(0)["exit_velocity_m_s"].min() >= found.worst["exit_velocity_m_s"][0] * (1.0 - 1e-9)
+    assert solve_block(sweep, 0)["exit_velocity_m_s"].min() >= found.worst["exit_velocity_m_s"][0] * (1.0 - 1e-9)
     figure = draw_optimum(found)
     assert isinstance(figure, Figure)
     (mark,) = [line for line in figure.axes[0].lines if line.get_gid() == "best"]

@@ -5,6 +5,7 @@ import pytest
 
 import chutecalc
 from chutecalc.studies.sweep.parameters import read_parameters
+from chutecalc.studies.sweep.solved_blocks import solve_block
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.variants import Variants
 from tests.conftest import ROOT
@@ -28,7 +29,7 @@ def test_rows_in_all_states_are_those_of_a_sweep():
     found = variants([radii, hoods])
     for k, (radius, hood) in enumerate(zip(radii, hoods, strict=True)):
         arguments = [f"case={','.join(states)}", f"segments.spoon.radius_m={radius}", f"segments.hood.radius_m={hood}"]
-        rows = Sweep(chute, read_parameters(arguments, chute), columns=COLUMNS).block(0)
+        rows = solve_block(Sweep(chute, read_parameters(arguments, chute), columns=COLUMNS), 0)
         assert found["status"][:, k].tolist() == rows["status"].tolist()
         for name in COLUMNS:
             assert found[name].shape == (3, 3)

@@ -172,7 +172,7 @@ def test_the_same_seed_gives_the_same_and_none_feasible_is_said():
 
 
 def test_without_warnings_the_best_has_none():
-    base = chutecalc.load(COAL)
+    base = chutecalc.parse(chutecalc.STARTER)
     keys = {SPOON: (1.0, 6.0), SLOPE: (20.0, 60.0), "flow.rate_t_h": (200.0, 1500.0)}
     found = chutecalc.optimise(base, keys, maximise="exit_depth_m", no_warnings=True)
     assert found.feasible

@@ -179,10 +179,11 @@ def find_optimum(
     problem = Problem(chute, keys, objectives[0], limits, states, no_warnings, jobs)
     answers: dict[str, KeyAnswer] = {}
     if len(objectives) == 1:
-        places = best_place(problem, seed)[None]
+        places = problem.rounded(best_place(problem, seed)[None])
         binds = [binding(problem, places[0])]
     else:
         places, binds = front_places(problem, objectives[1], points, seed)
+        places = problem.rounded(places)
     violation = float(problem.rows(places).violation.min())
     if len(objectives) == 1 and violation == 0.0:
         answers = key_answers(problem, places[0], binds[0][1])

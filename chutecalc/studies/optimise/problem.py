@@ -14,6 +14,8 @@ from chutecalc.studies.keys import Key
 from chutecalc.studies.variants import Variants
 from chutecalc.workers import Threads
 
+DIGITS = 12
+"""Significant digits of found values: the objective does not feel more."""
 SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
 FAILURE, WARNING, MOST = 1000.0, 1.0, 100.0
 """What counts as violation: a state that fails, a warning, and a limit at most, as shares of it."""
@@ -167,6 +169,17 @@ class Problem:
         """
         inside = np.clip(places, self.low, self.high)
         return np.where(self.continuous, inside, np.rint(inside))
+
+    def rounded(self, places: Array) -> Array:
+        """Return places with as many digits as matter, so that a bound is what was typed, where no limit breaks by it.
+
+        Args:
+            places: in the units of the keys, shape (designs, keys).
+        """
+        near = np.array([[float(f"{value:.{DIGITS}g}") for value in place] for place in places])
+        near = self.clipped(near.reshape(places.shape))
+        breaks = self.rows(near).violation > self.rows(places).violation
+        return np.where(breaks[:, None], places, near)
 
     def all_choices(self, most: int) -> Array | None:
         """Return all designs where every key is a choice and they are few.
