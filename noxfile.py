@@ -22,11 +22,15 @@ BIN = Path(".venv", "bin").absolute()
 BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep")
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
-SLOW_SWEEPS = (
+SLOW_UNCOMPILED = (
     "tests/cli/sweep/test_resume.py::test_killed_and_resumed_is_the_same_file",
     "tests/cli/sweep/test_resume.py::test_interrupted_it_leaves_what_it_has",
+    "tests/cli/test_dask.py",
+    "tests/verification/test_aim.py",
+    "tests/verification/test_optimise.py",
+    "tests/verification/test_uncertainty.py",
 )
-"""Sweeps of 90,000 designs, which take minutes uncompiled and say nothing more about the solver."""
+"""Tests of ten thousands of designs, which take minutes uncompiled and say nothing more about the solver."""
 
 
 def project_tool(session: nox.Session, name: str, *arguments: str) -> None:
@@ -97,7 +101,7 @@ def oldest(session: nox.Session) -> None:
     with without_compiled_core():
         session.install("--constraint", str(constraints), "--editable", ".[test]", env=uncompiled)
         session.run("python", "-c", "import chutecalc.core as core; assert not core.compiled(), core")
-        skipped = ["--ignore=tests/dem/test_lammps.py", *(f"--deselect={name}" for name in SLOW_SWEEPS)]
+        skipped = ["--ignore=tests/dem/test_lammps.py", *(f"--deselect={name}" for name in SLOW_UNCOMPILED)]
         rooms = [f"tests/{room}" for room in ("unit", "cli", "verification", "regression", "dem")]
         session.run("python", "-m", "pytest", "-n", "auto", *skipped, *rooms, "chutecalc", env=FIXED_CASES)
 

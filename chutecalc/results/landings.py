@@ -53,8 +53,9 @@ def first_landing(segment_solutions: Sequence[SegmentSolution], flies: Mask, lef
             found.numbers[name][lands] = np.broadcast_to(values, count)[lands]
         found.distance[lands] = np.broadcast_to(entry.distance, count)[lands]
         waiting = waiting & ~meets
-        found.gap[waiting] = np.broadcast_to(arrival.gap, count)[waiting]
-        found.before[waiting] = np.broadcast_to(before_start(solved), count)[waiting]
+        flies_past = waiting & (arrival.status != Status.NOT_REACHED)  # not where others strike a segment again
+        found.gap[flies_past] = np.broadcast_to(arrival.gap, count)[flies_past]
+        found.before[flies_past] = np.broadcast_to(before_start(solved), count)[flies_past]
     found.gap[~waiting] = found.before[~waiting] = np.nan
     return found
 

@@ -13,6 +13,7 @@ from chutecalc.output.files import open_whole
 from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Column
 from chutecalc.results.described import html_table
+from chutecalc.spec.parse import encode
 from chutecalc.studies.keys import Key
 from chutecalc.studies.sweep.table import column_of
 from chutecalc.studies.variants import Variants
@@ -76,9 +77,10 @@ class Found:
         """
         if file is None and not Path(self.chute.source).is_file():
             raise UsageError(f"{self.chute.source} is no file to write to: name one")
-        text = self.text(take)
-        with open_whole(str(file or self.chute.source)) as stream:
-            stream.write(text)
+        own = Path(self.chute.source)
+        content = encode(self.text(take), like=own.read_bytes() if own.is_file() else b"")
+        with open_whole(str(file or own), "wb") as stream:
+            stream.write(content)
 
     def _described(self) -> str:
         """Return what was found, as text."""

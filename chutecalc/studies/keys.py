@@ -65,6 +65,8 @@ def read_keys(arguments: Sequence[str], chute: Chute) -> list[Key]:
     >>> key.name, key.bounds, key.is_continuous
     ('radius_m', (1.0, 4.0), True)
     """
+    if chute.count != 1:
+        raise UsageError(f"what is sought starts from a chute of one design, not {chute.count}")
     if not arguments:
         raise UsageError("nothing may change: add a key with its bounds, such as radius=1:4")
     found = [BOUNDS.fullmatch(argument.strip()) for argument in arguments]

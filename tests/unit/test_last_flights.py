@@ -90,3 +90,20 @@ def test_the_document_has_the_segments_alone(capsys):
     document = json.loads(capsys.readouterr().out)
     assert [segment["name"] for segment in document["segments"]] == ["chute"]
     assert document["receiver"]["landing_x_m"] == pytest.approx(1.552, abs=5e-4)
+
+
+def test_landings_belong_to_where_the_stream_left_steel():
+    floor = {"name": "first", "kind": "straight", "slope_deg": 45.0, "length_m": 1.0}
+    passed = {"name": "deflector", "kind": "straight", "slope_deg": 60.0, "length_m": 1.0, "start_m": [6.0, -0.5]}
+    data = {
+        "flow": {"rate_t_h": 100.0},
+        "material": {"density_kg_m3": 800.0, "internal_friction_deg": 50.0},
+        "liners": {"steel": {"friction_deg": 20.0}},
+        "sections": {"body": {"shape": "rectangular", "width_m": 1.0}},
+        "inlet": {"velocity_m_s": 3.0, "slope_deg": 45.0},
+        "segments": [floor, {"kind": "fall", "onto_next": True}, passed | {"may_be_passed": True}],
+        "receiver": {"velocity_m_s": 5.0, "friction_deg": 30.0, "at_m": [4.0, -6.0]},
+    }
+    landings = {"hard_landing", "off_speed"}
+    found = [each for each in chutecalc.solve(chutecalc.parse(data)).findings() if each.code in landings]
+    assert [each.segment for each in found] == ["first", "first"]

@@ -30,7 +30,7 @@ start, so that the incidence changes by what the stream turns on that way, and b
 
 def scene(random):
     """Return a random spec with a fall and one segment, and a random wish for that."""
-    kind = random.choice(list(SIDES))
+    kind = str(random.choice(list(SIDES)))
     table = {"name": "one", "kind": kind}
     if kind in ("hood", "curve"):
         table |= {"radius_m": random.uniform(0.5, 5.0), "to_slope_deg": random.uniform(-20.0, 90.0)}
@@ -187,7 +187,7 @@ def test_several_segments_are_placed_one_after_the_other():
         ({"spoon": {}}, "nothing is asked"),
         ({"spoon": {"x": 1, "z": 2}}, "one too many"),
         ({"spoon": {"incidence": 99, "slope": 3}}, "incidence must be from 0 to 90, not 99"),
-        ({"spoon": {"incidence": 5, "share": 1.0}}, "share must be from 0 to 1"),
+        ({"spoon": {"incidence": 5, "share": 1.0}}, "share must be at least 0 and below 1, not 1.0"),
         ({"spoon": {"incidence": 5}}, "it has no from_slope_deg: give it, or both incidence and x or z"),
         ({"spoon": {"incidence": 5, "x": 1}}, "the stream falls straight down: the nearest is x 0 m. Give z instead"),
         ({"spoon": {"incidence": 5, "z": 1}}, "its flight begins to fall at z 0 m: that is the nearest"),

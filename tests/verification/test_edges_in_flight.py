@@ -127,3 +127,14 @@ def test_in_a_batch_each_design_has_the_edges_that_it_has_alone():
 
 def test_what_crosses_a_pipe_from_wall_to_wall_has_no_edges():
     assert chutecalc.solve(chutecalc.load(ROOT / "specs" / "pipe_two_bends.toml")).edges == []
+
+
+@pytest.mark.parametrize("others", [[4.0], [6.0], [4.0, 3.0, 6.0]])
+def test_edges_do_not_depend_on_the_batch(others):
+    base = chutecalc.load(ROOT / "specs" / "belt_hood_spoon.toml")
+    alone = chutecalc.solve(base.vary({"inlet.belt.velocity_m_s": [4.316]}))  # its upper edge passes behind the hood
+    batch = chutecalc.solve(base.vary({"inlet.belt.velocity_m_s": [4.316, *others]}))
+    for own, one in zip(alone.edges, batch.edges, strict=False):
+        for name, values in own.numbers.items():
+            assert one.numbers[name][0] == pytest.approx(values[0], nan_ok=True, abs=0.0), (own.name, name)
+    assert np.isfinite(alone.edges[2].numbers["gap_m"][0])

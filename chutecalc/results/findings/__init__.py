@@ -9,11 +9,12 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array, Numbers
+from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.registry import load_modules
 from chutecalc.results.criterion import CRITERIA
 from chutecalc.results.edges import Edge
 from chutecalc.results.finding import Finding, Severity
+from chutecalc.results.part import Part
 from chutecalc.results.sampled import SampledPart
 from chutecalc.results.scene import Scene, Written
 
@@ -45,6 +46,7 @@ def find(
     """
     found: list[Finding] = []
     surfaces = [sampled.part for sampled in parts if sampled.part.guided]
+    leaves = _leaving([sampled.part for sampled in parts], designs)
     with np.errstate(all="ignore"):
         for number, sampled in enumerate(parts):
             if sampled.part.is_flight:
@@ -54,14 +56,14 @@ def find(
                 solved = later.part.solved
                 continues = continues | (solved.status != Status.NOT_REACHED) & (solved is not sampled.part.solved)
             last = bool(surfaces) and sampled.part is surfaces[-1]
-            at_end = received if number == len(parts) - 1 else {}
+            at_end = {name: np.where(leaves[number], values, np.nan) for name, values in received.items()}
             first = next(part for part in parts if part.part.solved.number == sampled.part.solved.number)
             visited = first.part.solved is not sampled.part.solved
             scene = Scene(
                 sampled,
                 continues=continues,
                 last_surface=last,
-                received=at_end,
+                received=at_end if leaves[number].any() else {},
                 exit_distance=exit_distance,
                 inlet=inlet if sampled.part.solved is parts[0].part.solved else {},
                 edges=() if visited else edges,
@@ -69,6 +71,22 @@ def find(
             )
             found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]
     return in_order(found)
+
+
+def _leaving(parts: Sequence[Part], designs: int) -> list[Mask]:
+    """Return for each part the designs whose stream leaves the chute from there: the last that it touches.
+
+    One that touches none, and flies from the inlet onto its belt, counts for the last part.
+    """
+    open_, found = np.ones(designs, dtype=bool), []
+    for part in reversed(parts):
+        through = (Status.OK, Status.CONTACT_LOST, *((Status.PASSED,) if part.segment.closed else ()))
+        ends = part.contact is not None or part is parts[-1]
+        here = open_ & np.isin(part.solved.status, through) & ends
+        open_ = open_ & ~here
+        found.append(here)
+    found[0] = found[0] | open_
+    return found[::-1]
 
 
 def find_in_spec(written: Written) -> list[Finding]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 from chutecalc.api.chute import Chute
@@ -133,6 +134,9 @@ def _check(keys: Sequence[Key], targets: Mapping[str, float]) -> None:
     Raises:
         UsageError: there are not.
     """
+    for name, wanted in targets.items():
+        if not isinstance(wanted, int | float) or not isfinite(wanted):
+            raise UsageError(f"{name} must be a number, not {wanted!r}")
     if len(keys) != len(targets):
         raise UsageError(
             f"{len(keys)} key{'s' * (len(keys) != 1)} for {len(targets)} target{'s' * (len(targets) != 1)}:"

@@ -127,7 +127,7 @@ def optimise(
     <Optimum of exit_velocity_m_s: 3.87493 at chamfer_deg 49.5008>
     """
     wanted = objectives_of(minimise, maximise)
-    limits = [read_limit(text) for text in subject]
+    limits = [read_limit(text) for text in ([subject] if isinstance(subject, str) else subject)]
     found = read_keys(key_arguments(keys), chute)
     return find_optimum(chute, found, wanted, limits, case, no_warnings, columns, points, seed, jobs)
 

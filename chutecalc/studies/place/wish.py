@@ -42,6 +42,8 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
     >>> read_wish("hood", {"incidence": 10, "x_mm": 1200, "share": 0.1})
     Wish(incidence_deg=10.0, x_m=1.2, z_m=None, share=0.1)
     """
+    if not isinstance(given, Mapping):
+        raise UsageError(f"{segment}: wishes are keys with numbers, such as incidence and x, not {given!r}")
     found: dict[str, float] = {}
     faults = []
     for key, value in given.items():
@@ -53,7 +55,8 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
         number = float(convert(_number(value), dimension, unit or first_unit(dimension), first_unit(dimension)))
         low, high = BOUNDS[name]
         if not low <= number <= high or (name == "share" and number == high):
-            faults.append(f"{segment}: {key} must be from {low:g} to {high:g}, not {value}.")
+            bounds = "at least 0 and below 1" if name == "share" else f"from {low:g} to {high:g}"
+            faults.append(f"{segment}: {key} must be {bounds}, not {value}.")
         if name in found:
             faults.append(f"{segment}: {name} is given twice. Keep one.")
         found[name] = number
