@@ -115,8 +115,8 @@ class Dask:
         self.client.close()
 
     def _shared(self, item: Any) -> Any:
-        """Return an item as a future of Dask: workers take it from each other when they need it."""
-        return self.client.scatter([item], hash=False)[0]
+        """Return an item as the result of a task, which workers take from each other, and make again if it is lost."""
+        return self.client.submit(_same, item, pure=False)
 
 
 def pool_of(jobs: int | None, dask: str | None) -> Pool:
@@ -135,6 +135,11 @@ def pool_of(jobs: int | None, dask: str | None) -> Pool:
     if jobs is not None:
         raise UsageError("--jobs are threads of this process, and --dask has workers of its own: give one of them")
     return Dask(dask)
+
+
+def _same(item: Any) -> Any:
+    """Return what is given."""
+    return item
 
 
 def _version() -> str:

@@ -2,7 +2,7 @@ cimport cython
 from libc cimport math
 from chutecalc.core cimport floats, friction, guide_surface, longitudinal, section
 
-cdef double TAPER_STEP, FARTHEST_SHARE, DIFFERENCE
+cdef double TAPER_STEP, FARTHEST_SHARE, DIFFERENCE, NEAR_FULL
 
 cdef (double, double) rhs_at_node(guide_surface.Guide guide, int piece, double share, double y, int number) noexcept nogil
 cdef (double, double) rhs(guide_surface.Guide guide, int facet, int piece, double share, double y) noexcept nogil

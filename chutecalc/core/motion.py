@@ -13,6 +13,7 @@ FARTHEST_SHARE = 1e6
 """Shares beyond this are not evaluated."""
 TAPER_STEP = 1e-6
 """Share over which a change along a segment is differenced; it enters Newton's derivative only."""
+NEAR_FULL = 0.1  # of what v² is above that of a full pipe
 DIFFERENCE = 2e-5
 """Fraction of v² over which forces with longitudinal pressure are differenced, likewise."""
 
@@ -65,16 +66,18 @@ def pressed_rhs(
     beyond the jump, where the bracket is below 0.
     """
     force, bracket = longitudinal.forces(guide, facet, piece, share, y)
-    more, more_bracket = longitudinal.forces(guide, facet, piece, share, y * (1.0 + DIFFERENCE))
-    less, less_bracket = longitudinal.forces(guide, facet, piece, share, y * (1.0 - DIFFERENCE))
+    full = guide_surface.full_velocity(guide)
+    step = min(DIFFERENCE, NEAR_FULL * (1.0 - full * full / y))  # there is no stream in more than a full pipe
+    more, more_bracket = longitudinal.forces(guide, facet, piece, share, y * (1.0 + step))
+    less, less_bracket = longitudinal.forces(guide, facet, piece, share, y * (1.0 - step))
     if not bracket > 0.0:
         return floats.NAN, floats.NAN, floats.NAN
     scale = 2.0 * guide.length * guide.gravity
     value = force / bracket
-    bracket_slope = (more_bracket - less_bracket) / (2.0 * DIFFERENCE)
-    first = ((more - less) / (2.0 * DIFFERENCE) - value * bracket_slope) / bracket
-    force_bend = (more - 2.0 * force + less) / (DIFFERENCE * DIFFERENCE)
-    bracket_bend = (more_bracket - 2.0 * bracket + less_bracket) / (DIFFERENCE * DIFFERENCE)
+    bracket_slope = (more_bracket - less_bracket) / (2.0 * step)
+    first = ((more - less) / (2.0 * step) - value * bracket_slope) / bracket
+    force_bend = (more - 2.0 * force + less) / (step * step)
+    bracket_bend = (more_bracket - 2.0 * bracket + less_bracket) / (step * step)
     second = (force_bend - value * bracket_bend - 2.0 * first * bracket_slope) / bracket
     return scale * value, scale * first, scale * second
 

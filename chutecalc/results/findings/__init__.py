@@ -79,6 +79,8 @@ def _leaving(parts: Sequence[Part], designs: int) -> list[Mask]:
     One that touches none, and flies from the inlet onto its belt, counts for the last part.
     """
     open_, found = np.ones(designs, dtype=bool), []
+    for part in parts:
+        open_ = open_ & ~np.isin(part.solved.status, (Status.STALL, Status.CHOKE, Status.MISSED))
     for part in reversed(parts):
         through = (Status.OK, Status.CONTACT_LOST, *((Status.PASSED,) if part.segment.closed else ()))
         ends = part.contact is not None or part is parts[-1]
