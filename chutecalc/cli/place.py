@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-
 import typer
 
 from chutecalc.errors import UsageError
@@ -33,6 +31,7 @@ def place(
     slope stays as the spec has it. A segment needs a fall before it, and neither a start nor a slope yet.
     """
     from chutecalc.cli.specs import read_source
+    from chutecalc.output.formats.json import write_document
     from chutecalc.output.printer import Printer
     from chutecalc.spec.parse import encode
     from chutecalc.studies.place.placement import place as placed
@@ -51,7 +50,7 @@ def place(
             stream.write(encode(placement.text, like=content))
     if json_file is not None:
         with open_whole(json_file) as stream:
-            stream.write(json.dumps(placement_document(placement), indent=2, ensure_ascii=False) + "\n")
+            write_document(stream, placement_document(placement))
     if STANDARD_STREAM not in (output, json_file):
         printer = Printer()
         printer.table(placement_table(placement))

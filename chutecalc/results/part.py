@@ -3,13 +3,13 @@
 Arrays are of shape (stations, designs), or of shape (designs,) where each design has one value.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 import numpy as np
 
 from chutecalc.design import Design, Status, stretched
-from chutecalc.physics.arrays import Array, Index, Numbers
+from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.impacts import impact_of
 from chutecalc.results.limits_at_end import limits_at_end
@@ -135,3 +135,22 @@ class Part(SegmentContext):
             return FlightProfile(solved, self.design.volume_rate, positions)
         assert solved.contact is not None
         return ContactProfile(solved, solved.contact, self.design.volume_rate, positions)
+
+
+def leaving(parts: Sequence[Part], through: Mask) -> list[Mask]:
+    """Return for each part the designs whose stream leaves the chute from there: the last part that guides it.
+
+    One that was left and struck again, or may be passed, is not the only last; a fall is the end of a chute only as its
+    last part, and a stream may come out of the mouth of a closed segment without touching it.
+
+    Args:
+        parts: of the trajectory, in order.
+        through: designs whose stream gets through the chute, shape (designs,).
+    """
+    found = []
+    for part in reversed(parts):
+        ends = (Status.OK, Status.CONTACT_LOST, *((Status.PASSED,) if part.segment.closed else ()))
+        here = through & np.isin(part.solved.status, ends) & (part.contact is not None or part is parts[-1])
+        through = through & ~here
+        found.append(here)
+    return found[::-1]

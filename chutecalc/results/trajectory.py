@@ -15,7 +15,7 @@ from chutecalc.results.finding import Finding
 from chutecalc.results.findings import NEEDED, find
 from chutecalc.results.last_flights import last_flights
 from chutecalc.results.loads import relative_to_first
-from chutecalc.results.part import FLIGHT, Part
+from chutecalc.results.part import FLIGHT, Part, leaving
 from chutecalc.results.part_results import part_result, with_passed_falls
 from chutecalc.results.sampled import SampledPart, sample
 from chutecalc.results.segments import SegmentResult, Segments, joined
@@ -134,20 +134,18 @@ class Trajectory:
         names = list(names)
         found = {name: np.full(self.count, np.nan) for name in names}
         open_ = self.status_numbers == Status.OK  # designs whose end is not found yet
-        for part in reversed(self.parts):  # one that was left and struck again, or may be passed, is not the only last
-            if part.contact is None and part is not self.parts[-1]:  # a fall is the end of a chute only as its last
+        for part, leaves in zip(self.parts, leaving(self.parts, open_), strict=True):
+            if not leaves.any():
                 continue
+            open_ = open_ & ~leaves
             if part.segment.closed:  # out of its mouth, without touching it again
-                through = open_ & np.isin(part.solved.status, (Status.PASSED, Status.CONTACT_LOST))
-                found, open_ = self._from_air(found, through), open_ & ~through
-            here = open_ & np.isin(part.solved.status, (Status.OK, Status.CONTACT_LOST))
-            if here.any():
-                ends, open_ = part.at(np.ones(1), names), open_ & ~here
-                found = {name: np.where(here, ends[name][0], values) for name, values in found.items()}
-            if not open_.any():
-                return found
-        # What is left flew past all that came after the surface it left, or after the inlet, onto its belt.
-        return self._from_air(found, open_)
+                flies = leaves & np.isin(part.solved.status, (Status.PASSED, Status.CONTACT_LOST))
+                found, leaves = self._from_air(found, flies), leaves & ~flies
+            if leaves.any():
+                ends = part.at(np.ones(1), names)
+                found = {name: np.where(leaves, ends[name][0], values) for name, values in found.items()}
+        # What is left flew past all that came after the inlet, onto its belt.
+        return self._from_air(found, open_) if open_.any() else found
 
     def _from_air(self, found: Numbers, chosen: Mask) -> Numbers:
         """Return columns at the end of the chute with those of designs that leave it in the air: what exists there."""

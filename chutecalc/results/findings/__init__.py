@@ -14,7 +14,7 @@ from chutecalc.registry import load_modules
 from chutecalc.results.criterion import CRITERIA
 from chutecalc.results.edges import Edge
 from chutecalc.results.finding import Finding, Severity
-from chutecalc.results.part import Part
+from chutecalc.results.part import Part, leaving
 from chutecalc.results.sampled import SampledPart
 from chutecalc.results.scene import Scene, Written
 
@@ -74,21 +74,16 @@ def find(
 
 
 def _leaving(parts: Sequence[Part], designs: int) -> list[Mask]:
-    """Return for each part the designs whose stream leaves the chute from there: the last that it touches.
+    """Return for each part the designs that get through the chute and leave it from there.
 
-    One that touches none, and flies from the inlet onto its belt, counts for the last part.
+    One whose stream touches nothing, and flies from the inlet onto its belt, counts for the last part.
     """
-    open_, found = np.ones(designs, dtype=bool), []
+    through = np.ones(designs, dtype=bool)
     for part in parts:
-        open_ = open_ & ~np.isin(part.solved.status, (Status.STALL, Status.CHOKE, Status.MISSED))
-    for part in reversed(parts):
-        through = (Status.OK, Status.CONTACT_LOST, *((Status.PASSED,) if part.segment.closed else ()))
-        ends = part.contact is not None or part is parts[-1]
-        here = open_ & np.isin(part.solved.status, through) & ends
-        open_ = open_ & ~here
-        found.append(here)
-    found[0] = found[0] | open_
-    return found[::-1]
+        through = through & ~np.isin(part.solved.status, (Status.STALL, Status.CHOKE, Status.MISSED))
+    found = leaving(parts, through)
+    found[-1] = found[-1] | through & ~np.any(found, axis=0)
+    return found
 
 
 def find_in_spec(written: Written) -> list[Finding]:

@@ -1,5 +1,6 @@
 """What binds at an optimum, what each limit costs, and how flat it is."""
 
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -117,7 +118,7 @@ def key_answers(problem: Problem, place: Array, slopes: dict[str, float]) -> dic
         at = (place[number] - low) / (high - low)
         bound = "lower" if at < CLOSE else "upper" if at > 1.0 - CLOSE else ""
         if key.is_continuous:
-            reach = tuple(_end(lambda x: good(number, x), place[number], end) for end in (low, high))  # noqa: B023
+            reach = tuple(_end(partial(good, number), place[number], end) for end in (low, high))
         else:
             every = np.arange(low, high + 1.0)
             values = key.at(every[good(number, every)]).tolist()

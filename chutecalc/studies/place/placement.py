@@ -11,6 +11,7 @@ import tomli_w
 from chutecalc.api.chute import Chute
 from chutecalc.api.solution import Solution
 from chutecalc.api.solve import solve
+from chutecalc.api.written import text_of
 from chutecalc.design import Contact, Status
 from chutecalc.errors import UsageError
 from chutecalc.segments.registry import KINDS
@@ -119,8 +120,7 @@ def _text_of(spec: str | Mapping[str, Any] | Chute, source: str) -> tuple[str, s
         return tomli_w.dumps(dict(spec)), source
     if spec.count != 1:
         raise UsageError(f"place takes a chute of one design, not {spec.count}")
-    own = spec.text and parse_text(spec.text, spec.source) == spec.data
-    return spec.text if own else tomli_w.dumps(spec.data), spec.source
+    return text_of(spec), spec.source
 
 
 def _in_order(
