@@ -45,6 +45,18 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[
     text = spec if isinstance(spec, str) else ""
     data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
     chute = Chute(with_values(data, dict(changes), source) if changes else data, source, text)
+    return checked(chute)
+
+
+def checked(chute: Chute) -> Chute:
+    """Return a chute whose cases and uncertainty have no faults either.
+
+    Args:
+        chute: the chute.
+
+    Raises:
+        SpecError: they have; the error lists all faults.
+    """
     faults: list[Fault] = []
     for table, read in (("cases", lambda: chute.cases), ("uncertainty", lambda: chute.uncertain)):
         try:
@@ -53,5 +65,5 @@ def parse(spec: str | Mapping[str, Any], source: str = "spec", changes: Mapping[
         except SpecError as error:
             faults += error.faults
     if faults:
-        raise SpecError(sorted(faults, key=lambda fault: fault.line or 0), source)
+        raise SpecError(sorted(faults, key=lambda fault: fault.line or 0), chute.source)
     return chute

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import typer
 
 from chutecalc.errors import UsageError
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 
+if TYPE_CHECKING:
+    from chutecalc.studies.place.placement import Placement
+
 EXAMPLES = (
     "chutecalc place chute.toml hood incidence=10 x=1.2 spoon incidence=8 z=-4.5",
-    "chutecalc place chute.toml hood incidence=10 x=1.2 share=0.2 --write",
+    "chutecalc place chute.toml hood incidence=10 x=1.2 share=edges --write",
 )
 
 
@@ -19,7 +24,7 @@ def place(
         ...,
         metavar="SEGMENT WISH...",
         help="A segment and how the stream is to strike it: incidence=DEG, x=M or z=M, and share=SHARE of its length"
-        " before the strike. Then the next segment.",
+        " before the strike, or share=edges. Then the next segment.",
     ),
     write: bool = typer.Option(False, "--write", help="Write start_m and slope into the spec, comments kept."),
     output: str | None = typer.Option(None, "--output", "-o", metavar="FILE", help="Write the placed spec to a file."),
@@ -28,14 +33,14 @@ def place(
     """Find where segments must be drawn so that the stream strikes them as wanted.
 
     Incidence and place together give the slope of the surface where the stream strikes it; with one of them alone the
-    slope stays as the spec has it. A segment needs a fall before it, and neither a start nor a slope yet.
+    slope stays as the spec has it. A segment needs a fall before it, and neither a start nor a slope yet. share=edges
+    is the least share with which all edges of the stream strike the segment, in all cases.
     """
     from chutecalc.cli.specs import read_source
     from chutecalc.output.formats.json import write_document
-    from chutecalc.output.printer import Printer
     from chutecalc.spec.parse import encode
     from chutecalc.studies.place.placement import place as placed
-    from chutecalc.studies.place.report import placement_document, placement_table
+    from chutecalc.studies.place.report import placement_document
     from chutecalc.studies.place.wish import read_wishes
 
     if write and (output or spec == STANDARD_STREAM):
@@ -52,12 +57,29 @@ def place(
         with open_whole(json_file) as stream:
             write_document(stream, placement_document(placement))
     if STANDARD_STREAM not in (output, json_file):
-        printer = Printer()
-        printer.table(placement_table(placement))
-        if target is None:
-            printer.text()
-            for each in placement.segments:
-                slopes = (f"{key} = {value!r}" for key, value in each.slopes.items())
-                printer.text(f"{each.name}: start_m = {list(each.start_m)}, {', '.join(slopes)}")
-            printer.text("--write puts this into the spec.")
+        _print(placement, written=target is not None)
     return 0
+
+
+def _print(placement: Placement, written: bool) -> None:
+    """Print how segments are struck, what the spec needs for it, and what a run of the chute has to tell."""
+    from chutecalc.output.printer import COLOURS, Printer
+    from chutecalc.studies.place.report import drawn_lines, outcome_lines, placement_table
+
+    printer = Printer()
+    printer.table(placement_table(placement))
+    printer.text()
+    for each in placement.segments:
+        printer.text(f"{each.name}:")
+        for line in drawn_lines(each):
+            printer.text(f"  {line}")
+    if not written:
+        printer.text("--write puts this into the spec.")
+    printer.text()
+    if placement.cases is None:
+        printer.text("Other segments have no place yet, so that the whole chute was not solved.")
+    else:
+        ends = [f"{state} {solution.status[0]}" for state, solution in placement.cases.solutions.items()]
+        printer.text(f"status: {', '.join(ends)}")
+    for severity, code, where in outcome_lines(placement):
+        printer.text(f"{severity} {code}", f"  {where}", COLOURS[severity])

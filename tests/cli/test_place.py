@@ -1,6 +1,7 @@
 """``chutecalc place``: the spec that it writes does what was asked."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -68,6 +69,25 @@ def test_a_sketch_becomes_a_chute(sketch, capsys):
     assert "incidence" in capsys.readouterr().out
 
 
+def test_cases_and_findings_are_told(sketch, capsys):
+    sketch.write_text(SKETCH + '[cases.wet]\n"liners.steel.friction_deg" = 50\n', encoding="utf-8")
+    steep = ("hood", "incidence=8", "x=0.9", "share=0.1", "spoon", "incidence=30", "z=-4", "share=0.3")
+    assert main(["place", str(sketch), *steep]) == 0
+    printed = capsys.readouterr().out
+    assert re.search(r"status: design ok, wet \w+", printed)
+    assert re.search(r"^warning steep_impact  spoon", printed, re.MULTILINE)
+    assert re.search(r"^spoon +wet ", printed, re.MULTILINE)
+    assert all(len(line) <= 80 for line in printed.splitlines())
+
+
+def test_wrong_cases_are_said_and_nothing_is_written(sketch, capsys):
+    wrong = SKETCH + '[cases.wet]\n"liners.rubber.friction_deg" = 28\n'
+    sketch.write_text(wrong, encoding="utf-8")
+    assert main(["place", str(sketch), *WISHES, "--write"]) == 2
+    assert "liners.rubber" in capsys.readouterr().err
+    assert sketch.read_text(encoding="utf-8") == wrong
+
+
 def test_line_ends_stay(sketch):
     sketch.write_bytes(SKETCH.replace("\n", "\r\n").encode())
     assert main(["place", str(sketch), *WISHES, "--write"]) == 0
@@ -78,7 +98,8 @@ def test_line_ends_stay(sketch):
 def test_without_write_it_says_what_to_write(sketch, capsys):
     assert main(["place", str(sketch), "hood", "incidence=8", "x=0.9"]) == 0
     printed = capsys.readouterr().out
-    assert "hood: start_m = [0.9, " in printed
+    assert "hood:\n  start_m = [0.9, " in printed
+    assert "status: design ok\n" in printed
     assert "--write puts this into the spec." in printed
     assert all(len(line) <= 80 for line in printed.splitlines())
     assert sketch.read_text(encoding="utf-8") == SKETCH
@@ -90,7 +111,7 @@ def test_the_document_has_what_to_write_and_the_outcome(sketch, capsys):
     (solution,), (outcome,) = document["solutions"], document["outcome"]
     written = [f"segments.{name}.{key}" for name in ("hood", "spoon") for key in ("start_m", "from_slope_deg")]
     assert [*solution] == written
-    assert outcome["segments.spoon.impact_incidence_deg"] == pytest.approx(6.0, abs=1e-9)
+    assert outcome["design"]["segments.spoon.impact_incidence_deg"] == pytest.approx(6.0, abs=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -186,8 +186,11 @@ def test_several_segments_are_placed_one_after_the_other():
         ({"fall": {"x": 1}}, "has no surface to be struck"),
         ({"spoon": {}}, "nothing is asked"),
         ({"spoon": {"x": 1, "z": 2}}, "one too many"),
-        ({"spoon": {"incidence": 99, "slope": 3}}, "incidence must be from 0 to 90, not 99"),
-        ({"spoon": {"incidence": 5, "share": 1.0}}, "share must be at least 0 and below 1, not 1.0"),
+        ({"spoon": {"incidence": 99, "slope": 3}}, "incidence must be a number from 0 to 90, not 99"),
+        (
+            {"spoon": {"incidence": 5, "share": 1.0}},
+            "share must be a number, at least 0 and below 1, or edges",
+        ),
         ({"spoon": {"incidence": 5}}, "it has no from_slope_deg: give it, or both incidence and x or z"),
         ({"spoon": {"incidence": 5, "x": 1}}, "the stream falls straight down: the nearest is x 0 m. Give z instead"),
         ({"spoon": {"incidence": 5, "z": 1}}, "its flight begins to fall at z 0 m: that is the nearest"),
@@ -223,3 +226,89 @@ def test_a_chute_that_stalls_before_cannot_be_placed_on():
     data["segments"] = [flat, {"kind": "fall", "onto_next": True}, flat | {"name": "next"}]
     with pytest.raises(UsageError, match="stall at bed"):
         chutecalc.place(data, {"next": {"incidence": 5.0, "x": 60.0}})
+
+
+BELT = """\
+[flow]
+rate_t_h = 1600
+[material]
+density_kg_m3 = 850
+internal_friction_deg = 48
+[liners.ceramic]
+friction_deg = 25
+[sections.hood]
+shape = "rectangular"
+width_m = 1.0
+[inlet.belt]
+velocity_m_s = 4.5
+pulley_radius_m = 0.5
+width_m = 1.2
+trough_deg = 35
+surcharge_deg = 15
+[[segments]]
+kind = "fall"
+onto_next = true
+[[segments]]
+name = "hood"
+kind = "hood"
+radius_m = 2.0
+to_slope_deg = 88
+[cases.surge]
+"flow.rate_t_h" = 1900
+[cases.slow_belt]
+"inlet.belt.velocity_m_s" = 3.6
+"flow.rate_t_h" = 1300
+"""
+
+
+def all_edges_strike(share):
+    """Return whether all edges strike a hood, with a share of its length before the strike, in every state."""
+    placement = chutecalc.place(BELT, {"hood": {"incidence": 10, "x": 1.0, "share": share}})
+    cases = chutecalc.solve_cases(chutecalc.parse(placement.text))
+    return not any(edge.misses[0] for solution in cases.solutions.values() for edge in solution.edges)
+
+
+def test_the_share_for_all_edges_is_the_least_that_lets_them_strike():
+    placement = chutecalc.place(BELT, {"hood": {"incidence": 10, "x": 1.0, "share": "edges"}})
+    share = placement.segments[0].strike.share
+    assert all_edges_strike(share + 1e-9)
+    assert not all_edges_strike(share - 1e-3)  # it is found to 1e-3
+    assert [*placement.segments[0].strikes] == ["design", "surge", "slow_belt"]
+    slow = placement.segments[0].strikes["slow_belt"]
+    assert slow.share > share
+    assert slow.edges.keys() == {"lower", "upper"}
+
+
+def test_edges_that_no_share_can_catch_are_named():
+    short = BELT.replace("radius_m = 2.0\n", "radius_m = 0.4\n")
+    with pytest.raises(UsageError, match=r"no share lets .* strike it .* its \w+ (edge )?\((design, )?(surge|slow)"):
+        chutecalc.place(short, {"hood": {"incidence": 10, "x": 1.0, "share": "edges"}})
+
+
+def test_what_is_placed_is_solved_in_all_cases():
+    placement = chutecalc.place(BELT, {"hood": {"incidence": 10, "x": 1.0, "share": 0.05}})
+    assert placement.cases.names == ["design", "surge", "slow_belt"]
+    for name, solution in placement.cases.solutions.items():
+        struck = placement.segments[0].strikes[name]
+        assert struck.incidence_deg == solution.segments["hood"].impact["incidence_deg"][0]
+
+
+def test_faults_of_cases_and_uncertainty_are_those_of_the_spec():
+    wrong = BELT + '[cases.bad]\n"flow.rate_th" = 3\n[uncertainty]\n"flow.rat" = 4\n'
+    with pytest.raises(chutecalc.SpecError, match="rate_th") as refused:
+        chutecalc.place(wrong, {"hood": {"incidence": 10, "x": 1.0}})
+    lines = wrong.splitlines()
+    assert [lines[fault.line - 1] for fault in refused.value.faults] == ['"flow.rate_th" = 3', '"flow.rat" = 4']
+
+
+def test_what_stands_before_is_to_be_placed_first():
+    text = BELT.replace(
+        "[cases.surge]",
+        '[[segments]]\nkind = "fall"\nonto_next = true\n[[segments]]\nname = "spoon"\n'
+        'kind = "curve"\nradius_m = 3\nto_slope_deg = 35\n[cases.surge]',
+    )
+    with pytest.raises(UsageError, match="hood, which stands before spoon, has no place yet"):
+        chutecalc.place(text, {"spoon": {"incidence": 20, "z": -4.5}})
+    hood = {"hood": {"incidence": 10, "x": 1.0}}
+    assert chutecalc.place(text, hood).cases is None
+    assert chutecalc.place(text, hood | {"spoon": {"incidence": 20, "z": -4.5}}).cases is not None

@@ -1,15 +1,19 @@
-"""The part of a chute before a segment that is to be placed: the flight that leads to it, and how it arrives."""
+"""The part of a chute before a segment that is to be placed, and the flight that leads to it."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from chutecalc.api.chute import Chute
-from chutecalc.api.solution import Solution
 from chutecalc.api.solve import solve
 from chutecalc.design import Status
 from chutecalc.errors import UsageError
+from chutecalc.fields.units import same_quantity
+from chutecalc.segments.registry import KINDS
 from chutecalc.spec.frozen import FALL
+from chutecalc.spec.operating import case_values
+from chutecalc.spec.paths import item_names
 from chutecalc.studies.place.strike import Launch
 
 RTOL = 1e-12
@@ -17,20 +21,24 @@ RTOL = 1e-12
 A_FALL = {"kind": FALL, "drop_m": 1.0}
 ONTO_NEXT = {"kind": FALL, "onto_next": True}
 """The fall before a segment that has a place."""
-NOT_YET = ("cases", "receiver", "uncertainty")
+NOT_YET = ("receiver", "uncertainty")
 """Tables of a spec that may name what is not placed yet."""
+START = same_quantity("start_m")
 
 
-def arrival_on_last(solution: Solution) -> Any:
-    """Return how the stream first meets the last segment.
+def lacks_place(tables: list[dict[str, Any]], number: int) -> bool:
+    """Return whether a segment of a sketch has no place yet.
 
     Args:
-        solution: of a chute of one design that ends with a guiding segment.
+        tables: of the segments.
+        number: of the segment, from 0.
+
+    >>> lacks_place([{"kind": "fall", "onto_next": True}, {"kind": "hood", "radius_m": 2.0}], 1)
+    True
     """
-    number = len(solution.design.segments) - 1
-    first = next(solved for solved in solution.trajectory.segment_solutions if solved.number == number)
-    assert first.contact is not None
-    return first.contact.arrival
+    kind, before = KINDS.get(tables[number].get("kind", "")), tables[number - 1] if number else {}
+    guides = kind is not None and kind.guides
+    return guides and before.get("onto_next") is True and not tables[number].keys() & {*START}
 
 
 def chute_up_to(data: dict[str, Any], number: int, table: dict[str, Any], source: str) -> Chute:
@@ -60,7 +68,20 @@ def chute_of(data: dict[str, Any], segments: list[dict[str, Any]], source: str) 
         SpecError: the spec has faults.
     """
     own = {key: value for key, value in data.items() if key not in NOT_YET}
+    if isinstance(cases := own.get("cases"), dict):
+        names = item_names(segments)
+        own["cases"] = {name: _known(case, names) if isinstance(case, dict) else case for name, case in cases.items()}
     return Chute(own | {"segments": segments}, source)
+
+
+def _known(case: Mapping[str, Any], names: list[str]) -> dict[str, Any]:
+    """Return what a case says about the inlet, the material, and segments of these names."""
+    known = {}
+    for path, value in case_values(dict(case)).items():
+        table, _, rest = path.partition(".")
+        if table not in NOT_YET and (table != "segments" or rest.partition(".")[0] in names):
+            known[path] = value
+    return known
 
 
 def launch_to(data: dict[str, Any], number: int, source: str) -> Launch:

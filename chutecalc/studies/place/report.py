@@ -1,16 +1,16 @@
 """Placed segments for people and as a document."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
+from chutecalc.output.cases import CONCERNED
 from chutecalc.output.dataset import document_head, number
 from chutecalc.output.grid import Grid
+from chutecalc.results.finding import Severity
 from chutecalc.studies.place.placement import PlacedSegment, Placement
+from chutecalc.studies.place.struck import Struck
 
-COLUMNS: dict[str, Callable[[PlacedSegment], str]] = {
-    "start x\nm": lambda one: f"{one.start_m[0]:.3f}",
-    "start z\nm": lambda one: f"{one.start_m[1]:.3f}",
-    "slope\n°": lambda one: f"{next(iter(one.slopes.values())):z.2f}",
+COLUMNS: dict[str, Callable[[Struck], str]] = {
     "strike x\nm": lambda one: f"{one.x_m:z.3f}",
     "strike z\nm": lambda one: f"{one.z_m:z.3f}",
     "share": lambda one: f"{one.share:z.3f}",
@@ -22,28 +22,68 @@ COLUMNS: dict[str, Callable[[PlacedSegment], str]] = {
 
 
 def placement_table(placement: Placement) -> Grid:
-    """Return a row for each placed segment: where it starts, and how the stream strikes it.
+    """Return a row for each placed segment in each state: how the stream strikes it.
 
     Args:
         placement: the placed segments.
     """
+    states = [*placement.segments[0].strikes]
     table = Grid()
     table.column("segment", left=True, label=True)
+    if len(states) > 1:
+        table.column("case", left=True, label=True)
     for heading in COLUMNS:
         table.column(heading)
-    edges = list(dict.fromkeys(name for each in placement.segments for name in each.edges))
+    strikes = [strike for each in placement.segments for strike in each.strikes.values() if strike]
+    edges = list(dict.fromkeys(name for strike in strikes for name in strike.edges))
     for name in edges:
         table.column(f"{name} edge\n°")
     for each in placement.segments:
-        beside = (_edge(each, name) for name in edges)
-        table.row([each.name, *(text(each) for text in COLUMNS.values()), *beside])
+        for state, strike in each.strikes.items():
+            numbers = [text(strike) if strike else "" for text in COLUMNS.values()]
+            numbers[-1] = numbers[-1] if strike else "not struck"
+            beside = (_edge(strike, name) for name in edges)
+            table.row([each.name, *([state] if len(states) > 1 else []), *numbers, *beside])
     return table
 
 
-def _edge(placed: PlacedSegment, name: str) -> str:
+def _edge(strike: Struck | None, name: str) -> str:
     """Return the incidence of an edge as text."""
-    incidence = placed.edges.get(name)
+    incidence = strike.edges.get(name) if strike else None
     return "" if incidence is None else "misses" if incidence != incidence else f"{incidence:z.2f}"
+
+
+def drawn_lines(placed: PlacedSegment) -> Iterator[str]:
+    """Yield what the spec needs for a segment to stand so, as lines of TOML.
+
+    Args:
+        placed: the segment.
+    """
+    yield f"start_m = {list(placed.start_m)}"
+    yield from (f"{key} = {value!r}" for key, value in placed.slopes.items())
+
+
+def outcome_lines(placement: Placement) -> Iterator[tuple[Severity, str, str]]:
+    """Yield severity, code, and the segments and states of what a run of the placed chute has to tell.
+
+    Args:
+        placement: the placed segments.
+    """
+    if placement.cases is None:
+        return
+    found: dict[tuple[Severity, str], dict[str, list[str]]] = {}
+    for state, solution in placement.cases.solutions.items():
+        for finding in solution.findings():
+            if finding.severity in CONCERNED:
+                states = found.setdefault((finding.severity, finding.code), {}).setdefault(finding.subject, [])
+                states += [] if state in states else [state]
+    for (severity, code), subjects in sorted(found.items(), key=lambda item: CONCERNED.index(item[0][0])):
+        every = len(placement.cases.names)
+        where = (
+            subject + ("" if len(states) == every else f" ({', '.join(states)})")
+            for subject, states in subjects.items()
+        )
+        yield severity, code, ", ".join(where)
 
 
 def placement_document(placement: Placement) -> dict[str, Any]:
@@ -57,14 +97,23 @@ def placement_document(placement: Placement) -> dict[str, Any]:
     for each in placement.segments:
         path = f"segments.{each.name}"
         solution |= {f"{path}.start_m": list(each.start_m)} | {f"{path}.{key}": at for key, at in each.slopes.items()}
-        numbers = {
-            "impact_x_m": each.x_m,
-            "impact_z_m": each.z_m,
-            "impact_share": each.share,
-            "impact_incidence_deg": each.incidence_deg,
-            "impact_velocity_m_s": each.velocity_m_s,
-            "impact_velocity_after_m_s": each.velocity_after_m_s,
-            **{f"{name}_edge_incidence_deg": incidence for name, incidence in each.edges.items()},
-        }
-        outcome |= {f"{path}.{name}": number(value) for name, value in numbers.items()}
-    return {**document_head(), "solutions": [solution], "outcome": [outcome]}
+        for state, strike in each.strikes.items():
+            numbers = _numbers(strike) if strike else {}
+            outcome.setdefault(state, {}).update({f"{path}.{name}": number(value) for name, value in numbers.items()})
+    found = [
+        {"code": code, "severity": severity, "segments": where} for severity, code, where in outcome_lines(placement)
+    ]
+    return {**document_head(), "solutions": [solution], "outcome": [outcome], "findings": found}
+
+
+def _numbers(strike: Struck) -> dict[str, float]:
+    """Return the numbers of a strike, by name."""
+    return {
+        "impact_x_m": strike.x_m,
+        "impact_z_m": strike.z_m,
+        "impact_share": strike.share,
+        "impact_incidence_deg": strike.incidence_deg,
+        "impact_velocity_m_s": strike.velocity_m_s,
+        "impact_velocity_after_m_s": strike.velocity_after_m_s,
+        **{f"{name}_edge_incidence_deg": incidence for name, incidence in strike.edges.items()},
+    }

@@ -1,8 +1,7 @@
 """What a stream is to do where it strikes a segment."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 from chutecalc.errors import UsageError
 from chutecalc.fields.ranges import read_values
@@ -13,10 +12,11 @@ DIMENSIONS = {"incidence": "angle", "x": "length", "z": "length", "share": "numb
 """Dimension of each wish, by its name without a unit."""
 BOUNDS = {"incidence": (0.0, 90.0), "x": (-1e5, 1e5), "z": (-1e5, 1e5), "share": (0.0, 1.0)}
 """Least and greatest value of each; a share of 1 is not allowed, as nothing of the segment would be left."""
+EDGES = "edges"
+"""The share that lets all edges of the stream strike."""
 
 
-@dataclass(frozen=True)
-class Wish:
+class Wish(NamedTuple):
     """How the middle of the stream is to strike a segment; None for what is left open."""
 
     incidence_deg: float | None = None
@@ -27,6 +27,8 @@ class Wish:
     """or z instead."""
     share: float = 0.0
     """Share of the segment's length from its drawn start that lies before the strike, below 1."""
+    all_edges: bool = False
+    """Whether the share is to be the least at which all edges of the stream strike the segment."""
 
 
 def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
@@ -34,31 +36,37 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
 
     Args:
         segment: name of the segment, for messages.
-        given: ``incidence``, ``x`` or ``z``, and ``share``, each in its first unit or with a unit, such as ``x_ft``.
+        given: ``incidence``, ``x`` or ``z``, and ``share``, each in its first unit or with a unit, such as ``x_ft``;
+            a share may be ``edges``.
 
     Raises:
         UsageError: all faults of the keys and values.
 
     >>> read_wish("hood", {"incidence": 10, "x_mm": 1200, "share": 0.1})
-    Wish(incidence_deg=10.0, x_m=1.2, z_m=None, share=0.1)
+    Wish(incidence_deg=10.0, x_m=1.2, z_m=None, share=0.1, all_edges=False)
     """
     if not isinstance(given, Mapping):
         raise UsageError(f"{segment}: wishes are keys with numbers, such as incidence and x, not {given!r}")
     found: dict[str, float] = {}
-    faults = []
+    all_edges, faults = False, []
     for key, value in given.items():
         name, _, unit = key.partition("_")
         dimension = DIMENSIONS.get(name)
         if dimension is None or unit not in ("", *UNITS[dimension]):
             faults.append(f"{segment}: there is no {key}. {closest([key], DIMENSIONS)}Use {', '.join(DIMENSIONS)}.")
             continue
+        if name in found:
+            faults.append(f"{segment}: {name} is given twice. Keep one.")
+        found[name] = 0.0
+        if name == "share" and value == EDGES:
+            all_edges = True
+            continue
         number = float(convert(_number(value), dimension, unit or first_unit(dimension), first_unit(dimension)))
         low, high = BOUNDS[name]
         if not low <= number <= high or (name == "share" and number == high):
-            bounds = "at least 0 and below 1" if name == "share" else f"from {low:g} to {high:g}"
+            share = f"a number, at least 0 and below 1, or {EDGES}"
+            bounds = share if name == "share" else f"a number from {low:g} to {high:g}"
             faults.append(f"{segment}: {key} must be {bounds}, not {value}.")
-        if name in found:
-            faults.append(f"{segment}: {name} is given twice. Keep one.")
         found[name] = number
     if {"x", "z"} <= found.keys():
         faults.append(f"{segment}: x and z together are one too many: the stream decides the other. Give one of them.")
@@ -66,15 +74,14 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
         faults.append(f"{segment}: nothing is asked. Give incidence=DEG, x=M or z=M, such as incidence=10 x=1.2.")
     if faults:
         raise UsageError("\n".join(faults))
-    names = {each.name.partition("_")[0]: each.name for each in fields(Wish)}
-    return Wish(**{names[name]: number for name, number in found.items()})
+    return Wish(found.get("incidence"), found.get("x"), found.get("z"), found.get("share", 0.0), all_edges)
 
 
-def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float]]:
+def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float | str]]:
     """Return the wishes that arguments stand for, by segment in order.
 
     Args:
-        arguments: names of segments, each followed by its wishes as ``KEY=NUMBER``.
+        arguments: names of segments, each followed by its wishes as ``KEY=NUMBER``, or ``share=edges``.
 
     Raises:
         UsageError: a wish comes before the first segment, a segment is given twice, or a value is not a number.
@@ -82,7 +89,7 @@ def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float]]:
     >>> read_wishes(["hood", "incidence=10", "x=1.2", "spoon", "incidence=8"])
     {'hood': {'incidence': 10.0, 'x': 1.2}, 'spoon': {'incidence': 8.0}}
     """
-    found: dict[str, dict[str, float]] = {}
+    found: dict[str, dict[str, float | str]] = {}
     for argument in arguments:
         key, equals, text = (part.strip() for part in argument.partition("="))
         if not equals:
@@ -92,12 +99,15 @@ def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float]]:
             continue
         if not found:
             raise UsageError(f"{argument}: name the segment first, such as hood {argument}")
-        values = read_values(key, text)
         wishes = found[next(reversed(found))]
-        if len(values) != 1:
-            raise UsageError(f"{argument}: place takes one value, not {len(values)}")
         if key in wishes:
             raise UsageError(f"{argument}: {key} is given twice. Keep one")
+        if text == EDGES:
+            wishes[key] = text
+            continue
+        values = read_values(key, text)
+        if len(values) != 1:
+            raise UsageError(f"{argument}: place takes one value, not {len(values)}")
         wishes[key] = float(values[0])
     return found
 

@@ -1,0 +1,162 @@
+"""A segment placed where the stream strikes it as wanted, or the nearest that can be had."""
+
+from collections.abc import Iterator, Sequence
+from math import nan
+from typing import Any, NamedTuple
+
+from chutecalc.api.cases import solve_cases
+from chutecalc.api.chute import Chute
+from chutecalc.api.solve import solve
+from chutecalc.design import Contact
+from chutecalc.studies.place.approach import RTOL, chute_up_to
+from chutecalc.studies.place.stand import length_of, stand_for, start_of
+from chutecalc.studies.place.strike import Launch, NotReachedError
+from chutecalc.studies.place.struck import MIDDLE, Struck, arrival_on, struck_by
+from chutecalc.studies.place.wish import Wish
+
+CLOSE = 1e-9
+"""Distance, m, and angle, rad, within which the stream strikes as wanted."""
+GRAZING = 1e-4
+"""Incidence, rad. A stream at i strikes 1/i further along for each unit that the surface is off, down to this one."""
+HALVINGS = 40
+SHARES = 20
+"""Number of shares that are tried for one at which all edges strike."""
+FINE = 1e-3
+"""Share to which that one is found."""
+
+
+class Drawn(NamedTuple):
+    """A segment that the stream strikes as wanted."""
+
+    start: tuple[float, float]
+    """x and z of its start, m."""
+    slopes: dict[str, float]
+    """Its slopes, degrees, by key."""
+    chute: Chute
+    """The chute up to it."""
+    struck: Struck
+
+
+class Attempt(NamedTuple):
+    """What is asked of a segment."""
+
+    data: dict[str, Any]
+    """Tables of the spec."""
+    number: int
+    """Number of the segment, from 0."""
+    launch: Launch
+    """Where the flight to it begins."""
+    wish: Wish
+    source: str
+
+    def drawn(self) -> Drawn:
+        """Return the segment where it is struck as wanted.
+
+        Raises:
+            NotReachedError: it cannot be, with the nearest that can.
+            UsageError: the spec has no slope, and the wishes do not give it.
+        """
+        if self.wish.all_edges:
+            return self._catching()
+        drawn = self.at(self.wish.share)
+        if drawn is None:
+            raise NotReachedError(self._nearest())
+        return drawn
+
+    def at(self, share: float) -> Drawn | None:
+        """Return the segment with a share of its length before the strike; None if the stream strikes it otherwise.
+
+        Args:
+            share: of its length.
+
+        Raises:
+            NotReachedError: it cannot stand so, whatever the stream does.
+            UsageError: the spec has no slope, and the wishes do not give it.
+        """
+        stand = stand_for(self.launch, self.data["segments"][self.number], self.wish._replace(share=share))
+        table = self.data["segments"][self.number] | stand.slopes
+        segment = self._chute(table, (0.0, 0.0)).design.segments[-1]
+        assert isinstance(segment, Contact)
+        start = start_of(segment, self.launch, stand, share)
+        chute = self._chute(table, start)
+        solution = solve(chute, RTOL)
+        number = len(solution.segments) - 1
+        arrival, struck = arrival_on(solution, number), struck_by(solution, number)
+        if arrival is None or struck is None:
+            return None
+        incidence = segment.side * (self.launch.slope_at(stand.strike.time) - stand.strike.slope)
+        along = abs(struck.share - share) * length_of(segment).item() * max(incidence, GRAZING)
+        as_wanted = max(along, abs(arrival.incidence.item() - incidence)) <= CLOSE
+        return Drawn(start, stand.slopes, chute, struck) if as_wanted else None
+
+    def _chute(self, table: dict[str, Any], start: tuple[float, float]) -> Chute:
+        return chute_up_to(self.data, self.number, table | {"start_m": list(start)}, self.source)
+
+    def _at(self, share: float) -> Drawn | None:
+        """Return the segment with a share before the strike; None if that cannot be."""
+        try:
+            return self.at(share)
+        except NotReachedError:
+            return None
+
+    def _nearest(self) -> str:
+        """Return why a share cannot be had, with the greatest that can, found by halving."""
+        low, high, elsewhere = 0.0, self.wish.share, "the stream would meet it elsewhere first, or from behind"
+        if self._at(low) is None:
+            return f"{elsewhere}, wherever it begins. Change its slopes or radius"
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if self._at(middle) is None else (middle, high)
+        return f"{elsewhere}; the nearest is a share of {low:.6g} of its length before the strike"
+
+    def _catching(self) -> Drawn:
+        """Return the segment with the least share before the strike at which all edges strike it, in all states.
+
+        Raises:
+            NotReachedError: there is none.
+        """
+        self.at(0.0)  # what cannot be for any share is said so
+        found: dict[float, tuple[Drawn, list[tuple[str, str]]]] = {}
+        for number in range(SHARES):
+            share = number / SHARES
+            if (drawn := self._at(share)) is None:
+                continue
+            found[share] = drawn, list(_missing(drawn.chute))
+            if not found[share][1]:
+                return self._least(share, drawn)
+        if not found:
+            raise NotReachedError(self._nearest())
+        share = min(found, key=lambda share: len(found[share][1]))
+        raise NotReachedError(
+            f"no share lets the whole stream strike it in every state; with {share:g} before the strike these do not:"
+            f" {_named(found[share][1])}. Let it be struck more steeply or elsewhere, or make it longer"
+        )
+
+    def _least(self, share: float, drawn: Drawn) -> Drawn:
+        """Return the segment with the least share that does, which is at most one step below the first found."""
+        low = share - 1.0 / SHARES
+        while share > 0.0 and share - low > FINE:
+            middle = 0.5 * (low + share)
+            if (tried := self._at(middle)) is not None and not [*_missing(tried.chute)]:
+                share, drawn = middle, tried
+            else:
+                low = middle
+        return drawn
+
+
+def _missing(chute: Chute) -> Iterator[tuple[str, str]]:
+    """Yield what of the stream does not strike the last segment of a chute: the edge and the state."""
+    for state, solution in solve_cases(chute).solutions.items():
+        struck = struck_by(solution, len(solution.segments) - 1)
+        edges = {MIDDLE: nan} if struck is None else struck.edges
+        yield from ((edge, state) for edge, incidence in edges.items() if incidence != incidence)
+
+
+def _named(missing: Sequence[tuple[str, str]]) -> str:
+    """Return what does not strike as text, each edge with its states."""
+    states: dict[str, list[str]] = {}
+    for edge, state in missing:
+        states.setdefault(edge, []).append(state)
+    return ", ".join(f"its {edge} edge ({', '.join(names)})" for edge, names in states.items()).replace(
+        f"{MIDDLE} edge", MIDDLE
+    )
