@@ -22,15 +22,8 @@ BIN = Path(".venv", "bin").absolute()
 BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep")
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
-SLOW_UNCOMPILED = (
-    "tests/cli/sweep/test_resume.py::test_killed_and_resumed_is_the_same_file",
-    "tests/cli/sweep/test_resume.py::test_interrupted_it_leaves_what_it_has",
-    "tests/cli/test_dask.py",
-    "tests/verification/test_aim.py",
-    "tests/verification/test_optimise.py",
-    "tests/verification/test_uncertainty.py",
-)
-"""Tests of ten thousands of designs, which take minutes uncompiled and say nothing more about the solver."""
+UNCOMPILED = ("tests/unit", "tests/regression")
+"""What is tested with the core in plain Python, whose digits tests/verification/test_compiled.py compares."""
 
 
 def project_tool(session: nox.Session, name: str, *arguments: str) -> None:
@@ -87,23 +80,30 @@ def benchmarks(session: nox.Session) -> None:
         session.run(str(BIN / "python"), f"benchmarks/{name}.py", *arguments, external=True, silent=True)
 
 
+@nox.session(venv_backend="none")
+def uncompiled(session: nox.Session) -> None:
+    """Test the core in plain Python, as it is installed where it cannot be compiled."""
+    with without_compiled_core():
+        project_tool(session, "python", "-c", "import chutecalc.core as core; assert not core.compiled(), core")
+        session.run(str(BIN / "python"), "-m", "pytest", "-n", "auto", *UNCOMPILED, env=FIXED_CASES, external=True)
+
+
 @nox.session(python=os.environ.get("PYTHON_OLDEST"))
 def oldest(session: nox.Session) -> None:
-    """Test the uncompiled core with the oldest dependencies that pyproject.toml allows.
+    """Test with the oldest dependencies that pyproject.toml allows. The solver itself, tests/verification, needs none.
 
-    They need wheels for the interpreter: PYTHON_OLDEST names another one, such as 3.11.
+    They need wheels for the interpreter: PYTHON_OLDEST names another one, such as 3.11. The core is the one that the
+    session `tests` has compiled; another interpreter than that one's takes it in plain Python.
     """
     constraints = Path(session.create_tmp(), "constraints.txt").absolute()
     pins = session.run("python", ".ci/oldest.py", "pyproject.toml", silent=True)
     assert isinstance(pins, str)
     constraints.write_text(pins, encoding="utf-8")
-    uncompiled = {"CHUTECALC_COMPILE": "0"}
-    with without_compiled_core():
-        session.install("--constraint", str(constraints), "--editable", ".[test]", env=uncompiled)
-        session.run("python", "-c", "import chutecalc.core as core; assert not core.compiled(), core")
-        skipped = ["--ignore=tests/dem/test_lammps.py", *(f"--deselect={name}" for name in SLOW_UNCOMPILED)]
-        rooms = [f"tests/{room}" for room in ("unit", "cli", "verification", "regression", "dem")]
-        session.run("python", "-m", "pytest", "-n", "auto", *skipped, *rooms, "chutecalc", env=FIXED_CASES)
+    no_compiling = {"CHUTECALC_COMPILE": "0"}
+    session.install("--constraint", str(constraints), "--editable", ".[test]", env=no_compiling)
+    rooms = [f"tests/{room}" for room in ("unit", "cli", "regression", "dem")]
+    skipped = "--ignore=tests/dem/test_lammps.py"
+    session.run("python", "-m", "pytest", "-n", "auto", skipped, *rooms, "chutecalc", env=FIXED_CASES)
 
 
 @contextmanager
