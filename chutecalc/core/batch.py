@@ -62,6 +62,7 @@ def write_ends(chute: "records.ChuteState", last: "records.Segment", stream: "st
     chute.ends[5, row], chute.ends[6, row] = chute.current.z, chute.current.slope
     chute.ends[7, row], chute.ends[8, row] = chute.landing.x, chute.landing.z
     chute.ends[9, row], chute.ends[10, row] = chute.landing.velocity, chute.landing.slope
+    chute.ends[11, row] = receiver.belt_clearance(chute)
     if chute.status == state.FAULT:
         chute.faults += 1
         chute.ends[4, row], chute.ends[6, row] = chute.fault_number, chute.fault_slope

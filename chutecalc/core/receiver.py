@@ -2,7 +2,7 @@
 
 import math
 
-from chutecalc.core import fall, flight, floats, joint, records, state
+from chutecalc.core import fall, flight, floats, joint, records, state, surface
 
 
 def land_on_belt(chute: "records.ChuteState") -> None:
@@ -21,6 +21,24 @@ def land_on_belt(chute: "records.ChuteState") -> None:
         else:
             records.clear_point(chute.landing)
             chute.status = state.MISSED
+
+
+def belt_clearance(chute: "records.ChuteState") -> float:
+    """Return the least height of the drawn surfaces above the receiving belt, m; NaN without a belt that has a place.
+
+    For a stream that gets through: then all segments are placed.
+    """
+    if chute.status != state.OK or chute.belt_x != chute.belt_x:
+        return floats.NAN
+    return least_from(chute, chute.first, floats.INFINITY)
+
+
+def least_from(chute: "records.ChuteState", segment: "records.Segment", least: float) -> float:
+    """Return the least height of a segment and all that follow it; infinite where none has a surface."""
+    if not segment.fall:
+        height = surface.least_height(segment.stream.guide, chute.belt_x, chute.belt_z, chute.belt_slope)
+        least = min(least, height)
+    return least if segment.final else least_from(chute, segment.next, least)
 
 
 def time_to_line(path: "records.Flight", x: float, z: float, slope: float) -> float:

@@ -151,7 +151,7 @@ class ChuteState:
 
 ENDS = (
     *("status", "velocity", "error", "distance", "x", "z", "slope"),
-    *("landing_x", "landing_z", "landing_velocity", "landing_slope"),
+    *("landing_x", "landing_z", "landing_velocity", "landing_slope", "clearance"),
 )
 FIELDS = (
     *("row", "segment", "strikes", "status"),

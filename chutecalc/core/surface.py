@@ -21,6 +21,24 @@ def point(guide: "guide_surface.Guide", share: float) -> tuple[float, float]:
     return guide.x + chord * math.cos(middle), guide.z - chord * math.sin(middle)
 
 
+def least_height(guide: "guide_surface.Guide", x: float, z: float, slope: float) -> float:
+    """Return the least height of a surface above a line through a point, m, normal to the line; negative below it.
+
+    Along the surface the height changes by sin(b - a), b the slope of the line: least at an end, or where an arc is
+    parallel to the line.
+    """
+    sine, cosine = math.sin(slope), math.cos(slope)
+    least = (guide.x - x) * sine + (guide.z - z) * cosine
+    end_x, end_z = point(guide, 1.0)
+    least = min(least, (end_x - x) * sine + (end_z - z) * cosine)
+    if guide.turn != 0.0:
+        share = (slope - guide.entry_slope) / guide.turn
+        if 0.0 < share < 1.0:
+            end_x, end_z = point(guide, share)
+            least = min(least, (end_x - x) * sine + (end_z - z) * cosine)
+    return least
+
+
 def land(
     guide: "guide_surface.Guide", path: "records.Flight", curve: "quartic.Quartic", known_roots: int
 ) -> tuple[float, float, float]:

@@ -40,6 +40,8 @@ class Contact(NamedTuple):
     wall: Wall
     measured: tuple[Array, Array] | None
     """Least and greatest normal stress of the yield locus, Pa; None for a constant friction angle."""
+    own_material: bool
+    """Whether the stream slides on a bed of itself, as in a rock box, and not on a liner."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
     thickness: Array | None

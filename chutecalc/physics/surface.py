@@ -55,3 +55,34 @@ def point(surface: Surface, share: Array) -> tuple[Array, Array, Array]:
     half[half == 0.0] = 1e-20  # its sine over itself is 1 there
     chord = surface.length * share * (np.sin(half) / half)
     return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + turned
+
+
+def least_height(surface: Surface, x: Array, z: Array, slope: Array) -> tuple[Array, Array]:
+    """Return the least height of a surface above a line, normal to the line, and where on the surface that is.
+
+    Along the surface the height changes by sin(b - a), b the slope of the line: it is least at an end, or where an arc
+    is parallel to the line.
+
+    Args:
+        surface: the surface.
+        x: horizontal position of a point of the line, m.
+        z: its height, m.
+        slope: of the line, rad below horizontal.
+
+    Returns:
+        Height, m, negative below the line, and share of the surface's length, of shape (designs,).
+
+    >>> one = np.ones(1)
+    >>> level = Surface(side=1.0, x=0 * one, z=2 * one, slope=0 * one, turn=0 * one, length=3 * one)
+    >>> least_height(level, 0.0 * one, 0.5 * one, 0.0 * one)[0].tolist()
+    [1.5]
+    """
+    with np.errstate(all="ignore"):
+        parallel = (slope - surface.slope) / surface.turn
+    parallel = np.where((parallel > 0.0) & (parallel < 1.0), parallel, 0.0)
+    shares = np.stack(np.broadcast_arrays(np.zeros(1), np.ones(1), parallel, surface.x)[:3])
+    there_x, there_z, _ = point(surface, shares)
+    heights = (there_x - x) * np.sin(slope) + (there_z - z) * np.cos(slope)
+    lowest = heights.argmin(axis=0)[None]
+    height, share = (np.take_along_axis(values, lowest, axis=0)[0] for values in np.broadcast_arrays(heights, shares))
+    return height, share

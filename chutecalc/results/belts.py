@@ -116,6 +116,9 @@ RECEIVER_COLUMNS = {
                       "length", "m", 3, "ft", 2, formula=lambda on: on.ends.landing_z),
         FormulaColumn("landing_slope_deg", "landing slope", "", "slope of the stream where it lands on the belt",
                       "angle", "deg", 2, formula=lambda on: np.degrees(on.ends.landing_slope)),
+        FormulaColumn("clearance_m", "belt clearance", "",
+                      "least distance of the drawn surfaces above the belt, normal to it",
+                      "length", "m", 3, "ft", 2, formula=lambda on: on.ends.clearance),
     )
 }
 # fmt: on

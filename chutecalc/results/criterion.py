@@ -28,6 +28,9 @@ class Case(NamedTuple):
     """Path of the key of the spec that it is about, where it is about no segment."""
     badness: Any = 0.0
     """How bad it is, the larger the worse, shape (designs,) or 1: operating states are compared by it."""
+    asks: str = ""
+    """What its advice changes where the stream leaves the segment: ``steeper`` or ``flatter``, ``faster`` or
+    ``slower``; empty for anything else."""
 
 
 Cases = Callable[[Any], Iterable[Case]]
@@ -120,6 +123,7 @@ class Criterion:
             template=case.template,
             numbers=dict(zip(case.numbers, values, strict=True)),
             badness=badness,
+            asks=case.asks,
         )
 
 

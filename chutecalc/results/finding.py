@@ -60,6 +60,8 @@ class Finding:
     """The numbers that led to the finding; names end in their units."""
     badness: Array
     """How bad it is, the larger the worse: comparable with the same finding of another operating state."""
+    asks: str = ""
+    """What its advice changes: ``steeper`` or ``flatter``, ``faster`` or ``slower``; empty for anything else."""
     key: str = ""
     """Path of the key of the spec concerned, where the finding is about no segment; else empty."""
 

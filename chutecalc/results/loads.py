@@ -28,7 +28,8 @@ LOAD_COLUMNS = {
         Column("impact_life_h", "impact life", "", "time until the impact wears through the liner",
                "time", "h", 0),
         Column("liner_life_h", "liner life", "", "the shorter of both", "time", "h", 0),
-        Column("relative_wear", "wear ratio", "", "greatest wear over that of the first segment that is worn",
+        Column("relative_wear", "relative wear", "",
+               "greatest wear, sliding or impact, over that of the first segment that is worn",
                "number", "", 3),
     )
 }

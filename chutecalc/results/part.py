@@ -10,6 +10,7 @@ import numpy as np
 
 from chutecalc.design import Design, Status, stretched
 from chutecalc.physics.arrays import Array, Index, Mask, Numbers
+from chutecalc.physics.motion import ROOF
 from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.impacts import impact_of
 from chutecalc.results.limits_at_end import limits_at_end
@@ -91,6 +92,13 @@ class Part(SegmentContext):
     def impact(self) -> Numbers:
         """Return each design's impact on the segment, see :func:`chutecalc.results.impacts.impact_of`."""
         return {} if self.contact is None else impact_of(self.contact.arrival, self.slip_ratio)
+
+    def strikes_roof(self) -> Mask:
+        """Return whether each design's stream strikes the roof of a closed segment, shape (1,) or (designs,)."""
+        if self.contact is None or not self.contact.segment.closed:
+            return np.zeros(1, dtype=bool)
+        strikes: Mask = (self.contact.side == ROOF) & (self.contact.arrival.incidence > 0.0)
+        return strikes
 
     def limits(self, names: Iterable[str]) -> Numbers:
         """Return the limits of columns at the end of the part.

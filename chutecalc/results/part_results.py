@@ -40,6 +40,7 @@ def part_result(sampled: SampledPart, count: int) -> SegmentResult:
         minimum={name: whole(found[name, LEAST].value) for name in REPORTED},
         maximum={name: whole(values) for name, values in maximum.items()},
         duration=whole(duration),
+        strikes_roof=whole(part.strikes_roof()),
         impact={name: whole(values) for name, values in impact.items()},
         loads={name: whole(values) for name, values in loads_of(part, duration, maximum, impact).items()},
     )

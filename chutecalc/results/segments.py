@@ -7,7 +7,7 @@ from typing import Any, overload
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array, Numbers
+from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.results.described import html_table, number, outcomes
 from chutecalc.results.loads import joined_loads
 
@@ -37,6 +37,8 @@ class SegmentResult:
     """Time from its start to its end, s, shape (designs,)."""
     impact: Numbers
     """Numbers of the impact, see :data:`chutecalc.results.impacts.IMPACT_COLUMNS`; empty where no stream strikes it."""
+    strikes_roof: Mask = field(default_factory=lambda: np.zeros(1, dtype=bool))
+    """Whether that impact is on the roof of a closed section, shape (designs,)."""
     loads: Numbers = field(default_factory=dict)
     """Forces and wear of the segment, see :data:`chutecalc.results.loads.LOAD_COLUMNS`; empty in flight."""
 
@@ -159,8 +161,17 @@ def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         maximum={name: np.fmax(again.maximum[name], values) for name, values in first.maximum.items()},
         duration=first.duration + np.where(there, again.duration, 0.0),
         impact=_either(first.impact, again.impact),
+        strikes_roof=np.where(_struck(first), first.strikes_roof, again.strikes_roof),
         loads=joined_loads(first.loads, again.loads),
     )
+
+
+def _struck(result: SegmentResult) -> Mask:
+    """Return whether each design's stream strikes the segment."""
+    if not result.impact:
+        return np.zeros(1, dtype=bool)
+    struck: Mask = ~np.isnan(result.impact["incidence_deg"])
+    return struck
 
 
 def _either(first: Numbers, again: Numbers) -> Numbers:

@@ -22,6 +22,8 @@ class Lining(NamedTuple):
     """Friction law."""
     measured: tuple[Array, Array] | None
     """Least and greatest normal stress of the yield locus, Pa; None for other liners."""
+    own_material: bool
+    """Whether the stream slides on a bed of itself."""
     slip_ratio: Array
     """Slip velocity at the wall over mean velocity."""
     thickness: Array | None

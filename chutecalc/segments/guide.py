@@ -66,6 +66,7 @@ class Guide(Segment):
             end_section=None if last is None else context.drawn_sections[last],
             wall=lining.wall,
             measured=lining.measured,
+            own_material=lining.own_material,
             slip_ratio=lining.slip_ratio,
             thickness=lining.thickness,
             wear_rate=lining.wear_rate,

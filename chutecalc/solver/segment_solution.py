@@ -219,6 +219,9 @@ class Ends(NamedTuple):
     landing_velocity: Array
     landing_slope: Array
     """The stream where it lands on the receiving belt, m, m/s and rad; at the exit if that belt has no place."""
+    clearance: Array
+    """Least height of the drawn surfaces above the receiving belt, normal to it, m; NaN without a belt that has a
+    place, and where a design fails."""
     stream_section: Array
     """Tables of the stream in the last section, shape (7, 1, n), see
     :func:`chutecalc.core.wall_loads.write_stream_section`; empty unless asked for."""

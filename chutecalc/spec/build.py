@@ -152,6 +152,7 @@ class _Geometry:
         return Lining(
             wall=wall,
             measured=measured,
+            own_material=bool(liner.own_material),
             slip_ratio=in_si(liner.slip_ratio, "number"),
             thickness=optional(liner.thickness_m, "length"),
             wear_rate=optional(liner.wear_mm3_per_j, "wear rate"),

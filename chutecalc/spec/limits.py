@@ -33,6 +33,9 @@ Pressure = Annotated[
 Offset = Annotated[
     Number, Quantity("length", gt=0, le=1e5, plausible=Plausible(0.01, 20.0, "next to nothing", "wider than a belt"))
 ]
+Gap = Annotated[
+    Number, Quantity("length", ge=0, le=1e5, plausible=Plausible(0.005, 10.0, "next to nothing", "higher than a chute"))
+]
 
 
 def _limit(default: float | None, meaning: str, source: str, finding: str) -> Any:
@@ -89,6 +92,9 @@ class Limits(Table):
         "distance between where the stream lands and at_m of the receiving belt; none by default",
         "the loading point",
         "far_landing",
+    )
+    min_belt_clearance_m: Gap = _limit(
+        0.0, "distance of the steel above the receiving belt, normal to it", "the belt's surface", "steel_on_belt"
     )
 
     rules: ClassVar = (ratio_range,)

@@ -31,7 +31,10 @@ def test_every_limit_begins_a_finding_and_is_in_force_where_the_spec_sets_it():
     in_force = [LIMITS[key.removeprefix("limits.")].of(design.limits).item() for key in given]
     assert in_force == pytest.approx([0.5] * len(given))
     default = chute().design.limits
-    assert all(limit.of(default).item() == pytest.approx(limit.default or np.inf) for limit in LIMITS.values())
+    assert all(
+        limit.of(default).item() == pytest.approx(np.inf if limit.default is None else limit.default)
+        for limit in LIMITS.values()
+    )
 
 
 def test_a_limit_is_quoted_as_it_is_in_force():

@@ -82,7 +82,9 @@ def test_the_incidence_of_a_free_surface_is_judged_beside_that_of_the_stream(off
         assert told[0].message().startswith("the free surface of the stream that leaves head strikes the surface at ")
         assert told[0].numbers["incidence_deg"][0] == edge
     both = chutecalc.solve(two_floors().put({"limits.max_impact_angle_deg": 1.0})).findings()
-    assert [finding.code for finding in both].count("steep_impact") == 2
+    (once,) = [finding for finding in both if finding.code == "steep_impact"]  # the stream and its edge in one line
+    assert [once.numbers[name][0] for name in ("incidence_deg", "edge_deg")] == [middle, edge]
+    assert f"at {middle:.4g}°, its free surface at {edge:.4g}° (limit 1°" in once.message()
 
 
 def test_an_edge_from_a_belt_that_strikes_more_steeply_than_the_middle_is_named():

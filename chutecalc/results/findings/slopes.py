@@ -12,6 +12,12 @@ from chutecalc.results.finding import Severity
 from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
+BED = (
+    "on a bed of its own material it leaves material until the bed is steep enough: draw the bed as steep as it will"
+    " settle, and see what falls from it"
+)
+"""What happens, and what to do, where the surface is the material itself."""
+
 
 @criterion(
     "decelerating",
@@ -30,7 +36,7 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     """
     if scene.segment.deflects or scene.segment.radius is not None:
         return
-    worst = scene.extreme("velocity_m_s", LEAST)
+    worst, bed = scene.extreme("velocity_m_s", LEAST), scene.segment.own_material
     if scene.segment.end_section is not None:
         shares, least_margin = scene.sampled.shares, ("balance_margin", LEAST)
         margins = scene.part.at(shares, ["balance_margin"])
@@ -42,7 +48,8 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     flat = np.isinf(critical) & np.isfinite(velocity)
     template = (
         "the slope of {slope_deg} is flatter than the equivalent friction angle at any velocity (wall friction"
-        " {friction_deg}), so the stream decelerates; make the slope steeper or reduce the friction"
+        " {friction_deg}), so the stream decelerates; "
+        + (BED if bed else "make the slope steeper or reduce the friction")
     )
     angle = np.degrees(np.arctan(friction))
     yield Case(flat, s, template, {"slope_deg": slope, "friction_deg": angle}, badness=angle - slope)
@@ -50,13 +57,14 @@ def decelerating(scene: Scene) -> Iterator[Case]:
     stalled = (velocity == 0.0) & ~flat
     template = (
         "the stream runs below the critical velocity of {critical_velocity_m_s}, where friction brings it to a stall"
-        " on a slope of {slope_deg}; make the slope steeper or reduce the friction"
+        " on a slope of {slope_deg}; " + (BED if bed else "make the slope steeper or reduce the friction")
     )
     yield Case(stalled, s, template, numbers, badness=critical)
     margin, limit = velocity / critical, scene.limit("min_velocity_margin")
     template = (
         "the stream runs at {velocity_m_s}, {margin} times the critical velocity of {critical_velocity_m_s} below which"
-        " friction brings it to a stall on a slope of {slope_deg} (limit {limit}); make the slope steeper"
+        " friction brings it to a stall on a slope of {slope_deg} (limit {limit}); "
+        + (BED if bed else "make the slope steeper")
     )
     yield Case(
         (margin < limit) & ~flat & ~stalled,
@@ -92,4 +100,4 @@ def below_cut_off(scene: Scene) -> Iterator[Case]:
     )
     mask = (scene.solved.status == Status.OK) & (surface.turn < 0.0) & (slope < needed)
     numbers = {"slope_deg": slope, "needed_deg": needed, "margin_deg": margin}
-    yield Case(mask, scene.solved.exit.distance, template, numbers, badness=needed - slope)
+    yield Case(mask, scene.solved.exit.distance, template, numbers, badness=needed - slope, asks="steeper")

@@ -27,11 +27,14 @@ from chutecalc.spec.limits import LIMITS
 def will_not_clear(scene: Scene) -> Iterator[Case]:
     """Find floors that are flatter than the equivalent friction angle of a bed at rest, and beds held by adhesion.
 
-    At a stop the bed is as deep as the stream was, and presses with its weight alone, n = g cos a.
+    At a stop the bed is as deep as the stream was, and presses with its weight alone, n = g cos a. A bed of its own
+    material, as in a rock box, is meant to stay.
 
     Args:
         scene: the segment with the stream along it.
     """
+    if scene.segment.own_material:
+        return
     runs = (scene.solved.status == Status.OK) & (scene.contact.surface.side == FLOOR)  # a bed falls off a roof
     yield from _too_flat(scene, runs)
     yield from _held(scene, runs)
@@ -60,7 +63,8 @@ def _too_flat(scene: Scene, runs: Mask) -> Iterator[Case]:
     )
     stands, most = runs & (share > 0.0), share > scene.limit("max_standing_share")
     s = scene.distance(first)
-    yield Case(stands & most, s, f"{template}make it steeper or smoother", numbers, Severity.WARNING, badness=share)
+    steeper = f"{template}make it steeper or smoother"
+    yield Case(stands & most, s, steeper, numbers, Severity.WARNING, badness=share, asks="steeper")
     yield Case(stands & ~most, s, f"{template}provide for cleaning it", numbers, badness=share)
 
 

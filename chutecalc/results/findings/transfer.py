@@ -9,6 +9,13 @@ from chutecalc.results.finding import Severity
 from chutecalc.results.scene import Scene
 from chutecalc.spec.limits import LIMITS
 
+PLAN = (
+    "at a plan angle of {plan_angle_deg} only cos ψ = {share} of its horizontal velocity goes along the belt, however"
+    " fast it is; a chute that turns the stream in plan is drawn in the plane of the receiving belt from there on, with"
+    " plan_angle_deg = 0"
+)
+"""What to do where the heading of the stream, and not its velocity, is the reason."""
+
 
 @criterion(
     "not_accelerated",
@@ -68,10 +75,11 @@ def hard_landing(scene: Scene) -> Iterator[Case]:
     source = scene.source("max_velocity_into_m_s")
     template = f"the stream lands with {{velocity_m_s}} into the belt (limit {{limit_m_s}}, {source}): {advice}"
     s, numbers = scene.exit_distance, {"velocity_m_s": into, "limit_m_s": fastest} | slopes
-    yield Case(into > fastest, s, template, numbers, badness=into)
+    asks = "flatter"
+    yield Case(into > fastest, s, template, numbers, badness=into, asks=asks)
     template = f"the stream lands on the belt with {{pressure_kpa}} (limit {{limit_kpa}}): {advice}"
     numbers = {"pressure_kpa": pressure, "limit_kpa": greatest} | slopes
-    yield Case(pressure > greatest, s, template, numbers, badness=pressure)
+    yield Case(pressure > greatest, s, template, numbers, badness=pressure, asks=asks)
 
 
 @criterion(
@@ -93,22 +101,27 @@ def off_speed(scene: Scene) -> Iterator[Case]:
         return
     ratio, low, high = received["velocity_ratio"], scene.limit("min_velocity_ratio"), scene.limit("max_velocity_ratio")
     source = scene.source("min_velocity_ratio", "max_velocity_ratio")
+    share = np.round(np.cos(belt.plan_angle), 12)  # 0 at 90°
+    turned = (ratio < low) & (share < low)  # horizontal at the belt's speed, it would still be too slow along the belt
     numbers = {
         "velocity_m_s": received["velocity_along_m_s"],
         "ratio": ratio,
         "belt_velocity_m_s": belt.velocity,
         "low": low,
         "high": high,
+        "plan_angle_deg": np.degrees(belt.plan_angle),
+        "share": share,
     }
-    for mask, advice in (
-        (ratio < low, "make the stream faster, or end the chute closer to the slope of the belt"),
-        (ratio > high, "make the stream slower, or the belt faster"),
+    for mask, asks, advice in (
+        (turned, "", PLAN),
+        ((ratio < low) & ~turned, "faster", "make the stream faster, or end the chute closer to the slope of the belt"),
+        (ratio > high, "slower", "make the stream slower, or the belt faster"),
     ):
         template = (
             "along the belt the stream has {velocity_m_s}, {ratio} times the {belt_velocity_m_s} of the belt (limits"
             f" {{low}} to {{high}}, {source}), which wears it; {advice}"
         )
-        yield Case(mask, scene.exit_distance, template, numbers, badness=np.abs(ratio - 1.0))
+        yield Case(mask, scene.exit_distance, template, numbers, badness=np.abs(ratio - 1.0), asks=asks)
 
 
 @criterion(

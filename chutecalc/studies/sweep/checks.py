@@ -20,6 +20,8 @@ from chutecalc.studies.sweep.text_parameter import CASE
 
 DEFAULT = ("exit_velocity_m_s", "exit_depth_m", "exit_slope_deg", "max_depth_m", "min_velocity_m_s")
 """Columns of a sweep of designs where none are asked for."""
+CLEARANCE = "receiver_clearance_m"
+"""The column that a belt without a place lacks."""
 DEFAULT_ON_BELT = ("receiver_velocity_ratio", "receiver_velocity_into_m_s")
 """Those beside, where there is a receiving belt."""
 
@@ -53,6 +55,8 @@ def selected_columns(names: Sequence[str], chute: Chute, profiles: bool) -> list
     belt = [name for name in names if name.startswith("receiver_")]
     if belt and chute.spec.receiver is None:
         raise UsageError(f"{belt[0]}: the spec has no [receiver]")
+    if CLEARANCE in belt and chute.spec.receiver is not None and chute.spec.receiver.at_m is None:
+        raise UsageError(f"{CLEARANCE}: give receiver.at_m, a point of the belt's surface")
     return [name for name in dict.fromkeys(names or usual) if name != "status"]
 
 
