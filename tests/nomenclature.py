@@ -25,7 +25,7 @@ from chutecalc.studies.sweep.columns import row_columns
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "nomenclature.md"
 MARK = "<!-- {} from the code: python -m tests.nomenclature -->"
-ROW_PREFIXES = ("exit_", "max_", "min_", "receiver_")
+ROW_PREFIXES = ("exit_", "max_impact_", "max_", "min_", "receiver_")
 """First words of the columns of a sweep that are made from other columns."""
 CATALOGUES: dict[str, Mapping[str, Column]] = {
     "columns along the stream": COLUMNS,

@@ -119,7 +119,8 @@ def _print(
     for number, states in enumerate(cases):
         if number:
             printer.text()
-        print_report(printer, states.main_solution, states.main, columns)
+        band = studies.band_line(number, outputs.units)
+        print_report(printer, states.main_solution, states.main, columns, band)
         if len(states.names) > 1:
             print_cases(printer, states)
         studies.print(printer, number)

@@ -29,20 +29,42 @@ class RunStudies:
             sensitivity: whether to tell how much each number changes the exit velocity.
         """
         pairs = list(zip(chutes, cases, strict=True))
+        self._pairs, self._rtol = pairs, rtol
         self.bands: list[Band] = []
         self.sensitivities: list[Sensitivity | None] = []
         if band:
-            from chutecalc.api.band import solve_band
-            from chutecalc.spec.operating import DESIGN_POINT
-
-            states = (chute if of.main == DESIGN_POINT else chute.cases[of.main] for chute, of in pairs)
-            self.bands = [solve_band(state, rtol) for state in states]
+            self.bands = [self._band(number) for number in range(len(pairs))]
         if sensitivity:
             from chutecalc.studies.sensitivity.study import sensitivity as solve
 
             self.sensitivities = [
                 solve(chute, case=of.main, rtol=rtol) if of.main_solution.ok[0] else None for chute, of in pairs
             ]
+
+    def _band(self, number: int) -> Band:
+        """Return the band of a chute, in the state that is shown in full."""
+        from chutecalc.api.band import solve_band
+        from chutecalc.spec.operating import DESIGN_POINT
+
+        chute, of = self._pairs[number]
+        return solve_band(chute if of.main == DESIGN_POINT else chute.cases[of.main], self._rtol)
+
+    def band_line(self, number: int, units: str) -> str:
+        """Return the band of the stream at the exit, in a line that every report has; empty where none gets there.
+
+        Args:
+            number: of the chute, from 0.
+            units: ``metric`` or ``us``.
+        """
+        from chutecalc.errors import SpecError
+        from chutecalc.output.band import exit_line
+
+        if not self._pairs[number][1].main_solution.ok[0]:
+            return ""
+        try:
+            return exit_line(self.bands[number] if self.bands else self._band(number), units)
+        except SpecError:  # steel that follows the stream cannot be drawn for every variant
+            return ""
 
     def document(self, number: int) -> dict[str, Any]:
         """Return what a chute's document has of them.

@@ -94,12 +94,7 @@ def band_lines(band: Band, units: str) -> Iterator[str]:
         f"over momentum factors α_m {_listed(factors)} and longitudinal pressure ratios K_l {_listed(ratios)}: {NOTE}"
     )
     if band.solution.ok[0]:
-        ends = (
-            f"{CATALOGUE[name].heading} {_from_to(name, ends, units)}"
-            for name, ends in band.exit.items()
-            if ends.least == ends.least
-        )
-        yield f"exit {', '.join(ends)}"
+        yield _exit_text(band, units)
     for stop in band.stops:
         names = "; ".join(str(variant) for variant in stop.variants)
         yield (
@@ -107,6 +102,26 @@ def band_lines(band: Band, units: str) -> Iterator[str]:
             f" {_from_to('s_m', stop.s_m, units)}, and holds without them from there on: {names}"
             + (f"; {MISSED}" if stop.status == "missed" else "")
         )
+
+
+def exit_line(band: Band, units: str) -> str:
+    """Return the band at the exit in a line for a report, of a chute that gets through.
+
+    Args:
+        band: of one chute.
+        units: ``metric`` or ``us``.
+    """
+    ends = sum(len(stop.variants) for stop in band.stops)
+    fails = f"; {ends} of {len(band.variants)} variants do not get through" if ends else ""
+    return f"{_exit_text(band, units)}, by what the model leaves open{fails} (--band)"
+
+
+def _exit_text(band: Band, units: str) -> str:
+    """Return the ranges of velocity and depth at the exit."""
+    known = {name: ends for name, ends in band.exit.items() if ends.least == ends.least}
+    return (
+        f"exit {', '.join(f'{CATALOGUE[name].heading} {_from_to(name, ends, units)}' for name, ends in known.items())}"
+    )
 
 
 def band_document(band: Band) -> dict[str, Any]:

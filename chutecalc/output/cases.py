@@ -40,15 +40,20 @@ def cases_table(cases: Cases, units: str) -> Grid:
 def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str]]:
     """Yield severity, beginning and rest of a line for the failures and warnings that cases have to tell.
 
+    What several segments share is said once.
+
     Args:
         cases: the states of one design.
         units: ``metric`` or ``us``.
     """
     for name in cases.names:
+        lines: dict[tuple[Severity, str, str], list[str]] = {}
         for finding in cases.findings(name):
             if finding.severity in CONCERNED:
-                rest = f"  {name}: {finding.subject}: {finding.message(0, units)}{_elsewhere(cases, name, finding)}"
-                yield finding.severity, f"{finding.severity} {finding.code}", rest
+                text = f"{finding.message(0, units)}{_elsewhere(cases, name, finding)}"
+                lines.setdefault((finding.severity, finding.code, text), []).append(finding.subject)
+        for (severity, code, text), subjects in lines.items():
+            yield severity, f"{severity} {code}", f"  {name}: {', '.join(dict.fromkeys(subjects))}: {text}"
 
 
 def _elsewhere(cases: Cases, name: str, finding: Finding) -> str:

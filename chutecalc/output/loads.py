@@ -22,7 +22,13 @@ def loads_table(results: Iterable[SegmentResult], units: str) -> Grid:
     table = Grid()
     table.column("loads", left=True, label=True)
     for column in (LOAD_COLUMNS[name] for name in names):
-        table.column(f"{column.heading}\n{column.unit_text(units)}")
+        relative = column.name == "relative_wear"
+        table.column(f"wear\n{_unit_of_wear(loaded)}" if relative else f"{column.heading}\n{column.unit_text(units)}")
     for result in loaded if names else ():
         table.row([result.name, *(LOAD_COLUMNS[name].shown(float(result.loads[name][0]), units) for name in names)])
     return table
+
+
+def _unit_of_wear(loaded: Iterable[SegmentResult]) -> str:
+    """Return what wear is relative to: the first segment that is worn."""
+    return next((f"{result.name} = 1" for result in loaded if result.loads["relative_wear"][0] >= 1.0), "relative")

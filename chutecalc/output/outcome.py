@@ -55,8 +55,9 @@ def impact_lines(solution: SolvedChute, units: str) -> Iterator[str]:
     for segment in solution.trajectory.results:
         text = {name: quantity_text(name, float(values[0]), units) for name, values in segment.impact.items()}
         if segment.impact and segment.impact["incidence_deg"][0] == segment.impact["incidence_deg"][0]:
+            roof = ", on its roof" if segment.strikes_roof[0] else ""
             yield (
-                f"impact  {segment.name}: at {text['incidence_deg']}, {text['velocity_before_m_s']} before and"
+                f"impact  {segment.name}{roof}: at {text['incidence_deg']}, {text['velocity_before_m_s']} before and"
                 f" {text['velocity_after_m_s']} after, {text['pressure_kpa']} and {text['wear_w_m2']} over a length"
                 f" of {text['footprint_m']}"
             )

@@ -9,6 +9,7 @@ from chutecalc.output.outcome import flow_line, impact_lines, outcome
 from chutecalc.output.printer import COLOURS, Printer
 from chutecalc.output.receiver import receiver_lines
 from chutecalc.output.table import StreamTables
+from chutecalc.output.told import against_each_other, told
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import IN_TABLES
 from chutecalc.results.finding import Finding, Severity
@@ -17,7 +18,11 @@ from chutecalc.spec.operating import DESIGN_POINT
 
 
 def print_report(
-    printer: Printer, solution: SolvedChute, case: str = DESIGN_POINT, columns: Sequence[str] = IN_TABLES
+    printer: Printer,
+    solution: SolvedChute,
+    case: str = DESIGN_POINT,
+    columns: Sequence[str] = IN_TABLES,
+    band: str = "",
 ) -> None:
     """Print a chute: its title and flow, its segments, its outcome and findings.
 
@@ -26,6 +31,7 @@ def print_report(
         solution: solution of one design.
         case: name of its operating state.
         columns: names of the columns of its segments.
+        band: line on the band of the model at the exit; empty for none.
     """
     units = printer.units
     state = "" if case == DESIGN_POINT else f", case {case}"
@@ -35,6 +41,8 @@ def print_report(
     printer.table(StreamTables(columns, units).segments(solution.trajectory.rows))
     printer.text()
     printer.text(outcome(solution, units), style="" if solution.ok[0] else COLOURS[Severity.FAILURE])
+    if band:
+        printer.text(f"band  {band}")
     for lines in (impact_lines, inlet_lines, receiver_lines):
         for line in lines(solution, units):
             printer.text(line)
@@ -47,18 +55,18 @@ def print_report(
 
 
 def print_findings(printer: Printer, findings: Sequence[Finding]) -> None:
-    """Print findings, a line each.
+    """Print findings, a line each; what several segments share is said once.
+
+    Findings that ask for changes that undo each other are set against each other below.
 
     Args:
         printer: where to print, and in which units.
         findings: findings of one design.
     """
-    for finding in findings:
-        printer.text(
-            f"{finding.severity} {finding.code}",
-            f"  {finding.where(0, printer.units)}: {finding.message(0, printer.units)}",
-            COLOURS[finding.severity],
-        )
+    for each in told(findings, printer.units):
+        printer.text(f"{each.severity} {each.code}", f"  {each.where}: {each.message}", COLOURS[each.severity])
+    for line in against_each_other(findings):
+        printer.text("against each other", f"  {line}")
 
 
 def print_cases(printer: Printer, cases: Cases) -> None:

@@ -96,7 +96,7 @@ def _results(
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
         entry = _segment(segment, stations, columns)
         if segment.impact:
-            entry["impact"] = first(segment.impact)
+            entry["impact"] = first(segment.impact) | {"on_roof": bool(segment.strikes_roof[0])}
         if segment.loads:
             entry["loads"] = first(segment.loads)
         if edges := _edges(solution, segment.name):
@@ -111,6 +111,7 @@ def _results(
         "inlet": first(solution.inlet) | ({"edges": edges} if (edges := _edges(solution, "")) else {}),
         "exit": first(solution.exit),
         "segments": segments,
+        "last_flights": [_segment(flight, stations, columns) for flight in solution.last_flights],
         "receiver": first(solution.receiver) or None,
         "findings": [
             {

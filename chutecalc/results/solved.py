@@ -147,6 +147,11 @@ class SolvedChute:
         """For each segment the flights that lead to it; several where it is left and struck again."""
         return self.trajectory.flights()
 
+    @property
+    def last_flights(self) -> list[SegmentResult]:
+        """The flights behind the last surface: ``exit:flight`` out of a pipe, ``receiver:flight`` onto a belt."""
+        return self.trajectory.last_flights
+
     def findings(self) -> list[Finding]:
         """Return failures, warnings and notes, each with a mask of the designs concerned."""
         found = find_in_spec(Written(self.spec, self.data, self.design, self.count))
@@ -155,7 +160,7 @@ class SolvedChute:
     def stations(
         self, points: int | None = None, spacing: float | None = None, columns: Iterable[str] = ()
     ) -> dict[str, Any]:
-        """Return the stream at stations along the chute.
+        """Return the stream at stations along the chute, and along the flights behind it.
 
         Args:
             points: number of stations on each segment, both ends of the part travelled included; 101 by default.
@@ -176,4 +181,5 @@ class SolvedChute:
         ['fall', 'fall', 'fall', 'spoon', 'spoon', 'spoon']
         """
         names = column_names(columns) or AT_STATION
-        return at_stations(self.trajectory.parts, self.count, points, spacing, names)
+        parts = [*self.trajectory.parts, *self.trajectory.last_parts]
+        return at_stations(parts, self.count, points, spacing, names)

@@ -82,10 +82,19 @@ class Trajectory:
         return [replace(result, loads=own) for result, own in zip(found, loads, strict=True)]
 
     @cached_property
+    def last_parts(self) -> list[Part]:
+        """The flights behind the last surface: out of the mouth of a pipe, and onto the receiving belt."""
+        return list(last_flights(self.design, self.ends, self.parts[-1]))
+
+    @cached_property
+    def last_flights(self) -> list[SegmentResult]:
+        """What came out on the flights behind the last surface."""
+        return [part_result(sample(part, SAMPLED, EXTREMES), self.count) for part in self.last_parts]
+
+    @property
     def rows(self) -> list[SegmentResult]:
         """What came out on each part, and on the flights behind the last surface: the rows of a table."""
-        flights = last_flights(self.design, self.ends, self.parts[-1])
-        return [*self.results, *(part_result(sample(part, SAMPLED, EXTREMES), self.count) for part in flights)]
+        return [*self.results, *self.last_flights]
 
     def segments(self) -> Segments:
         """Return what came out on each segment of the spec, on all visits together."""
@@ -158,6 +167,18 @@ class Trajectory:
             "velocity_m_s": ends.velocity,
         }
         return found | {name: np.where(chosen, known[name], values) for name, values in found.items() if name in known}
+
+    def greatest_impacts(self, names: Iterable[str]) -> Numbers:
+        """Return the largest numbers of all impacts, 0 for designs whose stream strikes nothing.
+
+        Args:
+            names: of numbers of an impact.
+
+        Returns:
+            Arrays of shape (designs,) by name.
+        """
+        impacts = [result.impact for result in self.results if result.impact]
+        return {name: np.fmax.reduce([np.zeros(self.count), *(impact[name] for impact in impacts)]) for name in names}
 
     def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """Return least or largest values of columns on all guiding surfaces together.

@@ -53,7 +53,7 @@ def tables(text: str) -> list[str]:
     return [
         line
         for line in text.splitlines()
-        if not re.match(r"\S+: |status|impact|inlet|belt  |edge  |receiver|failure|warn|note", line)
+        if not re.match(r"\S+: |status|impact|inlet|belt  |band  |against|edge  |receiver|failure|warn|note", line)
     ]
 
 

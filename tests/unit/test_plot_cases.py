@@ -28,7 +28,7 @@ def test_each_case_is_a_line_of_its_own_with_the_numbers_of_its_solution(units):
         lines = by_name(axes[panel], "case")
         for line, solution in zip(lines, states("transfer_90").values(), strict=True):
             stations = solution.stations(points=STATIONS)
-            reached = np.isfinite(stations["s_m"][0])
+            reached = np.isfinite(stations["s_m"][0]) & (stations["segment"][0] != "receiver:flight")
             count = int(reached.sum())  # behind them comes the flight to the belt
             for values, column in ((line.get_xdata(), "s_m"), (line.get_ydata(), panel)):
                 expected = COLUMNS[column].converted(stations[column][0][reached], units)
@@ -142,7 +142,8 @@ def test_one_case_alone_is_drawn_as_the_chute_and_named_in_the_title():
     assert not by_name(axes["side"], "case")
     (line,) = by_name(axes["velocity_m_s"], "velocity_m_s")
     wet = states("transfer_90")["wet"].stations(points=STATIONS)
-    assert np.array_equal(line.get_ydata()[: wet["s_m"].shape[1]], wet["velocity_m_s"][0])
+    own = wet["segment"][0] != "receiver:flight"
+    assert np.array_equal(line.get_ydata()[: np.count_nonzero(own)], wet["velocity_m_s"][0, own])
 
 
 def test_names_that_matplotlib_would_hide_are_in_the_legend():

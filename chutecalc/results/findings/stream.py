@@ -64,7 +64,7 @@ def slow_stream(scene: Scene) -> Iterator[Case]:
     )
     mask = (froude.value < limit) & (scene.design.longitudinal_ratio == 0.0)
     numbers = {"froude": froude.value, "limit": limit}
-    yield Case(mask, scene.distance(froude.share), template, numbers, badness=-froude.value)
+    yield Case(mask, scene.distance(froude.share), template, numbers, badness=-froude.value, asks="faster")
 
 
 @criterion(
@@ -86,9 +86,10 @@ def missing_load(scene: Scene) -> Iterator[Case]:
     missing, limit = scene.extreme("missing_load", LARGEST), scene.limit("max_missing_load")
     friction, even = scene.at(missing.share, "equivalent_friction", "equilibrium_friction")
     template = (
-        "hydrostatic wall pressures do not carry {missing_percent} % of the weight (limit {limit_percent} %): the"
-        " paper's law lays it on the centre section, which gives μ_e = {equivalent_friction}; spread over all walls it"
-        ' would be {equilibrium_friction} (friction_law = "equilibrium")'
+        "the wall pressures of the paper's friction law leave {missing_percent} % of the weight of the stream uncarried"
+        " (limit {limit_percent} %); this missing load is laid on the floor, which gives μ_e = {equivalent_friction};"
+        ' spread over all walls (friction_law = "equilibrium") it would be {equilibrium_friction}: solve with that law'
+        " too, and design for the higher friction"
     )
     runs = scene.part.length() > 0.0  # not where the stream leaves at once
     yield Case(

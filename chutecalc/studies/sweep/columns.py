@@ -11,12 +11,18 @@ from chutecalc.results.column import Column
 from chutecalc.results.column_names import closest
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.finding import Severity
+from chutecalc.results.impacts import IMPACT_COLUMNS
 from chutecalc.results.segment_columns import GROUPS, SegmentColumn, segment_columns
 from chutecalc.results.stream_column import Extremes
 from chutecalc.spec.paths import is_number
 
 PREFIXES = {"exit": "at the end of the chute", "max": "largest on guiding surfaces", "min": "least on guiding surfaces"}
 """Prefixes of the names of station columns in a sweep's rows, each with its meaning."""
+IMPACT = "max_impact"
+"""Prefix of the names of the numbers of an impact, of which the largest counts."""
+GREATEST = {name: IMPACT_COLUMNS[name] for name in ("incidence_deg", "pressure_kpa", "wear_w_m2")}
+"""Numbers of an impact of which that is so."""
+IMPACTS = "largest of all impacts, 0 without one"
 CODES = {"findings": tuple(Severity), "warnings": (Severity.WARNING,)}
 """Columns of the codes of findings, each with the severities of these."""
 
@@ -40,6 +46,9 @@ def row_columns() -> dict[str, Column]:
                 found[f"{prefix}_{name}"] = replace(
                     column, name=f"{prefix}_{name}", heading=f"{prefix} {column.heading}", symbol=symbol, meaning=where
                 )
+    for name, greatest in GREATEST.items():
+        named, words = f"{IMPACT}_{name}", f"max impact {greatest.heading}"
+        found[named] = replace(greatest, name=named, heading=words, symbol="", meaning=IMPACTS)
     return found | {
         f"receiver_{name}": replace(column, name=f"receiver_{name}") for name, column in RECEIVER_COLUMNS.items()
     }
@@ -100,6 +109,7 @@ def column_forms() -> list[tuple[str, str]]:
     own = [(f"segments.SEGMENT.{group.prefix}_NAME", f"{group.meaning}: {_members(group.columns)}") for group in GROUPS]
     return [
         *((f"{prefix}_NAME", where) for prefix, where in PREFIXES.items()),
+        (f"{IMPACT}_NAME", f"{IMPACTS}: {_members(GREATEST.values())}"),
         ("receiver_NAME", f"of the receiving belt: {_members(RECEIVER_COLUMNS.values())}"),
         *((name, row_columns()[name].meaning) for name in ("error_estimate", *CODES)),
         *own,

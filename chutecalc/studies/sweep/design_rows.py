@@ -14,7 +14,7 @@ from chutecalc.results.columns import AT_EXIT
 from chutecalc.results.exits import output_numbers
 from chutecalc.results.extremes import LARGEST, LEAST
 from chutecalc.results.finding import Finding
-from chutecalc.studies.sweep.columns import CODES, OwnColumn
+from chutecalc.studies.sweep.columns import CODES, IMPACT, OwnColumn
 
 EXTREME = {"max": LARGEST, "min": LEAST}
 """Prefixes of columns that are extremes."""
@@ -43,8 +43,10 @@ def design_rows(
     >>> design_rows(chute, 1, ["exit_velocity_m_s"], 1e-10)["exit_velocity_m_s"].round(3).tolist()
     [3.878]
     """
+    impacts = [name for name in columns if name.startswith(f"{IMPACT}_")]
+    along = [name for name in columns if name not in impacts]
     by_prefix = {
-        prefix: [name.removeprefix(f"{prefix}_") for name in columns if name.startswith(f"{prefix}_")]
+        prefix: [name.removeprefix(f"{prefix}_") for name in along if name.startswith(f"{prefix}_")]
         for prefix in ("exit", *EXTREME)
     }
     if _at_ends(columns):
@@ -60,6 +62,8 @@ def design_rows(
         extremes = [(name, EXTREME[prefix]) for prefix in EXTREME for name in by_prefix[prefix]]
         keys = [f"{prefix}_{name}" for prefix in EXTREME for name in by_prefix[prefix]]
         numbers = dict(zip(keys, run.trajectory.extreme_columns(extremes).values(), strict=True))
+        struck = run.trajectory.greatest_impacts([name.removeprefix(f"{IMPACT}_") for name in impacts])
+        numbers |= {f"{IMPACT}_{name}": values for name, values in struck.items()}
     numbers |= output_numbers(exit_, belt, error)
     coded = {name: severities for name, severities in CODES.items() if name in columns}
     findings = run.findings() if coded else []
