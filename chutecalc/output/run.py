@@ -96,7 +96,7 @@ def _results(
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
         entry = _segment(segment, stations, columns)
         if segment.impact:
-            entry["impact"] = first(segment.impact) | {"on_roof": bool(segment.strikes_roof[0])}
+            entry |= {"impact": first(segment.impact), "strikes_roof": bool(segment.strikes_roof[0])}
         if segment.loads:
             entry["loads"] = first(segment.loads)
         if edges := _edges(solution, segment.name):

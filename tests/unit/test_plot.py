@@ -70,11 +70,12 @@ FAILING = {
 def test_panels_show_the_solutions_numbers_in_their_units(name, units):
     _, axes, (solution,) = drawn(load(name), units=units)
     stations = solution.stations(points=STATIONS)
+    own = stations["segment"][0] != "receiver:flight"  # behind them comes the flight to the belt
     for column in PANELS:
         (line,) = by_name(axes[column], column)
-        x, y = (COLUMNS[key].converted(stations[key][0], units) for key in ("s_m", column))
-        assert np.array_equal(line.get_xdata(), x)
-        assert np.array_equal(line.get_ydata(), y, equal_nan=True)
+        x, y = (COLUMNS[key].converted(stations[key][0, own], units) for key in ("s_m", column))
+        assert np.array_equal(line.get_xdata()[: len(x)], x)
+        assert np.array_equal(line.get_ydata()[: len(y)], y, equal_nan=True)
         unit = COLUMNS[column].unit_text(units)
         name = f"{COLUMNS[column].heading} {COLUMNS[column].symbol}".strip()
         assert axes[column].get_ylabel() == f"{name}, {unit}"
