@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from chutecalc.output.printer import Printer
 from chutecalc.output.table import heading
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
+from chutecalc.spec.paths import is_number
 from chutecalc.studies.sweep.block import joined, select_rows
 from chutecalc.studies.sweep.columns import CODES, row_columns
 from chutecalc.studies.sweep.sweep import Sweep
@@ -27,6 +29,8 @@ ANGLES = {
     "internal_friction": ("internal friction", "δ"),
     "friction": ("wall friction", "φ"),
 }
+AXES = {"1": "x", "2": "z"}
+"""Names of the items of a point, the only list of lengths."""
 VARIED = "varied"
 LABELS = ("status", "segment", "s_m")
 """Columns that say what a row is, beside the parameters."""
@@ -38,6 +42,13 @@ def column_of(sweep: Sweep, name: str) -> Column:
     Args:
         sweep: the sweep.
         name: name of the column: of a parameter, or of the catalogue.
+
+    >>> import chutecalc
+    >>> from chutecalc.studies.sweep.parameters import read_parameters
+    >>> chute = chutecalc.parse(chutecalc.STARTER)
+    >>> sweep = Sweep(chute, read_parameters(["radius=1,2"], chute))
+    >>> column_of(sweep, "segments.spoon.start_m.2").label("metric")
+    'spoon start z, m'
     """
     known = COLUMNS if sweep.profiles else row_columns()
     if name == "status":
@@ -46,11 +57,16 @@ def column_of(sweep: Sweep, name: str) -> Column:
         return sweep.own[name].column
     if name in known and name in sweep.columns:
         return known[name]
-    units = sorted((unit for table in UNITS.values() for unit in table if unit and name.endswith(f"_{unit}")), key=len)
+    path = name.split(".")
+    items = [path.pop() for _ in takewhile(is_number, reversed(name.split(".")))][::-1]
+    key = path.pop()
+    units = sorted((unit for table in UNITS.values() for unit in table if unit and key.endswith(f"_{unit}")), key=len)
     unit = units[-1] if units else ""
-    *path, key = name.removesuffix(f"_{unit}").split(".")
-    words, symbol = ANGLES.get(key, (key.replace("_", " "), ""))
-    heading = " ".join([*path[1:], symbol or words])
+    if len(items) == 1 and unit in UNITS["length"]:
+        items = [AXES[items[0]]]
+    stem = key.removesuffix(f"_{unit}")
+    words, symbol = ANGLES.get(stem, (stem.replace("_", " "), ""))
+    heading = " ".join([*path[1:], symbol or words, *items])
     return Column(name, heading, symbol, VARIED, words, unit)
 
 
