@@ -87,7 +87,7 @@ class Chute:
         Args:
             changes: for each spec path a number or a 1-dimensional array of length 1 or n, in the unit of the path. A
                 key in another unit replaces the one given. A path that takes a name, such as that of a liner, takes
-                text, for all designs.
+                text, and one that is true or false takes that, for all designs.
 
         Returns:
             The chute of n designs.
@@ -247,8 +247,8 @@ def _count(data: Any, source: str) -> int:
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:
-    """Return a varied value as a 1-dimensional array of floats; text as it is."""
-    if isinstance(value, str):
+    """Return a varied value as a 1-dimensional array of floats; text, true and false as they are."""
+    if isinstance(value, str | bool):
         return value
     try:
         array = np.asarray(value)

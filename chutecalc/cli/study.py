@@ -102,4 +102,9 @@ def write_solution(found: Found, write: bool, take: int | None, quiet: bool = Fa
     if write and found.count:
         found.write(take=take)
         if not quiet:
-            print(f"wrote {', '.join(f'{path} = {value}' for path, value in found.changes(take).items())}")
+            from tomlkit import item
+
+            from chutecalc.output.printer import Printer
+
+            written = (f"{path} = {item(value).as_string()}" for path, value in found.changes(take).items())
+            Printer().prose(f"wrote {', '.join(written)}")

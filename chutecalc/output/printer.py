@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from functools import cached_property
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.output.grid import Grid
@@ -76,6 +77,17 @@ class Printer:
             self.console.print(line, no_wrap=True, overflow="ignore", crop=False)
         else:
             self.stream.write(f"{text}{plain}\n")
+
+    def prose(self, text: str, style: str = "") -> None:
+        """Print a sentence, wrapped between words wherever it is printed.
+
+        Args:
+            text: the sentence.
+            style: as for :meth:`text`.
+        """
+        lines = wrap(text, self.width, subsequent_indent=HANGING, break_long_words=False, break_on_hyphens=False)
+        for line in lines:
+            self.text(line, style=style)
 
     def table(self, grid: Grid) -> None:
         """Print a table; one that is too wide as several, one below the other. Numbers are never cut or broken.

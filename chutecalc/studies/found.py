@@ -55,7 +55,11 @@ class Found:
         number = 1 if take is None else take
         if not 1 <= number <= self.count:
             raise UsageError(f"there is no solution {number} to take: there are {self.count}")
-        return {path: self.values[key.name][number - 1].item() for key in self.keys for path in key.parameter.paths}
+        return {
+            path: key.written(self.values[key.name][number - 1].item())
+            for key in self.keys
+            for path in key.parameter.paths
+        }
 
     def text(self, take: int | None = None) -> str:
         """Return the spec with the values of one design, its comments kept.
@@ -119,7 +123,9 @@ class Found:
             return values[0] if len(self.states) == 1 else dict(zip(self.states, values, strict=True))
 
         return {
-            "solutions": [{name: own[k].item() for name, own in self.values.items()} for k in range(self.count)],
+            "solutions": [
+                {key.name: key.written(self.values[key.name][k].item()) for key in self.keys} for k in range(self.count)
+            ],
             "outcome": [{name: told(own[:, k]) for name, own in self.outcome.items()} for k in range(self.count)],
         }
 

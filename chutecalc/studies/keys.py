@@ -10,7 +10,7 @@ from chutecalc.api.chute import Chute
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.studies.sweep.parameters import AnyParameter, read_parameters
-from chutecalc.studies.sweep.text_parameter import CASE
+from chutecalc.studies.sweep.text_parameter import CASE, TextParameter
 
 BOUNDS = re.compile(r"([^=]+)=([^:,]+):([^:,#]+)")
 """An argument with bounds alone."""
@@ -47,6 +47,14 @@ class Key(NamedTuple):
         ['ceramic', 'steel']
         """
         return places if self.is_continuous else self.parameter.values[np.rint(places).astype(int)]
+
+    def written(self, value: float | str) -> float | str | bool:
+        """Return a value as a spec holds it.
+
+        Args:
+            value: a number or a name, as :meth:`at` returns it.
+        """
+        return self.parameter.value(str(value)) if isinstance(self.parameter, TextParameter) else value
 
 
 def read_keys(arguments: Sequence[str], chute: Chute) -> list[Key]:
@@ -97,4 +105,9 @@ def key_arguments(keys: Mapping[str, Any]) -> list[str]:
     if wrong:
         raise UsageError(f"{', '.join(wrong)}: give bounds (low, high), (low, high, step), or a list to choose from")
     marks = {name: ":" if isinstance(given, tuple) else "," for name, given in keys.items()}
-    return [f"{name}={marks[name].join(map(str, given))}" for name, given in keys.items()]
+    return [f"{name}={marks[name].join(map(_text, given))}" for name, given in keys.items()]
+
+
+def _text(value: Any) -> str:
+    """Return a value as a spec writes it, without quotes."""
+    return str(value).lower() if isinstance(value, bool | np.bool_) else str(value)

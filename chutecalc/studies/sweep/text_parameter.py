@@ -11,6 +11,8 @@ from chutecalc.fields.units import same_quantity
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.spec.paths import value_at
 
+TRUTH = {"true", "false"}
+"""What a key that is true or false takes, as specs write it."""
 CASE = "case"
 """Name of the parameter that goes through the cases of a spec."""
 
@@ -27,13 +29,21 @@ class TextParameter(NamedTuple):
     paths: tuple[str, ...] = ()
     """Key paths that get the name, if it is the value of keys."""
 
+    def value(self, name: str) -> str | bool:
+        """Return what the keys get: the name, or true or false where the names are these.
+
+        Args:
+            name: one of the names.
+        """
+        return name == "true" if {*self.values.tolist()} <= TRUTH else name
+
 
 def text_parameter(path: str, text: str) -> TextParameter:
     """Return the parameter that puts names at a key path.
 
     Args:
         path: of a key that takes names.
-        text: the names, with commas between.
+        text: the names, with commas between; ``true`` and ``false`` for a key that takes these.
 
     >>> import chutecalc
     >>> law = text_parameter("model.friction_law", "paper,equilibrium")
@@ -41,7 +51,8 @@ def text_parameter(path: str, text: str) -> TextParameter:
     'equilibrium'
     """
     names = np.array([name.strip() for name in text.split(",")])
-    return TextParameter(path, names, lambda chute, name: chute.vary({path: name}), (path,))
+    found = TextParameter(path, names, lambda chute, name: chute.vary({path: found.value(name)}), (path,))
+    return found
 
 
 def case_parameter(text: str, chute: Chute) -> TextParameter:
@@ -74,7 +85,7 @@ def _state(chute: Chute, name: str) -> Chute:
 
 
 def takes_names(path: str, data: dict[str, Any]) -> bool:
-    """Return whether a key may take names: it has no unit, and holds no number.
+    """Return whether a key may take names, or true and false: it has no unit, and holds no number.
 
     Args:
         path: of the key.
@@ -84,4 +95,6 @@ def takes_names(path: str, data: dict[str, Any]) -> bool:
     (True, False)
     """
     held = value_at(data, path)
-    return len(same_quantity(path.rpartition(".")[2])) == 1 and not isinstance(held, int | float)
+    return len(same_quantity(path.rpartition(".")[2])) == 1 and (
+        isinstance(held, bool) or not isinstance(held, int | float)
+    )

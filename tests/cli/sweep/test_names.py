@@ -13,6 +13,7 @@ from chutecalc.studies.sweep.solved_blocks import solve_block
 from chutecalc.studies.sweep.table import column_of
 from chutecalc.studies.sweep.text_parameter import TextParameter
 from tests.cli.sweep.commands import HOOD, LINERS, refused, swept
+from tests.conftest import ROOT
 
 
 def test_a_grid_of_names_and_numbers_is_its_rows_one_by_one(capsys):
@@ -48,6 +49,27 @@ def test_names_of_laws_sections_and_kinds(capsys):
             assert (row[path], float(row["exit_velocity_m_s"])) == (name, alone.exit_velocity[0])
     kinds = swept(capsys, "segments.spoon.kind=curve,hood", HOOD)  # it flattens, which a hood cannot
     assert [row["status"] for row in kinds] == ["ok", "impossible"]
+
+
+def test_true_and_false_are_swept_like_names(capsys):
+    ledge, path = str(ROOT / "specs" / "short_ledge.toml"), "segments.ledge.may_be_passed"
+    rows = swept(capsys, f"{path}=true,false", ledge)
+    assert [(row[path], row["status"]) for row in rows] == [("true", "ok"), ("false", "missed")]
+    assert chutecalc.solve(chutecalc.load(ledge).vary({path: False})).status[0] == "missed"
+    assert "must be true or false" in refused(capsys, f"{path}=yes,no", ledge)
+    assert "is not a number" in refused(capsys, "segments.hood.radius_m=true,false", HOOD)
+
+
+def test_headings_of_points_name_the_axis():
+    chute = chutecalc.load(HOOD)
+    sweep = rows_of.Sweep(chute, read_parameters(["rate=1000,1500"], chute))
+    headings = {
+        "segments.spoon.start_m.2": "spoon start z, m",
+        "receiver.at_mm.1": "at x, mm",
+        "liners.wall.yield_locus_kpa.1.2": "wall yield locus 1 2, kPa",
+        "segments.2.radius_m": "2 radius, m",
+    }
+    assert {name: column_of(sweep, name).label("metric") for name in headings} == headings
 
 
 def test_wrong_names_stop_a_sweep_before_it_starts(capsys, monkeypatch):
