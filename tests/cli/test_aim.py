@@ -8,6 +8,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import main
+from chutecalc.output.printer import PIPE_WIDTH
 from tests.conftest import ROOT
 
 SPOON = ROOT / "specs" / "paper" / "r3_d55_chamfered.toml"
@@ -27,6 +28,36 @@ def test_the_spec_that_it_writes_gives_what_was_asked_and_keeps_its_comments(cap
     changed = [(one, other) for one, other in zip(before.split("\n"), after.split("\n"), strict=True) if one != other]
     assert [other.startswith("radius_m = 2.398") for _, other in changed] == [True]
     assert chutecalc.solve(chutecalc.load(spec)).exit_velocity[0] == pytest.approx(3.7, rel=1e-9)
+
+
+def test_a_written_value_has_the_digits_that_the_target_needs(spec):
+    for keys, targets in (
+        ({"beta": (20, 89)}, {"exit_velocity_m_s": 3.88}),
+        ({RADIUS: (1, 4), "rate": (500, 1500)}, {"exit_velocity_m_s": 3.7, "exit_depth_m": 0.15}),
+        ({RADIUS: (2.5, 4)}, {"exit_x_m": 2.5}),
+    ):
+        found = chutecalc.aim(chutecalc.load(spec), keys, targets)
+        assert found.count
+        for take in range(1, found.count + 1):
+            solution = chutecalc.solve(chutecalc.parse(found.text(take)))
+            for name, wanted in targets.items():
+                error = abs(solution.exit[name.removeprefix("exit_")][0] - wanted)
+                assert error <= 1e-9 * max(1.0, wanted)
+            assert max(len(repr(value)) for value in found.changes(take).values()) <= 13
+    assert found.changes() == {RADIUS: 2.5}
+    nearest = chutecalc.aim(chutecalc.load(spec), {"beta": (20, 89)}, {"exit_velocity_m_s": 3.0}).nearest
+    assert nearest is not None
+    assert len(repr(nearest.changes()["sections.spoon.chamfer_deg"])) <= 9
+
+
+def test_lines_fit_80_columns(capsys, spec):
+    arguments = [f"{RADIUS}=1.123456:4.123456", "sections.spoon.chamfer_deg=20.123456:89.123456"]
+    given = ["--target", "exit_velocity_m_s=3.7", "--target", "exit_depth_m=0.15", "--write"]
+    assert main(["aim", str(spec), *arguments, *given]) == 0
+    out = capsys.readouterr().out
+    path = str(spec)
+    assert all(len(line) <= PIPE_WIDTH for line in out.splitlines() if path not in line)
+    assert f"{RADIUS} 1.12346 to" in " ".join(out.split())
 
 
 def test_a_solution_in_another_unit_replaces_the_key(spec):

@@ -123,8 +123,8 @@ def find_aim(
     nearest = None
     if not len(places) and len(misses.closest):
         refined(misses, misses.closest)  # which takes note of the closest
-        nearest = Found(chute, tuple(keys), states, *solved(outcome, keys, misses.values(misses.closest)))
-    found = solved(outcome, keys, misses.values(places))
+        nearest = Found(chute, tuple(keys), states, *solved(outcome, keys, misses.rounded(misses.closest)))
+    found = solved(outcome, keys, misses.rounded(places))
     return Aim(chute, tuple(keys), states, *found, dict(targets), nearest, outcomes(misses.statuses))
 
 

@@ -4,12 +4,15 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from chutecalc.physics.arrays import Array
+from chutecalc.physics.arrays import Array, Mask
+from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
 from chutecalc.studies.variants import Variants
 
 WITHIN = 1e-9
 """Error of a target that is met, in its unit, or as a share of it where it is above 1."""
+CLOSER = 0.5
+"""Share of that error, and of the distance below, that rounding may take."""
 SAME = 1e-6
 """Distance, as a share of the bounds, within which solutions are one."""
 
@@ -48,13 +51,12 @@ class Misses:
         """
         if not len(places):
             return np.empty((0, len(self.wanted)))
-        block = self.variants(list(self.values(places).T))
-        missed: Array = np.stack([block[name][0] for name in self.names], axis=1) - self.wanted
+        missed, statuses = self._missed(self.values(places))
         if not self.scale.size:
             known = missed[np.isfinite(missed).all(axis=1)]
             spread = np.ptp(known, axis=0) if len(known) else np.zeros(len(self.wanted))
             self.scale = np.where(spread > 0.0, spread, 1.0)
-            self.statuses = block["status"][0].tolist()
+            self.statuses = statuses
         missed = np.where(np.isfinite(missed).all(axis=1, keepdims=True), missed / self.scale, np.nan)
         size = np.linalg.norm(np.where(np.isnan(missed), np.inf, missed), axis=1)
         best = int(size.argmin()) if size.size else 0
@@ -70,6 +72,41 @@ class Misses:
         """
         return np.asarray(self.low + places * (self.high - self.low))
 
+    def rounded(self, places: Array) -> Array:
+        """Return the values of the keys with as few digits as keep what is met, and solutions apart.
+
+        Args:
+            places: as for a call, dimensionless.
+        """
+        values = self.values(places)
+        if not len(places):
+            return values
+        limits = np.maximum(self._off(values), CLOSER * WITHIN) * (1.0 + CLOSER * WITHIN)
+        apart = CLOSER * SAME * (self.high - self.low)
+
+        def one(number: int) -> Array:
+            def is_good(tried: Array) -> Mask:
+                near = (np.abs(tried - values[number]) <= apart) & (self.low <= tried) & (tried <= self.high)
+                good: Mask = near.all(axis=1)
+                good[good] = self._off(tried[good]) <= limits[number]
+                return good
+
+            return rounded(values[number], np.maximum(np.abs(self.low), np.abs(self.high)), is_good)
+
+        return np.array([one(number) for number in range(len(values))])
+
+    def _off(self, values: Array) -> Array:
+        """Return the largest error of the targets, as :data:`WITHIN` counts it, of values; infinite for failures."""
+        if not len(values):
+            return np.empty(0)
+        off = np.abs(self._missed(values)[0]) / np.maximum(np.abs(self.wanted), 1.0)
+        return np.asarray(np.where(np.isnan(off), np.inf, off).max(axis=1))
+
+    def _missed(self, values: Array) -> tuple[Array, list[str]]:
+        """Return by how much columns miss targets, shape (designs, targets), NaN for failures, and how designs end."""
+        block = self.variants(list(values.T))
+        return np.stack([block[name][0] for name in self.names], axis=1) - self.wanted, block["status"][0].tolist()
+
     def met(self, places: Array) -> Array:
         """Return those places at which all targets are met, each once, in the order of the first key.
 
@@ -78,8 +115,7 @@ class Misses:
         """
         if not len(places):
             return places
-        off = np.abs(self(places) * self.scale) / np.maximum(np.abs(self.wanted), 1.0)
-        worst = np.where(np.isnan(off), np.inf, off).max(axis=1)
+        worst = self._off(self.values(places))
         kept: list[Array] = []
         for place in places[np.argsort(worst, kind="stable")[: int((worst <= WITHIN).sum())]]:
             if all(np.abs(place - other).max() > SAME for other in kept):

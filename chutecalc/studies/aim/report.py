@@ -19,7 +19,7 @@ def print_aim(printer: Printer, found: Aim) -> None:
     wanted = ", ".join(f"{name} = {value:.12g}" for name, value in found.targets.items())
     case = "" if state == DESIGN_POINT else f", case {state}"
     bounds = ", ".join("{} {:.6g} to {:.6g}".format(key.name, *key.bounds) for key in found.keys)
-    printer.text(f"{chute.source}{case}: {wanted} by {bounds}")
+    printer.prose(f"{chute.source}{case}: {wanted} by {bounds}")
     printer.text()
     if found.count:
         printer.table(found_table(found, printer.units))
@@ -27,7 +27,7 @@ def print_aim(printer: Printer, found: Aim) -> None:
         printer.text(f"{found.count} solution{'s' if found.count > 1 else ''} within the bounds")
         return
     printer.text("no solution within the bounds", style=COLOURS[Severity.FAILURE])
-    printer.text(f"designs tried: {found.tried}")
+    printer.prose(f"designs tried: {found.tried}")
     if found.nearest is not None:
         printer.text("the nearest that can be had:")
         printer.text()
