@@ -25,7 +25,7 @@ def rounded(values: Array, scales: Array, is_good: Callable[[Array], Mask]) -> A
     [0.5]
     >>> close = lambda tried: np.abs(tried[:, 0] - 2.67907602) < 1e-3
     >>> rounded(np.array([2.6790760197265713]), np.array([6.0]), close).tolist()
-    [2.679]
+    [2.68]
     """
     up = np.random.default_rng(0).integers(0, 2, (TRIED, len(values))) > 0
     tried = []
