@@ -37,7 +37,8 @@ if TYPE_CHECKING:
     from chutecalc.results.segments import SegmentResult
     from chutecalc.spec.starter import STARTER
     from chutecalc.studies.aim.aim import Aim, aim
-    from chutecalc.studies.optimise.optimise import Optimum, optimise
+    from chutecalc.studies.optimise.optimise import optimise
+    from chutecalc.studies.optimise.optimum import Optimum
     from chutecalc.studies.place.placement import Placement, place
     from chutecalc.studies.sensitivity.study import sensitivity
     from chutecalc.studies.uncertain.study import uncertain
@@ -90,7 +91,7 @@ _MODULES = {
     "Fault": "chutecalc.errors",
     "Finding": "chutecalc.results.finding",
     "Function": "chutecalc.api.function",
-    "Optimum": "chutecalc.studies.optimise.optimise",
+    "Optimum": "chutecalc.studies.optimise.optimum",
     "Placement": "chutecalc.studies.place.placement",
     "SegmentResult": "chutecalc.results.segments",
     "Solution": "chutecalc.api.solution",

@@ -55,13 +55,13 @@ def optimise(
     """Find the best values of keys, in the worst of all cases.
 
     What counts is the worst of the design point and of the spec's cases. A key is KEY=LOW:HIGH, or one of several
-    values: KEY=LOW:HIGH:STEP, a list of numbers or of names. No state may fail. Where no design within the bounds is
-    feasible, the one that lacks least is shown, and the exit status is 1.
+    values: KEY=LOW:HIGH:STEP, a list of numbers, of names, or true,false. No state may fail. Where no design within
+    the bounds keeps all limits, the one that comes closest is shown with what it violates, and the exit status is 1.
     """
     from chutecalc.studies.found_report import found_dataset
     from chutecalc.studies.keys import read_keys
+    from chutecalc.studies.optimise.limit import read_limit
     from chutecalc.studies.optimise.optimise import find_optimum, objectives_of
-    from chutecalc.studies.optimise.problem import read_limit
     from chutecalc.studies.optimise.report import print_optimum
 
     spec, given = spec_and_keys(arguments)

@@ -44,8 +44,17 @@ def cell_text(column: Column | None, value: Any, units: str) -> str:
         units: ``metric`` or ``us``.
     """
     if isinstance(value, str):
-        return value.replace("_", " ") if value in (*Status.LABELS, Status.IMPOSSIBLE_LABEL) else value
+        return outcome_text(value)
     return f"{value:z.6g}" if column is None or column.meaning == VARIED else column.shown(value, units)
+
+
+def outcome_text(text: str) -> str:
+    """Return a text of an outcome as people read it: statuses without underscores.
+
+    Args:
+        text: a status, or any other text.
+    """
+    return text.replace("_", " ") if text in (*Status.LABELS, Status.IMPOSSIBLE_LABEL) else text
 
 
 def found_dataset(found: Found, asked: Mapping[str, Any]) -> Dataset:

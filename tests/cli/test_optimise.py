@@ -1,13 +1,16 @@
 """``chutecalc optimise``: what it prints, writes, draws and refuses."""
 
 import json
+import re
 import shutil
+from pathlib import Path
 
 import pytest
 from matplotlib.figure import Figure
 
 import chutecalc
 from chutecalc.cli import main
+from chutecalc.output.printer import PIPE_WIDTH
 from chutecalc.studies.optimise.plot import draw_optimum, neighbourhood
 from chutecalc.studies.sweep.solved_blocks import solve_block
 from tests.conftest import ROOT
@@ -22,13 +25,19 @@ def spec(tmp_path):
     return shutil.copy(SPOON, tmp_path / "chute.toml")
 
 
-def test_the_best_is_printed_with_what_binds_and_written(capsys, spec):
+def test_the_best_is_printed_with_what_decides_and_written(capsys, spec):
     given = ["optimise", str(spec), "beta=20:89", "radius=1:4", *SLOWEST, "--subject", "max_depth_m<=0.15"]
     assert main([*given, "--write"]) == 0
     out = capsys.readouterr().out
-    assert "least exit_velocity_m_s, subject to max_depth_m<=0.15\n" in out
+    assert "least exit_velocity_m_s, subject to max_depth_m<=0.15, no failure" in " ".join(out.split())
     assert "keys at the optimum" in out
-    assert "max_depth_m<=0.15 binds: exit_velocity_m_s changes by -" in out
+    table = out.partition("limits that decide\n")[2].splitlines()
+    assert [line.split() for line in table[:2]] == [
+        ["1", "more", "changes"],
+        ["limit", "state", "value", "exit_velocity_m_s", "by"],
+    ]
+    assert table[2].split()[:3] == ["max_depth_m<=0.15", "design", "0.15"]
+    assert float(table[2].split()[3]) < 0.0
     solution = chutecalc.solve(chutecalc.load(spec))
     best = chutecalc.optimise(
         chutecalc.load(SPOON), {"beta": (20, 89), "radius": (1, 4)}, "exit_velocity_m_s", subject=["max_depth_m<=0.15"]
@@ -44,6 +53,8 @@ def test_the_document_says_all_of_it(capsys, spec):
     assert document["outcome"][0]["exit_velocity_m_s"] == pytest.approx(document["worst"]["exit_velocity_m_s"][0])
     assert document["feasible"] is True
     assert document["binding"] == [[]]
+    assert document["violations"] == []
+    assert document["subject"] == ["no failure"]
     low, high = document["keys_at_optimum"]["chamfer_deg"]["within_1_per_cent"]
     assert low < 49.0 < 50.0 < high
     assert document["keys_at_optimum"]["chamfer_deg"]["on_bound"] is None
@@ -53,15 +64,118 @@ def test_a_key_on_its_bound_is_told(capsys, spec):
     assert main(["optimise", str(spec), f"{RADIUS}=1:4", "--maximise", "exit_velocity_m_s"]) == 0
     out = capsys.readouterr().out
     assert "spoon radius m     4  upper" in out
-    assert "no limit binds" in out
+    assert "no limit decides" in out
 
 
-def test_nothing_feasible_is_said_and_not_written(capsys, spec):
+def table_below(out, title):
+    """Return the cells of the rows of a table, those of words in one."""
+    lines = out.partition(f"{title}\n")[2].split("\n\n")[0].splitlines()
+    return [re.split(r"  +", line.strip()) for line in lines]
+
+
+def test_nothing_feasible_is_said_with_all_that_is_violated_and_not_written(capsys, spec):
+    with spec.open("a", encoding="utf-8") as stream:
+        stream.write('\n[cases.rough]\n"liners.wall.friction_deg" = 27\n')
     before = spec.read_bytes()
-    given = ["optimise", str(spec), "radius=1:4", *SLOWEST, "--subject", "max_depth_m<=0.01", "--write"]
-    assert main(given) == 1
-    assert "no feasible design within the bounds; this one lacks least:" in capsys.readouterr().out
+    limits = ["--subject", "max_depth_m<=0.01", "--subject", "exit_velocity_m_s>=4.1", "--no-warnings", "--write"]
+    file = spec.with_name("found.json")
+    assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, *limits, "--json", str(file)]) == 1
+    out = capsys.readouterr().out
     assert spec.read_bytes() == before
+    header = "subject to max_depth_m<=0.01, exit_velocity_m_s>=4.1, no failure, no warnings, worst of design, rough"
+    assert header in " ".join(out.split())
+    assert "no design within the bounds keeps all limits; this one comes closest:" in out
+    document = json.loads(file.read_text(encoding="utf-8"))
+    (radius,) = document["solutions"][0].values()
+    solutions = chutecalc.solve_cases(chutecalc.load(spec).put({RADIUS: radius})).solutions
+    depths = {state: own.segments["spoon"].maximum["depth_m"][0] for state, own in solutions.items()}
+    told = {(each["limit"], each["state"]): (each["value"], each["by"]) for each in document["violations"]}
+    for state, depth in depths.items():
+        assert told["max_depth_m<=0.01", state] == (pytest.approx(depth), pytest.approx(depth - 0.01))
+        velocity = solutions[state].exit_velocity[0]
+        if velocity < 4.1:
+            assert told["exit_velocity_m_s>=4.1", state] == (pytest.approx(velocity), pytest.approx(4.1 - velocity))
+        else:
+            assert ("exit_velocity_m_s>=4.1", state) not in told
+        assert "below_cut_off" in told["no warnings", state][0]
+    first, second = document["violations"][:2]
+    assert first["limit"] == second["limit"] == "max_depth_m<=0.01"  # 13 times too deep comes first
+    assert first["by"] > second["by"]
+    rows = table_below(out, "limits violated, the worst first")[2:]
+    assert [row[:2] for row in rows if len(row) > 1] == [list(each) for each in told]
+
+
+def test_a_state_that_fails_is_among_what_is_violated(capsys, spec):
+    with spec.open("a", encoding="utf-8") as stream:
+        stream.write('\n[cases.sticky]\n"liners.wall.friction_deg" = 60\n')
+    assert main(["optimise", str(spec), "radius=1:4", *SLOWEST]) == 1
+    out = capsys.readouterr().out
+    assert table_below(out, "limits violated, the worst first")[-1] == ["no failure", "sticky", "stall"]
+    assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, "--case", "design"]) == 0
+    assert "no failure, design point alone" in " ".join(capsys.readouterr().out.split())
+    given = ["--subject", "segments.spoon.impact_incidence_deg<=5", "--case", "design"]
+    assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, *given]) == 1  # the spoon is met without an impact
+    rows = table_below(capsys.readouterr().out, "limits violated, the worst first")
+    assert rows[-1] == ["a value of segments.spoon.impact_incidence_deg", "design", "none"]
+
+
+def test_the_edge_of_a_failure_is_told_with_how_near_it_is(capsys, spec):
+    """The rougher the wall the slower the exit, until the stream stalls."""
+    found = chutecalc.optimise(chutecalc.load(spec), {"phi": (20, 60)}, "exit_velocity_m_s")
+    ((bound,),) = found.binding
+    assert bound.limit == "no failure"
+    assert bound.values == {"design": "stall"}
+    (edge,) = found.answers["friction_deg"].fails
+    assert bound.edge == edge
+    best = found.values["friction_deg"][0]
+    assert edge.distance == pytest.approx((edge.value - best) / 40.0)
+    assert 0.0 < edge.distance < 1e-4
+    chute = chutecalc.load(spec)
+    (path,) = found.keys[0].parameter.paths
+    assert chutecalc.solve(chute.put({path: edge.value})).status[0] == "stall"
+    assert chutecalc.solve(chute.put({path: best})).status[0] == "ok"
+    assert main(["optimise", str(spec), "phi=20:60", *SLOWEST]) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert re.search(r"this design is at the edge of a failure: φ \+\S+ ° \(\+\S+ %\) gives stall in design", out)
+    assert "keep a margin: limit what leads to it, such as --subject 'min_velocity_m_s>=1'" in out
+    margin = chutecalc.optimise(chute, {"phi": (20, 60)}, "exit_velocity_m_s", subject=["min_velocity_m_s>=1"])
+    assert [each.limit for each in margin.binding[0]] == ["min_velocity_m_s>=1"]
+    (edge,) = margin.answers["friction_deg"].fails
+    assert edge.distance > 1e-3
+
+
+def test_true_and_false_may_be_chosen(tmp_path):
+    spec = shutil.copy(ROOT / "specs" / "short_ledge.toml", tmp_path / "ledge.toml")
+    path = "segments.ledge.may_be_passed"
+    found = chutecalc.optimise(chutecalc.load(spec), {path: [False, True]}, maximise="exit_velocity_m_s")
+    assert found.changes() == {path: True}
+    assert found.document()["solutions"] == [{path: True}]
+    given = ["optimise", str(spec), f"{path}=false,true", "segments.head.length_m=0.7:0.9", "--write"]
+    assert main([*given, "--maximise", "exit_velocity_m_s"]) == 0
+    assert "may_be_passed = true\n" in Path(spec).read_text(encoding="utf-8")
+
+
+def test_written_values_have_the_digits_that_matter_and_keep_all_limits(spec):
+    subject = ["max_depth_m<=0.15", "exit_velocity_m_s<=3.6"]
+    found = chutecalc.optimise(
+        chutecalc.load(spec), {"beta": (20, 89), "radius": (0.5, 4)}, "exit_velocity_m_s", subject=subject
+    )
+    assert found.values["radius_m"][0] == 0.5
+    assert len(repr(found.values["chamfer_deg"][0].item())) <= 12
+    solution = chutecalc.solve(chutecalc.parse(found.text()))
+    assert solution.exit_velocity[0] == found.worst["exit_velocity_m_s"][0] <= 3.6
+    assert solution.segments["spoon"].maximum["depth_m"][0] <= 0.15
+    flat = chutecalc.optimise(chutecalc.load(spec), {"beta": (20, 89)}, "exit_velocity_m_s")
+    assert len(repr(flat.values["chamfer_deg"][0].item())) <= 7
+
+
+def test_lines_fit_80_columns(capsys, spec):
+    keys = [f"{RADIUS}=1.123456:4.123456:#3", f"{BETA}=20.123456:89.123456:#4", "flow.rate_t_h=900:1000"]
+    limits = ["--subject", "exit_slope_deg<=0.15", "--subject", "exit_x_m<=9.15"]
+    for more in ([], ["--subject", "exit_velocity_m_s<=1"], ["--maximise", "exit_x_m", "--points", "2"]):
+        main(["optimise", str(spec), *keys, *SLOWEST, *limits, *more])
+        lines = capsys.readouterr().out.splitlines()
+        assert max(len(line) for line in lines if str(spec) not in line) <= PIPE_WIDTH
 
 
 def test_pictures(tmp_path, spec):

@@ -124,6 +124,7 @@ def main(judged: Any, what: str, arguments: list[str] | None = None) -> int:
     """
     import argparse
     from collections import Counter
+    from functools import partial
     from multiprocessing import Pool
 
     parser = argparse.ArgumentParser(description=what)
@@ -134,14 +135,22 @@ def main(judged: Any, what: str, arguments: list[str] | None = None) -> int:
     of = range(options.first, options.first + options.cases)
     counts: Counter[str] = Counter()
     with Pool(options.jobs) as pool:
-        for seed, (verdict, wrong) in zip(of, pool.imap(judged, of, chunksize=5), strict=True):
+        for seed, (verdict, wrong) in zip(of, pool.imap(partial(_judged, judged), of, chunksize=5), strict=True):
             counts[verdict] += 1
-            if verdict == "wrong":
-                print(f"seed {seed}:", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
-            if seed % 500 == 499:
+            if wrong:
+                print(f"seed {seed}: {verdict}", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
+            if seed % 100 == 99:
                 print(seed + 1, dict(counts), flush=True)  # noqa: T201
     print(dict(counts))  # noqa: T201
     return int(counts["wrong"] > 0)
+
+
+def _judged(judged: Any, seed: int) -> tuple[str, list[str]]:
+    """Judge a case; one that the solver gives up is told apart."""
+    try:
+        return judged(seed)
+    except RuntimeError as error:
+        return "not solved", [str(error)]
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Aims against brute grids: every solution that a fine grid brackets is found, and what is found is what was asked."""
 
-from itertools import islice
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,75 +9,27 @@ from chutecalc.studies.keys import key_arguments, read_keys
 from chutecalc.studies.variants import Variants
 from tests import seeds
 from tests.conftest import ROOT
-from tests.robustness.chutes import draws
+from tests.verification.aim_cases import case, judge
 
-TARGETS = ("exit_velocity_m_s", "exit_x_m", "max_depth_m", "exit_time_s")
-FINE = 1001
 SPOON = "segments.spoon.radius_m"
 
 
-def numbers(table, path=""):
-    for key, value in table.items() if isinstance(table, dict) else enumerate(table, 1):
-        here = f"{path}.{key}".lstrip(".")
-        if isinstance(value, dict | list):
-            yield from numbers(value, here)
-        elif isinstance(value, float) and value > 0:
-            yield here, value
-
-
-def random_aims(count):
-    """Yield random chutes that get through, each with a key, its bounds, a column and a value of it that there is."""
-    random = seeds.generator(17, 1)
-    usable = (drawn for drawn in draws(17, 2) if drawn.solution is not None and drawn.solution.ok[0])
-    for drawn in islice(usable, count):
-        chute = chutecalc.parse(drawn.data)
-        known = list(numbers(drawn.data))
-        path, value = known[random.integers(len(known))]
-        low, high = 0.6 * value, 1.5 * value
-        try:
-            (key,) = read_keys([f"{path}={low}:{high}"], chute)
-            variants = Variants(chute, [key.parameter], list(TARGETS))
-        except chutecalc.SpecError:
-            continue  # a bound that the key does not take
-        column = TARGETS[random.integers(len(TARGETS))]
-        x = np.linspace(low, high, FINE)
-        values = variants([x])[column][0]
-        there = np.flatnonzero(np.isfinite(values))
-        if not there.size or np.ptp(values[there]) < 1e-6 * np.abs(values[there]).max():
-            continue
-        first, second = values[random.choice(there, 2)]
-        yield chute, path, (low, high), column, 0.5 * float(first + second), variants, x, values
-
-
-def crossing(variants, column, target, low, high):
-    """Return where a column crosses its target between two designs on either side; None where it jumps over it."""
-
-    def off(x):
-        return variants([np.array([x])])[column][0, 0] - target
-
-    below = off(low) < 0.0
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        here = off(middle)
-        if not np.isfinite(here):
-            return None
-        low, high = (middle, high) if (here < 0.0) == below else (low, middle)
-    return middle if abs(here) < 1e-8 * max(1.0, abs(target)) else None
-
-
 def test_every_solution_that_a_fine_grid_brackets_is_found():
-    found = 0
-    for chute, path, bounds, column, target, variants, x, values in random_aims(seeds.times(20)):
-        aim = chutecalc.aim(chute, {path: bounds}, {column: target})
-        assert np.abs(aim.outcome[column] - target).max(initial=0.0) <= 1e-9 * max(1.0, abs(target))
-        off = values - target
-        for k in np.flatnonzero(off[:-1] * off[1:] < 0.0):
-            place = crossing(variants, column, target, x[k], x[k + 1])
-            if place is not None:
-                width = bounds[1] - bounds[0]
-                assert np.abs(aim.values[path] - place).min(initial=np.inf) < 2e-6 * width, (chute.data, path, column)
-                found += 1
-    assert found >= 8
+    verdicts = [judge(seed) for seed in range(seeds.times(10))]
+    assert [wrong for _, wrong in verdicts if wrong] == []
+    assert [verdict for verdict, _ in verdicts].count("found") >= len(verdicts) // 2
+
+
+def test_a_grid_shows_what_is_not_found(monkeypatch):
+    """The judge of the test above sees a solution that is lost, and one that is off."""
+    of = case(0)
+    found = chutecalc.aim(of.chute, {of.path: of.bounds}, {of.column: of.target})
+    assert found.count
+    monkeypatch.setattr("tests.verification.aim_cases.case", lambda seed: of)
+    for values in (found.values[of.path][:0], found.values[of.path] * (1.0 + 1e-5)):
+        wrong = replace(found, values={of.path: values})
+        monkeypatch.setattr(chutecalc, "aim", lambda *_, wrong=wrong, **__: wrong)
+        assert judge(0)[0] == "wrong"
 
 
 def test_all_solutions_of_two_targets_are_found():

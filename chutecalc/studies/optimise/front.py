@@ -3,8 +3,9 @@
 import numpy as np
 
 from chutecalc.physics.arrays import Array
-from chutecalc.studies.optimise.answer import Binding, binding
-from chutecalc.studies.optimise.problem import Limit, Objective, Problem
+from chutecalc.studies.optimise.binding import Binding, binding
+from chutecalc.studies.optimise.limit import Limit, Objective
+from chutecalc.studies.optimise.problem import Problem
 from chutecalc.studies.optimise.search import best_place
 
 ROUNDING = 1e-9
@@ -13,11 +14,9 @@ ROUNDING = 1e-9
 GENERATIONS = 30
 """Most generations of the evolution between the ends, where the points beside are known."""
 
-Binds = tuple[list[Binding], dict[str, float]]
 
-
-def front_places(problem: Problem, second: Objective, points: int, seed: int) -> tuple[Array, list[Binds]]:
-    """Return the designs of a front, in the order of the first objective, and what binds at each.
+def front_places(problem: Problem, second: Objective, points: int, seed: int) -> tuple[Array, list[list[Binding]]]:
+    """Return the designs of a front, in the order of the first objective, and the limits that decide at each.
 
     Args:
         problem: of the first objective.
@@ -26,8 +25,8 @@ def front_places(problem: Problem, second: Objective, points: int, seed: int) ->
         seed: of what is random in the search.
 
     Returns:
-        Places in the units of the keys, shape (designs, keys), and for each what binds. Where no design is feasible,
-        the one that lacks least.
+        Places in the units of the keys, shape (designs, keys), and for each the limits that decide. Where no design
+        is feasible, the one that violates least.
     """
 
     def under(first: Objective, limits: tuple[Limit, ...]) -> Problem:
@@ -39,23 +38,23 @@ def front_places(problem: Problem, second: Objective, points: int, seed: int) ->
 
     first_best = best_place(problem, seed)
     if problem.rows(first_best[None]).violation[0] > 0.0:
-        return first_best[None], [([], {})]
+        return first_best[None], [[]]
     other = under(second, problem.limits)
     second_best = best_place(other, seed)
     ends = worst(second, first_best), worst(second, second_best)
-    found: list[tuple[Array, Binds]] = []
+    found: list[tuple[Array, list[Binding]]] = []
     known = np.stack([first_best, second_best])
     for level in np.linspace(*ends, max(points, 2)):
         slack = ROUNDING * (abs(level) or 1.0)
         value = float(level) + slack if level in ends else float(f"{level:.6g}")  # as it is told
         limit = Limit(second.column, second.sign, second.sign * value)
         limited = under(problem.objective, (*problem.limits, limit))
-        place = best_place(limited, seed, known, GENERATIONS)
+        place = limited.rounded(best_place(limited, seed, known, GENERATIONS))
         if limited.rows(place[None]).violation[0] == 0.0:
-            bound, slopes = binding(limited, place)
-            if level in ends:  # no limit of the user, and of no price: beyond it there is no front
+            bound = binding(limited, place).binding
+            if level in ends:  # no limit of the user: beyond it there is no front
                 bound = [each for each in bound if each.limit != limit.text]
-            found.append((place, (bound, slopes)))
+            found.append((place, bound))
             known = np.concatenate([known, place[None]])
     both = np.array([[worst(problem.objective, place), worst(second, place)] for place, _ in found])
     kept = [k for k in range(len(found)) if not _is_worse(both, k)]

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from chutecalc.errors import UsageError
 from chutecalc.output.plots.style import INK, mathematical, styled
 from chutecalc.spec.operating import DESIGN_POINT
-from chutecalc.studies.optimise.optimise import Optimum
+from chutecalc.studies.optimise.optimum import Optimum
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.plot import draw_sweep
 from chutecalc.studies.sweep.solved_blocks import solve_block

@@ -1,6 +1,7 @@
 """Polishes a design: sequential quadratic programming on the epigraph of the worst state."""
 
-from functools import lru_cache
+from contextlib import suppress
+from functools import cache
 
 import numpy as np
 from scipy.optimize import minimize
@@ -12,6 +13,8 @@ STEP = 1e-6
 """Half of the distance over which differences are taken, as a share of the bounds."""
 TIGHT = 1e-9
 """Share of each limit that is kept free, so that rounding violates none."""
+MOST = 80
+"""Most designs that a polish looks at: where slopes break off, its steps come to no end."""
 FAR = 1e3
 """What a design that fails counts as, far from any other."""
 
@@ -64,8 +67,12 @@ def polished(problem: Problem, place: Array) -> Array:
         changed[keys] = problem.low[keys] + np.clip(shares, 0.0, 1.0) * width
         return changed
 
-    @lru_cache(maxsize=4)
+    iterates = [np.append((place[keys] - problem.low[keys]) / width, 0.0)]
+
+    @cache
     def slopes(shares: tuple[float, ...]) -> Slopes:
+        if slopes.cache_info().currsize >= MOST:
+            raise _EnoughError
         return Slopes(problem, at(np.array(shares)))
 
     def here(point: Array) -> Slopes:
@@ -79,17 +86,23 @@ def polished(problem: Problem, place: Array) -> Array:
         free = np.concatenate([np.ones(len(here(point).values)), np.zeros(len(here(point).margins))])
         return np.column_stack([slope, free])
 
-    begin = (place[keys] - problem.low[keys]) / width
+    begin = iterates[0][:-1]
     first = slopes(tuple(begin.tolist()))
     if first.fails:
         return place
-    result = minimize(
-        lambda point: float(point[-1]),
-        np.append(begin, first.values.max()),
-        jac=lambda point: np.append(np.zeros(len(begin)), 1.0),
-        bounds=[*[(0.0, 1.0)] * len(begin), (None, None)],
-        constraints={"type": "ineq", "fun": room, "jac": of_room},
-        method="SLSQP",
-        options={"maxiter": 60, "ftol": 1e-13},
-    )
-    return at(result.x[:-1]) if np.isfinite(result.x).all() else place
+    with suppress(_EnoughError):
+        minimize(
+            lambda point: float(point[-1]),
+            np.append(begin, first.values.max()),
+            jac=lambda point: np.append(np.zeros(len(begin)), 1.0),
+            bounds=[*[(0.0, 1.0)] * len(begin), (None, None)],
+            constraints={"type": "ineq", "fun": room, "jac": of_room},
+            method="SLSQP",
+            callback=lambda point: iterates.append(point.copy()),
+            options={"maxiter": MOST, "ftol": 1e-13},
+        )
+    return at(iterates[-1][:-1]) if np.isfinite(iterates[-1]).all() else place
+
+
+class _EnoughError(Exception):
+    """A polish has looked at its most designs."""

@@ -1,6 +1,5 @@
 """What is to be best, within which limits, in which states."""
 
-import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -9,65 +8,19 @@ import numpy as np
 from chutecalc.api.chute import Chute
 from chutecalc.design import Status
 from chutecalc.errors import UsageError
-from chutecalc.physics.arrays import Array, Index
+from chutecalc.output.dataset import Block
+from chutecalc.physics.arrays import Array, Index, Mask
+from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
+from chutecalc.studies.optimise.limit import Limit, Objective
 from chutecalc.studies.variants import Variants
 from chutecalc.workers import Threads
 
-DIGITS = 12
-"""Significant digits of found values: the objective does not feel more."""
-SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
+OK = Status.OK_LABEL
 FAILURE, WARNING, MOST = 1000.0, 1.0, 100.0
 """What counts as violation: a state that fails, a warning, and a limit at most, as shares of it."""
-
-
-class Objective(NamedTuple):
-    """A column that is to be small or large."""
-
-    column: str
-    sign: float
-    """1 where it is minimised, -1 where it is maximised."""
-
-
-class Limit(NamedTuple):
-    """A limit of a column."""
-
-    column: str
-    sign: float
-    """1 for an upper limit, -1 for a lower one."""
-    value: float
-
-    @property
-    def text(self) -> str:
-        """The limit as it is written."""
-        return f"{self.column}{'<=' if self.sign > 0 else '>='}{self.value:.12g}"
-
-    @property
-    def scale(self) -> float:
-        """What violations are a share of."""
-        return abs(self.value) or 1.0
-
-
-def read_limit(text: str) -> Limit:
-    """Return the limit that a text states.
-
-    Args:
-        text: ``COLUMN<=VALUE`` or ``COLUMN>=VALUE``, in the unit of the column.
-
-    Raises:
-        UsageError: it is written otherwise.
-
-    >>> read_limit("max_depth_m <= 0.3")
-    Limit(column='max_depth_m', sign=1.0, value=0.3)
-    """
-    found = SUBJECT.fullmatch(text)
-    try:
-        value = float(found[3]) if found else np.nan
-    except ValueError:
-        value = np.nan
-    if found is None or not np.isfinite(value):
-        raise UsageError(f"a limit is COLUMN<=VALUE or COLUMN>=VALUE, such as 'max_depth_m<=0.3', not {text!r}")
-    return Limit(found[1], 1.0 if found[2] == "<=" else -1.0, value)
+WORSE = 1e-9
+"""Share of the objective, and violation, that rounding may add."""
 
 
 class Rows(NamedTuple):
@@ -79,6 +32,13 @@ class Rows(NamedTuple):
     """Distance from each limit as a share of it, negative where it is violated, shape (limits, states, designs)."""
     faults: Array
     """What is violated beside limits, see :data:`FAILURE`, shape (designs,)."""
+    block: Block
+    """``status``, the columns of objective and limits, ``warnings`` if they count, shape (states, designs) each."""
+
+    @property
+    def stands(self) -> Mask:
+        """Whether a design neither fails nor lacks a value, shape (states, designs)."""
+        return np.asarray(~np.isnan(self.values))
 
     @property
     def worst(self) -> Array:
@@ -121,10 +81,10 @@ class Problem:
         """
         self.chute, self.keys, self.objective, self.limits = chute, tuple(keys), objective, tuple(limits)
         self.no_warnings, self.jobs = no_warnings, jobs
-        named = dict.fromkeys([objective.column, *(limit.column for limit in limits)])
-        columns = [*named, *(["warnings"] if no_warnings else [])]
+        self.columns = list(dict.fromkeys([objective.column, *(limit.column for limit in limits)]))
+        columns = [*self.columns, *(["warnings"] if no_warnings else [])]
         self.variants = Variants(chute, [key.parameter for key in keys], columns, states, pool=Threads(jobs))
-        if texts := [name for name in named if name in self.variants.sweep.texts]:
+        if texts := [name for name in self.columns if name in self.variants.sweep.texts]:
             raise UsageError(f"{', '.join(texts)}: objectives and limits need columns of numbers")
         if single := [key.name for key in keys if not key.is_continuous and len(key.parameter.values) < 2]:
             raise UsageError(f"{', '.join(single)}: one value leaves no choice; put it into the spec")
@@ -144,12 +104,12 @@ class Problem:
         margins = np.array(
             [limit.sign * (limit.value - block[limit.column]) / limit.scale for limit in self.limits]
         ).reshape(len(self.limits), *values.shape)
-        fails = (block["status"] != Status.OK_LABEL) | np.isnan(values) | np.isnan(margins).any(axis=0)
+        fails = (block["status"] != OK) | np.isnan(values) | np.isnan(margins).any(axis=0)
         faults = FAILURE * fails.sum(axis=0)
         if self.no_warnings:
             counts = np.vectorize(lambda codes: len(codes.split()), otypes=[float])(block["warnings"])
             faults = faults + WARNING * counts.sum(axis=0)
-        return Rows(np.where(fails, np.nan, values), margins, faults)
+        return Rows(np.where(fails, np.nan, values), margins, faults, block)
 
     def merit(self, rows: Rows) -> Array:
         """Return one number for each design by Deb's rule: of feasible ones the better is less, all others come after.
@@ -170,16 +130,33 @@ class Problem:
         inside = np.clip(places, self.low, self.high)
         return np.where(self.continuous, inside, np.rint(inside))
 
-    def rounded(self, places: Array) -> Array:
-        """Return places with as many digits as matter, so that a bound is what was typed, where no limit breaks by it.
+    def rounded(self, place: Array) -> Array:
+        """Return a place with the digits that matter: no limit breaks, and the objective is as good to :data:`WORSE`.
 
         Args:
-            places: in the units of the keys, shape (designs, keys).
+            place: of a design, in the units of the keys, shape (keys,).
         """
-        near = np.array([[float(f"{value:.{DIGITS}g}") for value in place] for place in places])
-        near = self.clipped(near.reshape(places.shape))
-        breaks = self.rows(near).violation > self.rows(places).violation
-        return np.where(breaks[:, None], places, near)
+        if not self.continuous.any():
+            return place
+        own = self.rows(place[None])
+        best, violation = own.worst[0], own.violation[0]
+        most = violation * (1.0 + WORSE)
+
+        def put(tried: Array) -> Array:
+            places = np.repeat(place[None], len(tried), axis=0)
+            places[:, self.continuous] = tried
+            return places
+
+        def is_good(tried: Array) -> Mask:
+            places = put(tried)
+            rows = self.rows(places)
+            with np.errstate(invalid="ignore"):
+                worse = rows.worst > best + WORSE * abs(best)
+            inside = (places == self.clipped(places)).all(axis=1)
+            return np.asarray((rows.violation <= most) & ~worse & inside)
+
+        scales = np.maximum(np.abs(self.low), np.abs(self.high))[self.continuous]
+        return np.asarray(put(rounded(place[self.continuous], scales, is_good)[None])[0])
 
     def all_choices(self, most: int) -> Array | None:
         """Return all designs where every key is a choice and they are few.

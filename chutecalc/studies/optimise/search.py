@@ -1,5 +1,7 @@
 """The best design: differential evolution on Deb's rule, then a polish of the best points."""
 
+from itertools import islice, product
+
 import numpy as np
 from scipy.optimize import differential_evolution
 from scipy.stats.qmc import Sobol
@@ -12,8 +14,10 @@ FIRST = 1024
 """Quasi-random designs to begin with; of as many choices, all are solved."""
 POPULATION, LEAST, GENERATIONS = 12, 24, 120
 """Designs of a generation for each key, at least, and most generations."""
-POLISHED = 5
-"""Points that are polished."""
+CORNERS = 256
+"""Most corners of the bounds, with each choice, that join them: many a best design lies there."""
+POLISHED, CHOICES = 5, 8
+"""Points that are polished, and most choices of which the best point is among them."""
 SETTLING = 120
 """Most steps of the direct search at the end."""
 
@@ -38,8 +42,7 @@ def best_place(problem: Problem, seed: int = 0, known: Array | None = None, gene
     sample[:, ~problem.continuous] = problem.low[~problem.continuous] + np.floor(
         (sample - problem.low) / (problem.high - problem.low) * (problem.high - problem.low + 1.0)
     )[:, ~problem.continuous].clip(0.0, problem.high[~problem.continuous])
-    if known is not None:
-        sample = np.concatenate([known, sample])
+    sample = np.concatenate([*([] if known is None else [known]), _corners(problem), sample])
     rows = problem.rows(sample)
     sizes = np.abs(rows.worst[np.isfinite(rows.worst)])
     problem.unit = float(np.median(sizes)) or 1.0 if sizes.size else 1.0
@@ -98,8 +101,15 @@ def _merit(problem: Problem, places: Array) -> Array:
     return problem.merit(problem.rows(places))
 
 
+def _corners(problem: Problem) -> Array:
+    """Return the corners of the bounds, with each choice."""
+    ends = zip(problem.low, problem.high, problem.continuous, strict=True)
+    axes = ((low, high) if own else np.arange(high + 1.0) for low, high, own in ends)
+    return np.array(list(islice(product(*axes), CORNERS)))
+
+
 def _distinct(problem: Problem, places: Array) -> Array:
-    """Return the best places that are apart: by another choice, or by a tenth of the bounds."""
+    """Return the best places that are apart, by another choice or by a tenth of the bounds, and the best of choices."""
     width = np.where(problem.continuous, 0.1 * (problem.high - problem.low), 0.5)
     kept: list[Array] = []
     for place in places:
@@ -107,4 +117,10 @@ def _distinct(problem: Problem, places: Array) -> Array:
             kept.append(place)
         if len(kept) == POLISHED:
             break
-    return np.array(kept)
+    choices: list[Array] = []
+    for place in places:
+        if all((np.abs(place - other) > width)[~problem.continuous].any() for other in choices):
+            choices.append(place)
+        if len(choices) == CHOICES:
+            break
+    return np.unique(np.array([*kept, *choices]), axis=0)
