@@ -80,7 +80,8 @@ def judge(seed: int) -> tuple[str, list[str]]:
     try:
         aim = chutecalc.aim(of.chute, {of.path: of.bounds}, {of.column: of.target}, jobs=1)
     except chutecalc.UsageError as error:
-        return ("without end", []) if "without end" in str(error) else ("wrong", [what, str(error)])
+        level = np.abs(off) <= MET * max(1.0, abs(of.target))
+        return ("without end", []) if (level[:-1] & level[1:]).any() else ("wrong", [what, str(error)])
     found = aim.values[of.path]
     wrong = []
     if aim.count:

@@ -3,8 +3,10 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 import chutecalc
+from chutecalc.studies.aim.bracket import bracketed_roots
 from chutecalc.studies.keys import key_arguments, read_keys
 from chutecalc.studies.variants import Variants
 from tests import seeds
@@ -22,6 +24,7 @@ def test_every_solution_that_a_fine_grid_brackets_is_found():
 
 def test_a_grid_shows_what_is_not_found(monkeypatch):
     """The judge of the test above sees a solution that is lost, and one that is off."""
+    monkeypatch.delenv(seeds.SEED, raising=False)
     of = case(0)
     found = chutecalc.aim(of.chute, {of.path: of.bounds}, {of.column: of.target})
     assert found.count
@@ -72,6 +75,26 @@ def test_both_solutions_of_a_column_that_turns_are_found_however_close():
         found = chutecalc.aim(chute, {path: (20, 89)}, {column: target}).values[path]
         assert len(found) == 2
         assert found[0] < x[turn] < found[1] or share < 1e-7
+
+
+def test_noise_on_a_level_stretch_is_no_root(monkeypatch):
+    """Neither on the target, where there is no end of solutions, nor off it."""
+    asked = []
+
+    def stretch(level):
+        def residual(x):
+            asked.append(len(x))
+            noise = 1e-15 * np.random.default_rng(len(asked)).normal(size=len(x))
+            return np.where(x < 0.4, 0.4 - x, level + noise)
+
+        return residual
+
+    assert bracketed_roots(stretch(-0.1)).tolist() == pytest.approx([0.4])
+    assert sum(asked) < 2000
+    monkeypatch.delenv(seeds.SEED, raising=False)
+    of = case(1551)  # its largest depth stays level, and is the target
+    with pytest.raises(chutecalc.UsageError, match="without end"):
+        chutecalc.aim(of.chute, {of.path: of.bounds}, {of.column: of.target})
 
 
 def test_what_cannot_be_had_is_said_with_the_nearest():

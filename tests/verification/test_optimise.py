@@ -67,6 +67,7 @@ def test_no_point_of_a_grid_is_better_in_random_problems():
 
 def test_a_grid_shows_what_is_worse(monkeypatch):
     """The judge of the test above sees an optimum that is worse, and one that breaks a limit."""
+    monkeypatch.delenv(seeds.SEED, raising=False)
     monkeypatch.setattr("chutecalc.studies.optimise.optimise.best_place", lambda problem, seed: problem.low)
     assert [judge(seed)[0] for seed in PROBLEMS[:2]] == ["wrong", "wrong"]
 

@@ -10,7 +10,7 @@ from chutecalc.errors import UsageError
 from chutecalc.results.described import outcomes
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.aim.bracket import bracketed_roots
-from chutecalc.studies.aim.misses import Misses
+from chutecalc.studies.aim.misses import RTOL, Misses
 from chutecalc.studies.aim.refine import refined, refined_roots
 from chutecalc.studies.found import Found, solved
 from chutecalc.studies.keys import Key, key_arguments, read_keys
@@ -20,8 +20,6 @@ from chutecalc.workers import Threads
 
 MOST = 50
 """Most solutions; more lie on a line or a plane, and there is no end of them."""
-RTOL = 1e-12
-"""Relative tolerance of the velocity, so that errors of the solver do not count in what is met."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)

@@ -9,6 +9,8 @@ from chutecalc.physics.arrays import Array, Index
 
 COARSE = 257
 """Points of the grid to begin with."""
+DEEP = 100.0
+"""How many times the difference from its neighbours a least value may be, where a root may hide beside it."""
 FINER, LEVELS = 16, 4
 """Parts that a cell is cut into where a root may hide, and how often."""
 
@@ -17,7 +19,8 @@ def bracketed_roots(residual: Callable[[Array], Array]) -> Array:
     """Return where a function of one number crosses zero, or jumps over it: the caller knows which.
 
     Cells are refined where the sign changes; where one end has no value, since the other may lie on the wrong side of a
-    root; and beside a least absolute value, where two roots may lie close together.
+    root; and beside a least absolute value, where two roots may lie close together. On a level stretch that is far from
+    zero, compared with its differences, there is none.
 
     Args:
         residual: of numbers from 0 to 1, shape (designs,); NaN where a design fails.
@@ -50,7 +53,9 @@ def _suspicious(values: Array) -> Index:
     size = np.where(there, np.abs(values), np.inf)
     with np.errstate(invalid="ignore"):
         cells = (there[:-1] != there[1:]) | (values[:-1] * values[1:] < 0.0)
-        least = np.flatnonzero((size[1:-1] < size[:-2]) & (size[1:-1] < size[2:])) + 1
+        rise = np.maximum(size[:-2], size[2:]) - size[1:-1]
+        is_least = (size[1:-1] < size[:-2]) & (size[1:-1] < size[2:]) & (size[1:-1] <= DEEP * rise)
+        least = np.flatnonzero(is_least) + 1
     cells[least - 1] = True
     cells[least] = True
     return np.flatnonzero(cells)

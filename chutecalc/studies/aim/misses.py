@@ -9,6 +9,8 @@ from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
 from chutecalc.studies.variants import Variants
 
+RTOL = 1e-12
+"""Relative tolerance of the velocity, so that errors of the solver do not count; a miss below it is none."""
 WITHIN = 1e-9
 """Error of a target that is met, in its unit, or as a share of it where it is above 1."""
 CLOSER = 0.5
@@ -52,6 +54,7 @@ class Misses:
         if not len(places):
             return np.empty((0, len(self.wanted)))
         missed, statuses = self._missed(self.values(places))
+        missed[np.abs(missed) <= RTOL * np.maximum(np.abs(self.wanted), 1.0)] = 0.0
         if not self.scale.size:
             known = missed[np.isfinite(missed).all(axis=1)]
             spread = np.ptp(known, axis=0) if len(known) else np.zeros(len(self.wanted))
