@@ -54,7 +54,7 @@ class Misses:
         if not len(places):
             return np.empty((0, len(self.wanted)))
         missed, statuses = self._missed(self.values(places))
-        missed[np.abs(missed) <= RTOL * np.maximum(np.abs(self.wanted), 1.0)] = 0.0
+        missed[np.abs(missed) <= RTOL * np.abs(self.wanted)] = 0.0
         if not self.scale.size:
             known = missed[np.isfinite(missed).all(axis=1)]
             spread = np.ptp(known, axis=0) if len(known) else np.zeros(len(self.wanted))
