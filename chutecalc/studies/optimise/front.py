@@ -3,8 +3,9 @@
 import numpy as np
 
 from chutecalc.physics.arrays import Array
+from chutecalc.studies.limit import Limit
 from chutecalc.studies.optimise.answer import Binding, binding
-from chutecalc.studies.optimise.problem import Limit, Objective, Problem
+from chutecalc.studies.optimise.problem import Objective, Problem
 from chutecalc.studies.optimise.search import best_place
 
 ROUNDING = 1e-9

@@ -11,9 +11,10 @@ from chutecalc.errors import UsageError
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.found import Found, solved
 from chutecalc.studies.keys import Key, key_arguments, read_keys
+from chutecalc.studies.limit import Limit, read_limit
 from chutecalc.studies.optimise.answer import Binding, KeyAnswer, binding, key_answers
 from chutecalc.studies.optimise.front import front_places
-from chutecalc.studies.optimise.problem import Limit, Objective, Problem, read_limit
+from chutecalc.studies.optimise.problem import Objective, Problem
 from chutecalc.studies.optimise.search import best_place
 from chutecalc.studies.sweep.checks import selected_columns
 from chutecalc.studies.variants import Variants

@@ -1,0 +1,64 @@
+"""A limit of a column, as commands take it."""
+
+import re
+from typing import NamedTuple
+
+import numpy as np
+
+from chutecalc.errors import UsageError
+from chutecalc.physics.arrays import Array, Mask
+
+SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
+
+
+class Limit(NamedTuple):
+    """A limit of a column."""
+
+    column: str
+    sign: float
+    """1 for an upper limit, -1 for a lower one."""
+    value: float
+
+    @property
+    def text(self) -> str:
+        """The limit as it is written."""
+        return f"{self.column}{'<=' if self.sign > 0 else '>='}{self.value:.12g}"
+
+    def is_exceeded(self, values: Array) -> Mask:
+        """Return where values are beyond it; nowhere where there is none.
+
+        Args:
+            values: of the column, in its unit, of any shape.
+
+        >>> read_limit("max_depth_m<=0.3").is_exceeded(np.array([0.2, 0.4, np.nan])).tolist()
+        [False, True, False]
+        """
+        beyond: Mask = self.sign * (values - self.value) > 0.0
+        return beyond
+
+    @property
+    def scale(self) -> float:
+        """What violations are a share of."""
+        return abs(self.value) or 1.0
+
+
+def read_limit(text: str) -> Limit:
+    """Return the limit that a text states.
+
+    Args:
+        text: ``COLUMN<=VALUE`` or ``COLUMN>=VALUE``, in the unit of the column.
+
+    Raises:
+        UsageError: it is written otherwise.
+
+    >>> read_limit("max_depth_m <= 0.3")
+    Limit(column='max_depth_m', sign=1.0, value=0.3)
+    """
+    found = SUBJECT.fullmatch(text)
+    try:
+        value = float(found[3]) if found else np.nan
+    except ValueError:
+        value = np.nan
+    if found is None or not np.isfinite(value):
+        raise UsageError(f"a limit is COLUMN<=VALUE or COLUMN>=VALUE, such as 'max_depth_m<=0.3', not {text!r}")
+    return Limit(found[1], 1.0 if found[2] == "<=" else -1.0, value)
