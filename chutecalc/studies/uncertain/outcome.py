@@ -36,6 +36,12 @@ class Outcome:
     """Mean, standard deviation and quantiles of each column, over the samples that do not fail."""
     chances: dict[str, Chance]
     """Chance of each way to end, and of ``fails``: of all but ok."""
+    exceeded: dict[str, Chance]
+    """Chance that each limit asked for is exceeded, by its text, among the samples that do not fail; then, of all
+    samples, that one fails or exceeds any."""
+    warned: dict[str, Chance] | None
+    """Chance of each warning that any sample has, by its code, among the samples that do not fail; None if not asked
+    for."""
     indices: dict[str, Indices]
     """Sobol indices by column; under the name ``fails``, those of failure, where samples fail."""
     no_indices: str

@@ -32,6 +32,11 @@ class Quantiles(NamedTuple):
     read: Callable[[Array], Array]
     """Turns numbers of the distribution into values of the key."""
 
+    @property
+    def outside(self) -> float:
+        """Share of the distribution that is cut off, because the key does not take it."""
+        return max(1.0 - self.within, 0.0)
+
     def __call__(self, shares: Any) -> Array:
         r"""Return the values below which these shares of all values lie.
 
