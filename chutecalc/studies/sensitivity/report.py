@@ -41,10 +41,17 @@ def _shown(value: float) -> str:
 
 def _marks(found: Sensitivity) -> list[str]:
     """Return what there is to say of each key."""
-    return [
-        "fails on both sides" if slope != slope else "fails on one side" if error != error else "" if smooth else "another one where it falls"
-        for slope, error, smooth in zip(found.derivative, found.error, found.smooth, strict=True)
-    ]
+    numbers = zip(found.derivative, found.error, found.smooth, strict=True)
+    return [_mark(slope, error, smooth) for slope, error, smooth in numbers]
+
+
+def _mark(slope: float, error: float, smooth: bool) -> str:
+    """Return what there is to say of one key."""
+    if slope != slope:
+        return "fails on both sides"
+    if error != error:
+        return "fails on one side"
+    return "" if smooth else "differs where it falls"
 
 
 def sensitivity_document(found: Sensitivity) -> dict[str, Any]:
