@@ -28,8 +28,8 @@ class Scatter(NamedTuple):
 
     ``normal``: standard deviation about the value of the spec, such that the key takes the 95 % of the values in its
     middle. ``uniform``: least and greatest value. ``triangular``: least, most likely, greatest value. ``shear_test``:
-    slope of a line through the origin, standard error of the slope, and degrees of freedom; the key is the angle of
-    that slope.
+    slope of a line through the origin, standard error of the slope, degrees of freedom, and what a case adds; the key
+    is the angle of that slope and that.
     """
 
     kind: str
@@ -58,6 +58,23 @@ class Scatter(NamedTuple):
             raise ValueError(f"must have one distribution, not {len(value)}", f"use one of {', '.join(DISTRIBUTIONS)}")
         ((kind, given),) = value.items()
         return cls(kind, *_READ[kind](given, parameter))
+
+    def moved(self, by: float, parameter: Parameter) -> "Scatter":
+        """Return how the number scatters in a case that gives it another value: alike, about that value.
+
+        Args:
+            by: the value of the case less that of the spec, in the unit of the key.
+            parameter: the number in the case.
+
+        Raises:
+            ValueError: what is wrong there, and what to do.
+        """
+        if by == 0.0 or self.kind == "normal":  # which is about the value in force
+            return self
+        if self.kind == "shear_test":
+            *line, added = self.numbers
+            return Scatter(self.kind, (*line, added + by), f"{self.text}, moved by {by:+g}")
+        return Scatter(self.kind, *_READ[self.kind]([number + by for number in self.numbers], parameter))
 
 
 _Read = tuple[tuple[float, ...], str]
@@ -177,7 +194,7 @@ def _shear_test(given: Any, parameter: Parameter) -> _Read:
     if slope < LEAST_SLOPE * error:
         problem = f"has points that scatter too much: shear over normal stress is {slope:.3g} ± {error:.1g}"
         raise ValueError(f"{problem}, hardly more than 0", "check them, [normal, shear] each, or measure more")
-    return (slope, error, float(freedom)), f"shear test of {len(rows)} points"
+    return (slope, error, float(freedom), 0.0), f"shear test of {len(rows)} points"
 
 
 _READ = dict(zip(DISTRIBUTIONS, (_normal, _uniform, _triangular, _shear_test), strict=True))

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.errors import UsageError
+from chutecalc.errors import SpecError, UsageError
 from chutecalc.studies.uncertain import solved_rows
 from chutecalc.studies.uncertain.sampling import error_of
 from chutecalc.studies.uncertain.statistics import chance_to_end, summary
@@ -66,6 +66,29 @@ def test_a_case_scatters_about_its_own_values():
     assert np.median(wet.values["liners.wall.friction_deg"]) == pytest.approx(28.0, abs=0.02)
     slow = chutecalc.uncertain(case, FEW, case="slow").summaries["exit_velocity_m_s"]
     assert slow.mean < chutecalc.uncertain(case, FEW).summaries["exit_velocity_m_s"].mean - 0.3
+
+
+POINTS = [[2, 0.89], [4, 1.55], [8, 3.30]]
+
+
+@pytest.mark.parametrize(
+    "scatter", [{"uniform": [24, 27]}, {"triangular": [22, 25, 29]}, {"shear_test": POINTS}, {"normal": 2}, 3]
+)
+def test_in_a_case_with_another_value_the_scatter_moves_with_it(scatter):
+    path = "liners.wall.friction_deg"
+    case = chute(uncertainty={path: scatter}, cases={"wet": {path: 31.0}, "surge": {"flow.rate_t_h": 1200.0}})
+    dry, wet, surge = (chutecalc.uncertain(case, FEW, case=name).values[path] for name in ("design", "wet", "surge"))
+    assert wet == pytest.approx(dry + 6.0, rel=1e-4)  # what a shear test leaves above 90° is cut off in either
+    assert np.array_equal(surge, dry)
+
+
+def test_what_leaves_the_bounds_in_a_case_is_refused_there():
+    path = "liners.wall.friction_deg"
+    for scatter in ({"uniform": [20, 27]}, 6):
+        case = chute(uncertainty={path: scatter}, cases={"slick": {path: 3.0}})
+        with pytest.raises(SpecError, match="at least 0° and less than 90°, about the value of case slick"):
+            chutecalc.uncertain(case, FEW, case="slick")
+        assert chutecalc.uncertain(case, FEW).count == FEW
 
 
 def test_columns_asked_for():

@@ -32,7 +32,7 @@ def test_plus_minus_is_95_percent_of_a_normal_distribution():
         ({"uniform": [22, 28]}, "uniform", (22.0, 28.0)),
         ({"triangular": [20, 25, 32]}, "triangular", (20.0, 25.0, 32.0)),
         ({"triangular": [20, 20, 32]}, "triangular", (20.0, 20.0, 32.0)),
-        ({"shear_test": [[1, 1], [1, 2]]}, "shear_test", (1.5, 0.5, 1.0)),  # τ = 1.5 σ, s² = 0.5 over Σσ² = 2
+        ({"shear_test": [[1, 1], [1, 2]]}, "shear_test", (1.5, 0.5, 1.0, 0.0)),  # τ = 1.5 σ, s² = 0.5 over Σσ² = 2
     ],
 )
 def test_distributions(value, kind, numbers):

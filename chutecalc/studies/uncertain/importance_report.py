@@ -45,7 +45,7 @@ def _importance(result: Outcome, name: str, column: Column, units: str) -> Grid:
     own = result.indices.get(name)
     spec = cell(column, result.tornado.spec[name], units) or "none"
     shares = ", share of the variance" if own else ""
-    table = Grid(f"{label(column, units)}, {spec} in the spec: each key alone{shares}")
+    table = Grid(f"{label(column, units)}, {spec} {result.where}: each key alone{shares}")
     table.column("key", left=True, label=True)
     for heading in ("at 5 %", "at 95 %"):
         table.column(heading)

@@ -8,6 +8,7 @@ import numpy as np
 from chutecalc.api.chute import Chute
 from chutecalc.api.uncertain_keys import UncertainKeys
 from chutecalc.physics.arrays import Mask, Numbers
+from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.uncertain.importance import Indices, Tornado
 from chutecalc.studies.uncertain.statistics import STATUSES, Chance, Ends, Summary
 
@@ -48,6 +49,11 @@ class Outcome:
     """Why there are none; empty if there are."""
     tornado: Tornado
     """Each key alone at its 5 % and 95 % quantile."""
+
+    @property
+    def where(self) -> str:
+        """Where the values of the keys stand about which they scatter, in words."""
+        return "in the spec" if self.case == DESIGN_POINT else f"in case {self.case}"
 
     @property
     def count(self) -> int:

@@ -67,7 +67,7 @@ def print_uncertainty(printer: Printer, result: Outcome) -> None:
 def _keys(result: Outcome) -> Grid:
     """Return a row for each key: its value in the spec, how it scatters, its quantiles."""
     table = Grid()
-    for heading in ("key", "in the spec"):
+    for heading in ("key", result.where):
         table.column(heading, left=heading == "key", label=heading == "key")
     table.column("uncertainty", left=True, words=True)
     for heading in AHEAD:

@@ -4,10 +4,8 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from chutecalc.api.cases import state_of
 from chutecalc.api.chute import Chute
 from chutecalc.api.tolerance import check_tolerance
-from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.limit import read_limit
@@ -17,6 +15,7 @@ from chutecalc.studies.uncertain.quantiles import Joint
 from chutecalc.studies.uncertain.result import Uncertainty
 from chutecalc.studies.uncertain.sampling import REPLICATES, cubes, sample_count
 from chutecalc.studies.uncertain.solved_rows import WARNINGS, Rows, RowSolver
+from chutecalc.studies.uncertain.state import state_and_keys
 from chutecalc.studies.uncertain.statistics import FAILS, FAILURES, STATUSES, chance_to_end, summary
 from chutecalc.studies.uncertain.wanted import wanted_columns
 from chutecalc.workers import pool_of
@@ -73,9 +72,9 @@ def uncertain(
     ([3.44, 3.88, 4.29], 0.0)
     """
     check_tolerance(rtol)
-    state = _state(chute, case)
+    state, keys = state_and_keys(chute, case)
     bounds = [read_limit(text) for text in limits]
-    keys, names = state.uncertain, wanted_columns(state, columns, margins, bounds)
+    names = wanted_columns(state, columns, margins, bounds)
     count = sample_count(samples) // REPLICATES
     alone = _why_no_indices(len(keys.keys), keys.are_independent)
     few = 0 if alone else min(count, FOR_INDICES)
@@ -113,16 +112,6 @@ def uncertain(
         no_indices=none,
         tornado=tornado(solver, keys, joint),
     )
-
-
-def _state(chute: Chute, case: str) -> Chute:
-    """Return the chute in one of its operating states."""
-    if chute.count != 1:
-        raise UsageError(f"uncertain takes a chute of one design, not {chute.count}: use the chute before vary")
-    if not any(key != "correlation" for key in chute.spec.uncertainty):
-        remedy = 'add [uncertainty] with keys such as "flow.rate_t_h" = 100, for plus/minus 100'
-        raise UsageError(f"{chute.source} does not say what is uncertain: {remedy}")
-    return state_of(chute, case)
 
 
 def _why_no_indices(count: int, independent: bool) -> str:
