@@ -7,7 +7,9 @@ import pytest
 import chutecalc
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.studies.uncertain import solved_rows
+from chutecalc.studies.uncertain.quantiles import quantiles_of
 from chutecalc.studies.uncertain.sampling import error_of
+from chutecalc.studies.uncertain.state import state_and_keys
 from chutecalc.studies.uncertain.statistics import chance_to_end, summary
 from tests.conftest import ROOT, chute
 
@@ -75,11 +77,13 @@ POINTS = [[2, 0.89], [4, 1.55], [8, 3.30]]
     "scatter", [{"uniform": [24, 27]}, {"triangular": [22, 25, 29]}, {"shear_test": POINTS}, {"normal": 2}, 3]
 )
 def test_in_a_case_with_another_value_the_scatter_moves_with_it(scatter):
-    path = "liners.wall.friction_deg"
+    path, shares = "liners.wall.friction_deg", np.linspace(0.01, 0.99, 9)
     case = chute(uncertainty={path: scatter}, cases={"wet": {path: 31.0}, "surge": {"flow.rate_t_h": 1200.0}})
-    dry, wet, surge = (chutecalc.uncertain(case, FEW, case=name).values[path] for name in ("design", "wet", "surge"))
+    keys = {name: state_and_keys(case, name)[1].keys[0] for name in ("design", "wet", "surge")}
+    dry, wet, surge = (quantiles_of(key)(shares) for key in keys.values())
     assert wet == pytest.approx(dry + 6.0, rel=1e-4)  # what a shear test leaves above 90° is cut off in either
     assert np.array_equal(surge, dry)
+    assert keys["wet"].parameter.value == 31.0
 
 
 def test_what_leaves_the_bounds_in_a_case_is_refused_there():
@@ -88,7 +92,7 @@ def test_what_leaves_the_bounds_in_a_case_is_refused_there():
         case = chute(uncertainty={path: scatter}, cases={"slick": {path: 3.0}})
         with pytest.raises(SpecError, match="at least 0° and less than 90°, about the value of case slick"):
             chutecalc.uncertain(case, FEW, case="slick")
-        assert chutecalc.uncertain(case, FEW).count == FEW
+        assert case.uncertain.keys
 
 
 def test_columns_asked_for():
