@@ -17,14 +17,19 @@ DISTRIBUTIONS = ("normal", "uniform", "triangular", "shear_test")
 """Names that a table may have in place of a number."""
 FEWEST_POINTS = 2
 """Points of a shear test below which nothing is known of their scatter."""
+LEAST_SLOPE = 2.0
+"""Standard errors by which the slope of a shear test is above 0 at least."""
+ROUNDING = 1e-9
+"""Share by which a number may be off."""
 
 
 class Scatter(NamedTuple):
     """How a number scatters, in the unit of its key.
 
-    ``normal``: standard deviation about the value of the spec. ``uniform``: least and greatest value. ``triangular``:
-    least, most likely, greatest value. ``shear_test``: slope of a line through the origin, standard error of the
-    slope, and degrees of freedom; the key is the angle of that slope.
+    ``normal``: standard deviation about the value of the spec, such that the key takes the 95 % of the values in its
+    middle. ``uniform``: least and greatest value. ``triangular``: least, most likely, greatest value. ``shear_test``:
+    slope of a line through the origin, standard error of the slope, degrees of freedom, and what a case adds; the key
+    is the angle of that slope and that.
     """
 
     kind: str
@@ -47,11 +52,29 @@ class Scatter(NamedTuple):
         """
         if not isinstance(value, dict):
             half = _number(value, "must be a number above 0, or a table with a distribution", "write plus/minus as 2")
+            _check_reach(half, parameter)
             return cls("normal", (half / HALF_WIDTH,), f"± {half:g}")
         if len(value) != 1:
             raise ValueError(f"must have one distribution, not {len(value)}", f"use one of {', '.join(DISTRIBUTIONS)}")
         ((kind, given),) = value.items()
         return cls(kind, *_READ[kind](given, parameter))
+
+    def moved(self, by: float, parameter: Parameter) -> "Scatter":
+        """Return how the number scatters in a case that gives it another value: alike, about that value.
+
+        Args:
+            by: the value of the case less that of the spec, in the unit of the key.
+            parameter: the number in the case.
+
+        Raises:
+            ValueError: what is wrong there, and what to do.
+        """
+        if by == 0.0 or self.kind == "normal":  # which is about the value in force
+            return self
+        if self.kind == "shear_test":
+            *line, added = self.numbers
+            return Scatter(self.kind, (*line, added + by), f"{self.text}, moved by {by:+g}")
+        return Scatter(self.kind, *_READ[self.kind]([number + by for number in self.numbers], parameter))
 
 
 _Read = tuple[tuple[float, ...], str]
@@ -89,20 +112,50 @@ def _number(value: Any, problem: str, remedy: str) -> float:
 def _normal(given: Any, parameter: Parameter) -> _Read:
     """Read a standard deviation."""
     deviation = _number(given, "normal must be a number above 0", "give the standard deviation")
+    _check_reach(HALF_WIDTH * deviation, parameter)
     return (deviation,), f"σ {deviation:g}"
 
 
+def _check_reach(half: float, parameter: Parameter) -> None:
+    """Check that the key takes the value of the spec plus and minus what 95 % of all values lie within.
+
+    Args:
+        half: width of that to either side.
+        parameter: the number.
+
+    Raises:
+        ValueError: it does not: then the distribution is another one than this, and so is its mean.
+    """
+    (low, high), value = bounds_of(parameter), parameter.value_in_unit
+    room = min(value - low, high - value)
+    if half > room * (1.0 + ROUNDING):
+        most = f"at most {_down(room)} for plus/minus, or " if room > 0.0 else ""
+        problem = f"spreads 95 % of the values from {value - half:.6g} to {value + half:.6g}, and they must be"
+        raise ValueError(f"{problem} {_allowed(parameter)}", f"use {most}uniform or triangular")
+
+
+def _down(number: float) -> str:
+    """Return a number with four digits, rounded down."""
+    step = 10.0 ** (math.floor(math.log10(number)) - 3)
+    return f"{math.floor(number / step * (1.0 + ROUNDING)) * step:.4g}"
+
+
+def _allowed(parameter: Parameter) -> str:
+    """Return what a key takes, in words."""
+    return parameter.quantity.bounds_text(parameter.unit)
+
+
 def _ordered(given: Any, names: str, parameter: Parameter) -> tuple[float, ...]:
-    """Read values in rising order, some of which the key takes."""
+    """Read values in rising order that the key takes, or comes as close to as one likes."""
     count = len(names.split(", "))
     if not isinstance(given, list) or len(given) != count or not all(map(is_number, given)):
         raise ValueError(f"must be {count} numbers", f"write [{names}]")
     if given[0] >= given[-1] or any(one > other for one, other in pairwise(given)):
         raise ValueError("has numbers that do not rise", f"write [{names}]")
     low, high = bounds_of(parameter)
-    if given[-1] <= low or given[0] >= high:
-        remedy = f"use values {parameter.quantity.bounds_text(parameter.unit)}"
-        raise ValueError("lies outside what its key takes", remedy)
+    if given[0] < low or given[-1] > high:
+        ends = f"reaches from {given[0]:g} to {given[-1]:g}"
+        raise ValueError(f"{ends}, and values must be {_allowed(parameter)}", "keep its ends within that")
     return tuple(map(float, given))
 
 
@@ -138,7 +191,10 @@ def _shear_test(given: Any, parameter: Parameter) -> _Read:
     error = math.sqrt(float(np.sum((shear - slope * normal) ** 2)) / freedom / float(normal @ normal))
     if error <= 1e-12 * slope:
         raise ValueError("has points on one line through the origin, which tell no scatter", "give a number instead")
-    return (slope, error, float(freedom)), f"shear test of {len(rows)} points"
+    if slope < LEAST_SLOPE * error:
+        problem = f"has points that scatter too much: shear over normal stress is {slope:.3g} ± {error:.1g}"
+        raise ValueError(f"{problem}, hardly more than 0", "check them, [normal, shear] each, or measure more")
+    return (slope, error, float(freedom), 0.0), f"shear test of {len(rows)} points"
 
 
 _READ = dict(zip(DISTRIBUTIONS, (_normal, _uniform, _triangular, _shear_test), strict=True))

@@ -1,12 +1,13 @@
 """The table ``[uncertainty]`` of a spec: which numbers are uncertain, how, and which of them go together."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from chutecalc.api.correlation import read_correlation
 from chutecalc.api.parameter import Parameter, check_distinct, parameter_at
-from chutecalc.api.scatter import DISTRIBUTIONS, PLUS_MINUS, Scatter, is_number
+from chutecalc.api.scatter import DISTRIBUTIONS, PLUS_MINUS, Scatter
 from chutecalc.errors import Fault, SpecError
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.chute_spec import ChuteSpec
@@ -86,7 +87,8 @@ def read_uncertainty(spec: ChuteSpec, source: str, text: str) -> UncertainKeys:
         check_distinct([key.parameter for key in keys])
     except SpecError as error:
         faults += error.faults
-    correlation = _correlation(list(entries), pairs, faults.append)
+    correlation, wrong = read_correlation(list(entries), pairs)
+    faults += [Fault(CORRELATION, problem, remedy) for problem, remedy in wrong]
     if faults:
         raise SpecError(table_faults(faults, (TABLE,), text), source)
     return UncertainKeys(tuple(keys), correlation)
@@ -117,36 +119,3 @@ def _misspelt(spec: ChuteSpec, fault: Fault) -> Fault:
     except SpecError:
         return fault
     return Fault(path, f"has no distribution {word}", f"use {PLUS_MINUS}, or one of {', '.join(DISTRIBUTIONS)}")
-
-
-def _correlation(paths: list[str], pairs: Any, note: Callable[[Fault], None]) -> Array:
-    """Return the correlation of keys.
-
-    Args:
-        paths: of all keys.
-        pairs: as written: rows of two paths and their correlation.
-        note: takes faults.
-    """
-    matrix = np.eye(len(paths))
-    rows = pairs if isinstance(pairs, list) else [pairs]
-    for number, row in enumerate(rows, 1):
-        problem, remedy = "", "write rows such as [PATH, PATH, 0.6]"
-        if not isinstance(row, list) or len(row) != 3 or not is_number(row[2]):
-            problem = f"has a row {number} that is not two paths and a number"
-        elif unknown := [str(name) for name in row[:2] if name not in paths]:
-            problem = f"names {' and '.join(unknown)} in row {number}, which is not a key of this table"
-            remedy = f"use {', '.join(paths)} as they are written" if paths else "add the keys first"
-        elif row[0] == row[1] or matrix[paths.index(row[0]), paths.index(row[1])]:
-            problem, remedy = f"gives {row[0]} and {row[1]} twice in row {number}", "remove the row"
-        elif not -1.0 < row[2] < 1.0:
-            problem, remedy = f"has {row[2]:g} in row {number}; it must be between -1 and 1", "use a smaller number"
-        else:
-            one, other = paths.index(row[0]), paths.index(row[1])
-            matrix[one, other] = matrix[other, one] = row[2]
-        if problem:
-            note(Fault(CORRELATION, problem, remedy))
-            return np.eye(len(paths))
-    if paths and (least := float(np.linalg.eigvalsh(matrix)[0])) < 1e-12:
-        problem = f"is a matrix that is not positive definite (least eigenvalue {least:.3g}): no numbers go together so"
-        note(Fault(CORRELATION, problem, "make the correlations smaller, or those of the third pair like the others"))
-    return matrix

@@ -60,7 +60,7 @@ def optimise(
     """
     from chutecalc.studies.found_report import found_dataset
     from chutecalc.studies.keys import read_keys
-    from chutecalc.studies.optimise.limit import read_limit
+    from chutecalc.studies.limit import read_limit
     from chutecalc.studies.optimise.optimise import find_optimum, objectives_of
     from chutecalc.studies.optimise.report import print_optimum
 

@@ -11,6 +11,7 @@ from chutecalc.errors import ExitStatus
 
 EXAMPLES = (
     "chutecalc uncertain chute.toml --plot uncertain.svg",
+    "chutecalc uncertain chute.toml --margins --limit 'max_depth_m<=0.3' --warnings",
     "chutecalc uncertain chute.toml --samples 1000000 --case wet --csv samples.csv",
 )
 
@@ -33,16 +34,26 @@ def uncertain(
         help="Columns, separated by commas, as those of a sweep. Default: those of the exit and the receiving belt."
         " min_ and max_ take ten times as long.",
     ),
+    limits: list[str] = typer.Option(
+        [],
+        "--limit",
+        metavar="LIMIT",
+        help="Tell how likely it is exceeded, such as 'max_depth_m<=0.3'. Repeatable.",
+    ),
+    *,
+    margins: bool = typer.Option(
+        False, "--margins", help="Add how near it is to failing: least velocity, fill, normal acceleration, landings."
+    ),
+    warnings: bool = typer.Option(False, "--warnings", help="Tell the chance of each warning among the findings."),
     case: str | None = typer.Option(
         None, metavar="NAME", help="One operating state of [cases]; the spec as written by default."
     ),
-    *,
     jobs: int | None = JOBS,
     dask: str | None = DASK,
     rtol: float = RTOL,
     outputs: UncertainOutputs,
 ) -> int:
-    """Report how sure the exit of a chute is, how likely it fails, and which numbers matter.
+    """Report how sure the exit of a chute is, how likely it fails or exceeds a limit, and which numbers matter.
 
     The table [uncertainty] of the spec says how uncertain its numbers are. Data files have a row for each sample, JSON
     what they say.
@@ -57,7 +68,20 @@ def uncertain(
     from chutecalc.studies.uncertain.study import uncertain as study
 
     with progress("designs") as show:
-        result = study(chute, samples, seed, names_of(columns), case or DESIGN_POINT, rtol, jobs, dask, show)
+        result = study(
+            chute,
+            samples,
+            seed,
+            names_of(columns),
+            limits,
+            margins=margins,
+            warnings=warnings,
+            case=case or DESIGN_POINT,
+            rtol=rtol,
+            jobs=jobs,
+            dask=dask,
+            show=show,
+        )
     if outputs.files:
         outputs.write(uncertainty_dataset(result))
     if outputs.plot:

@@ -148,6 +148,7 @@ def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns:
         "minimum": first(result.minimum),
         "maximum": first(result.maximum),
         "duration_s": number(result.duration[0]),
+        "landing_margin_m": number(result.landing_margin[0]),
     }
     return entry if stations is None else entry | {"stations": _rows(stations, result.name, columns)}
 

@@ -100,6 +100,18 @@ class Part(SegmentContext):
         strikes: Mask = (self.contact.side == ROOF) & (self.contact.arrival.incidence > 0.0)
         return strikes
 
+    def landing_margin(self) -> Array:
+        """Return how far from the nearer end of the segment a stream lands that comes through the air, m.
+
+        Returns:
+            Distances of shape (designs,): NaN where none lands, and in a closed section, which is entered by its mouth.
+        """
+        if self.contact is None or self.before is None or self.before.guided or self.segment.closed:
+            return np.full(1, np.nan)
+        arrival = self.contact.arrival
+        margin = np.minimum(arrival.share, 1.0 - arrival.share) * self.contact.surface.length
+        return np.where((arrival.status <= Status.STALL) & (self.before.length() > 0.0), margin, np.nan)
+
     def limits(self, names: Iterable[str]) -> Numbers:
         """Return the limits of columns at the end of the part.
 

@@ -41,6 +41,7 @@ def part_result(sampled: SampledPart, count: int) -> SegmentResult:
         maximum={name: whole(values) for name, values in maximum.items()},
         duration=whole(duration),
         strikes_roof=whole(part.strikes_roof()),
+        landing_margin=whole(part.landing_margin()),
         impact={name: whole(values) for name, values in impact.items()},
         loads={name: whole(values) for name, values in loads_of(part, duration, maximum, impact).items()},
     )

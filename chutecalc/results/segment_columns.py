@@ -80,10 +80,23 @@ def segment_columns() -> dict[str, SegmentColumn]:
     'impact incidence, °'
     """
     ends, lasts = "ok, what ends the stream there, or not_reached", "time from its start to its end"
+    margin = "from where a stream lands on it that comes through the air to the nearer of its ends"
     found = {
         "status": SegmentColumn("status", "status", "", ends, of=lambda result: result.status),
         "duration_s": SegmentColumn(
             "duration_s", "duration", "", lasts, "time", "s", 3, of=lambda result: result.duration
+        ),
+        "landing_margin_m": SegmentColumn(
+            "landing_margin_m",
+            "landing margin",
+            "",
+            margin,
+            "length",
+            "m",
+            3,
+            "ft",
+            2,
+            of=lambda result: result.landing_margin,
         ),
     }
     for group in GROUPS:

@@ -41,6 +41,8 @@ class SegmentResult:
     """Whether that impact is on the roof of a closed section, shape (designs,)."""
     loads: Numbers = field(default_factory=dict)
     """Forces and wear of the segment, see :data:`chutecalc.results.loads.LOAD_COLUMNS`; empty in flight."""
+    landing_margin: Array = field(default_factory=lambda: np.full(1, np.nan))
+    """How far from the nearer of its ends a stream lands on it, m, shape (designs,); NaN where none lands."""
 
     def __repr__(self) -> str:
         """Return name and outcome, and velocity and depth at both ends: of several designs the ranges.
@@ -163,6 +165,7 @@ def joined(first: SegmentResult, again: SegmentResult) -> SegmentResult:
         impact=_either(first.impact, again.impact),
         strikes_roof=np.where(_struck(first), first.strikes_roof, again.strikes_roof),
         loads=joined_loads(first.loads, again.loads),
+        landing_margin=np.fmin(again.landing_margin, first.landing_margin),
     )
 
 

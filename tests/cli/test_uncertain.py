@@ -38,7 +38,7 @@ def told(capsys, *arguments, status=0):
 def test_the_report(capsys, spoon):
     out = told(capsys, "uncertain", spoon, "--samples", "5000")
     lines = out.splitlines()
-    assert lines[1] == f"{spoon}: 8,192 samples, 16 scramblings of Sobol points, seed 1"
+    assert lines[1] == f"{spoon}: 8,192 samples, seed 1"
     assert max(map(len, lines[2:])) <= PIPE_WIDTH
     assert "what comes out, over the samples that do not fail" in out
     assert "which keys decide whether it fails" in out
@@ -66,17 +66,15 @@ def test_no_indices_are_told(capsys, spoon, tmp_path):
     (tmp_path / "spoon.toml").write_text(text + pair, encoding="utf-8")
     out = told(capsys, "uncertain", spoon, "--samples", "256")
     assert "correlation of flow.rate_t_h and segments.spoon.radius_m: 0.5" in out
-    assert "no Sobol indices: keys are correlated" in out
+    assert "no shares of the variance: keys that are correlated" in out
 
 
 def test_the_same_seed_gives_the_same_bytes(capsys, spoon, tmp_path):
     files = {}
     for name, jobs, seed in (("one", 1, 5), ("two", 2, 5), ("other", 2, 6)):
-        target = [tmp_path / f"{name}.{ending}" for ending in ("csv", "json", "svg")]
-        options = [text for own in target[:2] for text in (f"--{own.suffix[1:]}", str(own))] + [
-            "--plot",
-            str(target[2]),
-        ]
+        options = {"csv": "--csv"} if name == "other" else {"csv": "--csv", "json": "--json", "svg": "--plot"}
+        target = [tmp_path / f"{name}.{ending}" for ending in options]
+        options = [text for pair in zip(options.values(), map(str, target), strict=True) for text in pair]
         told(capsys, "uncertain", spoon, "--samples", "512", "--jobs", str(jobs), "--seed", str(seed), *options)
         files[name] = [own.read_bytes() for own in target]
     assert files["one"] == files["two"]
@@ -122,7 +120,7 @@ def test_what_is_refused(capsys, spoon, arguments, problem):
 def test_sensitivity_of_a_run(capsys, tmp_path):
     file = tmp_path / "run.json"
     out = told(capsys, "run", HOOD, "--sensitivity", "--json", str(file))
-    table = out[out.index("sensitivity of the exit velocity of 6.338 m/s, in % of it") :].splitlines()
+    table = out[out.index("change of the exit velocity of 6.338 m/s, in % of it, where one key rises") :].splitlines()
     assert max(map(len, table)) <= PIPE_WIDTH
     found = json.loads(file.read_text(encoding="utf-8"))["sensitivity"]
     assert found["column"] == "exit_velocity_m_s"
@@ -135,8 +133,60 @@ def test_sensitivity_of_a_run(capsys, tmp_path):
 
 def test_sensitivity_of_a_case_and_of_a_chute_that_fails(capsys, spoon):
     dry, wet = (told(capsys, "run", spoon, "--sensitivity", "--case", name) for name in ("design", "wet"))
-    assert "sensitivity of the exit velocity of 3.878 m/s" in dry
+    assert "change of the exit velocity of 3.878 m/s" in dry
     assert "liners.ceramic.friction_deg" in wet
-    assert "sensitivity of the exit velocity of 3.878 m/s" not in wet
+    assert "change of the exit velocity of 3.878 m/s" not in wet
     out = told(capsys, "run", spoon, "--set", "liners.ceramic.friction_deg=50", "--sensitivity", status=1)
     assert "no sensitivity: a chute that fails has no exit velocity" in out
+
+
+def test_limits_margins_and_warnings(capsys, spoon, tmp_path):
+    file = tmp_path / "told.json"
+    limits = ["--limit", "max_depth_m<=0.15", "--limit", "exit_velocity_m_s >= 3"]
+    asked = ["--margins", *limits, "--warnings", "--samples", "256", "--json", str(file)]
+    lines = told(capsys, "uncertain", spoon, *asked).splitlines()
+    assert "no sample has: max fill" in lines
+    table = lines[lines.index("how likely limits are exceeded, over the samples that do not fail") :]
+    names = ["max_depth_m<=0.15", "exit_velocity_m_s>=3", "of all: fails or exceeds any"]
+    assert [line.partition("  ")[0] for line in table[3:6]] == names
+    found = json.loads(file.read_text(encoding="utf-8"))
+    assert list(found["exceeded"]) == [*names[:2], "any"]
+    shown = [line.split()[-6] for line in table[3:6]]
+    assert shown == [f"{100 * own['share']:.4g}" for own in found["exceeded"].values()]
+    assert "how likely findings warn, over the samples that do not fail" in lines
+    assert found["warnings"]["below_cut_off"]["share"] == 1.0
+    assert "segments.spoon.landing_margin_m" in found["columns"]
+    plain = told(capsys, "uncertain", spoon, "--samples", "256")
+    assert "how likely" not in plain
+
+
+def test_a_chute_that_ends_in_a_fall_has_no_row_of_depth(capsys, tmp_path):
+    file = tmp_path / "fall.toml"
+    fall = '\n[[segments]]\nname = "end"\nkind = "fall"\ndrop_m = 1.0\n'
+    file.write_text(chutecalc.STARTER + fall + '\n[uncertainty]\n"flow.rate_t_h" = 100\n', encoding="utf-8")
+    lines = told(capsys, "uncertain", str(file), "--samples", "256").splitlines()
+    assert not any(line.startswith("exit depth") for line in lines)
+    assert "no sample has: exit depth" in lines
+
+
+def test_where_every_sample_fails_that_is_said(capsys, tmp_path):
+    file = tmp_path / "stalls.toml"
+    text = chutecalc.STARTER.replace("friction_deg = 25 ", "friction_deg = 70 ")
+    file.write_text(text + '\n[uncertainty]\n"flow.rate_t_h" = 100\n', encoding="utf-8")
+    lines = told(capsys, "uncertain", str(file), "--samples", "256", "--limit", "max_depth_m<=0.2").splitlines()
+    assert "nothing comes out: every sample fails" in lines
+    assert "max_depth_m<=0.2" in lines
+    assert lines[lines.index("max_depth_m<=0.2") + 1].startswith("of all: fails or exceeds any   100 %")
+
+
+def test_what_is_cut_off_is_told(capsys, tmp_path):
+    file = tmp_path / "cut.toml"
+    table = '\n[uncertainty]\n"liners.ceramic.friction_deg" = { normal = 12 }\n"flow.rate_t_h" = 100\n'
+    file.write_text(chutecalc.STARTER + table, encoding="utf-8")
+    out = told(capsys, "uncertain", str(file), "--samples", "256", "--json", str(tmp_path / "cut.json"))
+    path = "liners.ceramic.friction_deg"
+    assert f"{path} must be at least 0° and less than 90°: 1.9 % of its values would not be, and are cut off" in out
+    assert "flow.rate_t_h must" not in out
+    keys = json.loads((tmp_path / "cut.json").read_text(encoding="utf-8"))["keys"]
+    assert keys[0]["cut_off"] == pytest.approx(0.0186, rel=0.01)  # below -25/12 standard deviations
+    assert keys[1]["cut_off"] == pytest.approx(0.0, abs=1e-12)

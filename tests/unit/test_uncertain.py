@@ -5,14 +5,17 @@ import numpy as np
 import pytest
 
 import chutecalc
-from chutecalc.errors import UsageError
+from chutecalc.errors import SpecError, UsageError
 from chutecalc.studies.uncertain import solved_rows
+from chutecalc.studies.uncertain.quantiles import quantiles_of
 from chutecalc.studies.uncertain.sampling import error_of
-from chutecalc.studies.uncertain.statistics import chance, summary
+from chutecalc.studies.uncertain.state import state_and_keys
+from chutecalc.studies.uncertain.statistics import chance_to_end, summary
 from tests.conftest import ROOT, chute
 
 KEYS = {"liners.wall.friction_deg": 2, "flow.rate_t_h": {"uniform": [900, 1100]}}
 FEW = 256
+LUMPS = {"density_kg_m3": 800.0, "internal_friction_deg": 50.0, "lump_mm": 20.0}
 
 
 def study(uncertainty=KEYS, samples=FEW, seed=1, **tables):
@@ -67,12 +70,96 @@ def test_a_case_scatters_about_its_own_values():
     assert slow.mean < chutecalc.uncertain(case, FEW).summaries["exit_velocity_m_s"].mean - 0.3
 
 
+POINTS = [[2, 0.89], [4, 1.55], [8, 3.30]]
+
+
+@pytest.mark.parametrize(
+    "scatter", [{"uniform": [24, 27]}, {"triangular": [22, 25, 29]}, {"shear_test": POINTS}, {"normal": 2}, 3]
+)
+def test_in_a_case_with_another_value_the_scatter_moves_with_it(scatter):
+    path, shares = "liners.wall.friction_deg", np.linspace(0.01, 0.99, 9)
+    case = chute(uncertainty={path: scatter}, cases={"wet": {path: 31.0}, "surge": {"flow.rate_t_h": 1200.0}})
+    keys = {name: state_and_keys(case, name)[1].keys[0] for name in ("design", "wet", "surge")}
+    dry, wet, surge = (quantiles_of(key)(shares) for key in keys.values())
+    assert wet == pytest.approx(dry + 6.0, rel=1e-4)  # what a shear test leaves above 90° is cut off in either
+    assert np.array_equal(surge, dry)
+    assert keys["wet"].parameter.value == 31.0
+
+
+def test_what_leaves_the_bounds_in_a_case_is_refused_there():
+    path = "liners.wall.friction_deg"
+    for scatter in ({"uniform": [20, 27]}, 6):
+        case = chute(uncertainty={path: scatter}, cases={"slick": {path: 3.0}})
+        with pytest.raises(SpecError, match="at least 0° and less than 90°, about the value of case slick"):
+            chutecalc.uncertain(case, FEW, case="slick")
+        assert case.uncertain.keys
+
+
 def test_columns_asked_for():
     case = chute(uncertainty=KEYS)
     names = ["min_velocity_m_s", "segments.straight.max_depth_m"]
     found = chutecalc.uncertain(case, FEW, columns=names)
     assert list(found.columns) == names
     assert (found.columns["min_velocity_m_s"] > 0.0).all()
+
+
+def test_margins_tell_how_near_each_failure_is():
+    spoon = {
+        "inlet": {"velocity_m_s": 1.0, "slope_deg": 90.0},
+        "sections": {"body": {"shape": "rectangular", "width_m": 0.6, "wall_height_m": 0.5}},
+        "segments": [
+            {"kind": "fall", "onto_next": True},
+            {"kind": "straight", "start_m": [-0.5, -2.0], "slope_deg": 60.0, "length_m": 3.0},
+        ],
+    }
+    case = chute(uncertainty=KEYS, **spoon)
+    found = chutecalc.uncertain(case, FEW, margins=True)
+    margins = [name for name in found.columns if not name.startswith("exit_")]
+    landing = "segments.straight.landing_margin_m"
+    assert margins == ["min_velocity_m_s", "max_fill", "min_normal_acceleration_m_s2", landing]
+    assert found.columns[landing] == pytest.approx(np.full(FEW, 1.0), rel=1e-9)  # 0.5 m at 60 degrees
+    assert found.columns["max_fill"] == pytest.approx(
+        chutecalc.uncertain(case, FEW, columns=["max_depth_m"]).columns["max_depth_m"] / 0.5
+    )
+    assert (found.columns["min_velocity_m_s"] > 0.0).all()
+
+
+def test_warnings_have_the_chance_of_their_findings():
+    bounds = {"min_velocity_margin": 3.0, "min_froude": 4.6}
+    case = chute(uncertainty=KEYS | {"flow.rate_t_h": {"uniform": [600, 1400]}}, limits=bounds)
+    found = chutecalc.uncertain(case, FEW, warnings=True)
+    variants = chutecalc.solve(chute(limits=bounds).vary(found.values))
+    counts = {finding.code: finding.mask.sum() for finding in variants.findings() if finding.severity == "warning"}
+    assert {code: own.share * FEW for code, own in found.warned.items()} == pytest.approx(counts)
+    assert any(0 < count < FEW for count in counts.values())
+    assert list(found.warned) == sorted(found.warned, key=lambda code: (-counts[code], code))
+    assert chutecalc.uncertain(case, FEW).warned is None
+
+
+def test_a_limit_of_a_column_that_no_sample_has_is_refused():
+    with pytest.raises(UsageError, match="has no max_fill in any sample: leave out the limit"):
+        chutecalc.uncertain(chute(uncertainty=KEYS), FEW, limits=["max_fill<=0.4"])
+    with pytest.raises(UsageError, match="a limit is COLUMN<=VALUE or COLUMN>=VALUE"):
+        chutecalc.uncertain(chute(uncertainty=KEYS), FEW, limits=["max_fill<0.4"])
+    with pytest.raises(UsageError, match="warnings is no number"):
+        chutecalc.uncertain(chute(uncertainty=KEYS), FEW, limits=["warnings<=0"])
+
+
+def test_where_all_samples_fail_a_limit_has_no_chance_but_all_together_are_sure():
+    stalls = chute(uncertainty={"liners.wall.friction_deg": 1}, liners={"wall": {"friction_deg": 70.0}})
+    found = chutecalc.uncertain(stalls, FEW, limits=["max_depth_m<=0.3"], warnings=True)
+    assert np.isnan(found.exceeded["max_depth_m<=0.3"].share)
+    assert found.exceeded["any"].share == found.chances["fails"].share == 1.0
+    assert found.warned == {}
+
+
+def test_keys_that_change_nothing_explain_nothing():
+    found = chutecalc.uncertain(
+        chute(uncertainty={"limits.max_fill": 0.01, "material.lump_mm": 1}, material=LUMPS), FEW
+    )
+    assert found.summaries["exit_velocity_m_s"].deviation < 1e-14
+    assert not found.indices
+    assert "varies" in found.no_indices
 
 
 def test_indices_are_left_out_where_they_mean_nothing():
@@ -86,7 +173,9 @@ def test_indices_are_left_out_where_they_mean_nothing():
     assert "too few" in few.no_indices
     assert not study().no_indices
     missing = chutecalc.uncertain(chute(uncertainty=KEYS), FEW, columns=["max_fill"])
-    assert "do not exist" in missing.no_indices
+    assert "no column exists" in missing.no_indices
+    assert repr(missing) == "<Uncertainty of 256 samples: 0 % fail>"
+    assert "max_fill" not in missing._repr_html_()
 
 
 def test_a_tornado_has_each_key_alone():
@@ -102,11 +191,11 @@ def test_a_tornado_has_each_key_alone():
 
 def test_a_chance_that_no_sample_has_is_limited():
     ends = np.zeros(1024, dtype=np.int8)
-    assert chance(ends, "stall") == (0.0, 0.0, 3.0 / 1024)
+    assert chance_to_end(ends, "stall") == (0.0, 0.0, 3.0 / 1024)
     ends[::4] = 1
     ends[1::4] = 2
-    assert chance(ends, "stall") == (0.25, 0.0, 0.25)
-    assert chance(ends, "fails") == (0.5, 0.0, 0.5)
+    assert chance_to_end(ends, "stall") == (0.25, 0.0, 0.25)
+    assert chance_to_end(ends, "fails") == (0.5, 0.0, 0.5)
 
 
 def test_errors_leave_out_replicates_without_a_number():
@@ -127,7 +216,7 @@ def test_bands_are_quantiles_at_stations():
 
 
 def test_bands_are_of_those_that_do_not_fail():
-    found = study({"liners.wall.friction_deg": {"normal": 15.0}, "flow.rate_t_h": 1}, inlet={"velocity_m_s": 1.0})
+    found = study({"liners.wall.friction_deg": {"uniform": [10, 60]}, "flow.rate_t_h": 1}, inlet={"velocity_m_s": 1.0})
     bands = found.bands(points=11)
     assert 0 < bands.samples == found.ok.sum() < FEW
     assert np.isfinite(bands.quantiles["velocity_m_s"]).all()

@@ -32,7 +32,7 @@ def test_plus_minus_is_95_percent_of_a_normal_distribution():
         ({"uniform": [22, 28]}, "uniform", (22.0, 28.0)),
         ({"triangular": [20, 25, 32]}, "triangular", (20.0, 25.0, 32.0)),
         ({"triangular": [20, 20, 32]}, "triangular", (20.0, 20.0, 32.0)),
-        ({"shear_test": [[1, 1], [1, 2]]}, "shear_test", (1.5, 0.5, 1.0)),  # τ = 1.5 σ, s² = 0.5 over Σσ² = 2
+        ({"shear_test": [[1, 1], [1, 2]]}, "shear_test", (1.5, 0.5, 1.0, 0.0)),  # τ = 1.5 σ, s² = 0.5 over Σσ² = 2
     ],
 )
 def test_distributions(value, kind, numbers):
@@ -70,14 +70,18 @@ def test_a_liner_may_be_called_as_a_distribution():
         ({"normal": -1}, "normal must be a number above 0"),
         ({"uniform": [28, 22]}, "do not rise"),
         ({"uniform": [22]}, "must be 2 numbers"),
-        ({"uniform": [-5, 0]}, "lies outside what its key takes"),
-        ({"uniform": [90, 95]}, "lies outside what its key takes"),
+        ({"uniform": [-5, 22]}, "reaches from -5 to 22, and values must be at least 0° and less than 90°"),
+        ({"triangular": [20, 25, 95]}, "reaches from 20 to 95, and values must be"),
+        (25.01, "spreads 95 % of the values from -0.01 to 50.01, and they must be at least 0° and less than 90°"),
+        (1e300, "spreads 95 % of the values from -1e+300 to 1e+300"),
+        ({"normal": 12.8}, "spreads 95 % of the values from -0.08"),
         ({"triangular": [20, 32, 25]}, "do not rise"),
         ({"triangular": [20, 25]}, "must be 3 numbers"),
         ({"normal": 1, "uniform": [1, 2]}, "must have one distribution, not 2"),
         ({"shear_test": [[1, 1]]}, "2 or more rows"),
         ({"shear_test": [[1, 1], [2, -1]]}, "2 or more rows"),
         ({"shear_test": [[1, 1], [2, 2]]}, "on one line"),
+        ({"shear_test": [[1, 9], [9, 1]]}, "scatter too much: shear over normal stress is 0.22 ± 1"),
         ({"gauss": 1}, "has no distribution gauss"),
         ([1, 2], "must be a number above 0"),
     ],
@@ -86,6 +90,21 @@ def test_what_is_no_scatter_is_refused(value, problem):
     (found,) = faults({FRICTION: value})
     assert problem in found[1]
     assert found[0] == FRICTION
+
+
+@pytest.mark.parametrize("value", [25.0, {"normal": 12.7}, {"uniform": [0, 90]}, {"triangular": [0, 0, 45]}])
+def test_what_ends_at_the_bounds_of_its_key_is_taken(value):
+    assert scatter(value).numbers
+
+
+def test_the_remedy_for_too_wide_a_spread_is_taken():
+    with pytest.raises(SpecError) as error:
+        chute(flow={"rate_t_h": 1234.56}, uncertainty={"flow.rate_t_h": 1e20})
+    assert error.value.faults[0].remedy == "use at most 1234 for plus/minus, or uniform or triangular"
+    assert chute(flow={"rate_t_h": 1234.56}, uncertainty={"flow.rate_t_h": 1234}).uncertain.keys
+    with pytest.raises(SpecError) as error:
+        chutecalc.parse(chutecalc.STARTER + '[uncertainty]\n"inlet.velocity_m_s" = 1')
+    assert error.value.faults[0].remedy == "use uniform or triangular"
 
 
 def test_other_faults():
@@ -100,13 +119,18 @@ TWO = {"flow.rate_t_h": 1, FRICTION: 1}
 @pytest.mark.parametrize(
     ("pairs", "problem"),
     [
-        ("x", "row 1 that is not"),
-        ([["flow.rate_t_h", FRICTION]], "row 1 that is not"),
-        ([["flow.rate_t_h", "x", 0.5]], "names x in row 1"),
-        ([["flow.rate_t_h", FRICTION, 1.0]], "must be between"),
-        ([["flow.rate_t_h", "flow.rate_t_h", 0.5]], "twice"),
-        ([["flow.rate_t_h", FRICTION, 0.5], [FRICTION, "flow.rate_t_h", 0.4]], "twice in row 2"),
-        ([["flow.rate_t_h", ["x"], 0.5]], "in row 1"),
+        ("x", "row 1 is not two keys and a number"),
+        ([["flow.rate_t_h", FRICTION]], "row 1 is not two keys and a number"),
+        ([["flow.rate_t_h", "x", 0.5]], "row 1 names x, which this table does not call uncertain"),
+        ([["flow.rate_t_h", "material.density_kg_m3", 0.5]], "row 1 names material.density_kg_m3, which this table"),
+        ([["flow.rate_t_h", FRICTION, 1.0]], "row 1 has 1; a correlation must be greater than -1 and less than 1"),
+        ([["flow.rate_t_h", FRICTION, -1.5]], "row 1 has -1.5; a correlation must be"),
+        ([["flow.rate_t_h", "flow.rate_t_h", 0.5]], "row 1 pairs flow.rate_t_h with itself"),
+        (
+            [["flow.rate_t_h", FRICTION, 0.0], [FRICTION, "flow.rate_t_h", 0.4]],
+            "row 2 pairs liners.wall.friction_deg and",
+        ),
+        ([["flow.rate_t_h", ["x"], 0.5]], "row 1 names ['x']"),
     ],
 )
 def test_what_is_no_correlation_is_refused(pairs, problem):
@@ -115,11 +139,30 @@ def test_what_is_no_correlation_is_refused(pairs, problem):
     assert problem in found[1]
 
 
+def test_all_rows_that_are_wrong_are_told_at_once():
+    pairs = [["flow.rate_t_h", FRICTION, 2.0], ["flow.rate_t_h", FRICTION, 0.5], ["a", FRICTION, 0.1], 1]
+    assert [problem.split()[:2] for _, problem in faults(TWO | {"correlation": pairs})] == [
+        ["row", "1"],
+        ["row", "3"],
+        ["row", "4"],
+    ]
+
+
 def test_correlations_that_contradict_each_other_are_refused():
     keys = [*TWO, "material.density_kg_m3"]
     pairs = [[keys[0], keys[1], 0.9], [keys[1], keys[2], 0.9], [keys[0], keys[2], -0.9]]
-    (found,) = faults(TWO | {keys[2]: 1, "correlation": pairs})
-    assert "not positive definite (least eigenvalue -0.8)" in found[1]
+    with pytest.raises(SpecError) as error:
+        chute(uncertainty=TWO | {keys[2]: 1, "correlation": pairs})
+    (found,) = error.value.faults
+    assert "contradict each other" in found.problem
+    assert all(key in found.problem for key in keys)
+    assert "multiply all of them by 0.555 or less" in found.remedy
+    for factor in (0.555, 0.556):  # least eigenvalue 1 - 2 (0.9 factor): 0 at 1/1.8
+        table = TWO | {keys[2]: 1, "correlation": [[*pair[:2], factor * pair[2]] for pair in pairs]}
+        if factor < 1.0 / 1.8:
+            assert chute(uncertainty=table).uncertain.keys
+        else:
+            assert faults(table)
     pairs[2][2] = 0.9
     assert chute(uncertainty=TWO | {keys[2]: 1, "correlation": pairs}).uncertain.keys
 

@@ -10,7 +10,8 @@ import numpy as np
 
 import chutecalc
 from chutecalc.studies.keys import key_arguments, read_keys
-from chutecalc.studies.optimise.limit import Limit, Objective, read_limit
+from chutecalc.studies.limit import Limit, read_limit
+from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.optimise.problem import Problem
 from tests import seeds
 from tests.robustness.chutes import draws

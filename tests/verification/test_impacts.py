@@ -250,3 +250,21 @@ def test_the_factor_of_the_walls_holds_at_an_impact_too():
     mu = added(weight, pressure, ROWS) * (1 + k * (1 - np.cos(beta)) / np.cos(beta))
     after = 5.0 * (np.cos(angle) - mu * np.sin(angle))
     assert solution.segments[0].entry["velocity_m_s"][0] == pytest.approx(after, rel=1e-12)
+
+
+@pytest.mark.parametrize("start", [-0.5, -1.5])
+def test_the_landing_margin_is_the_way_to_the_nearer_end(start):
+    """A stream that falls straight down at x = 0 onto a straight of 3 m at 45°, which begins at x = start."""
+    case = chute(
+        inlet={"velocity_m_s": 1.0, "slope_deg": 90.0},
+        segments=[
+            {"kind": "fall", "onto_next": True},
+            {"kind": "straight", "start_m": [start, -2.0], "slope_deg": 45.0, "length_m": 3.0},
+            {"kind": "fall", "drop_m": 1.0},
+        ],
+    )
+    fall, straight, onwards = chutecalc.solve(case).segments
+    along = -start * np.sqrt(2.0)
+    assert straight.landing_margin == pytest.approx([min(along, 3.0 - along)], rel=1e-9)
+    assert np.isnan([fall.landing_margin, onwards.landing_margin]).all()
+    assert np.isnan(chutecalc.solve(chute()).segments[0].landing_margin).all()  # the stream begins on it

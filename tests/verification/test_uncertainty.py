@@ -6,9 +6,9 @@ from scipy import stats
 
 import chutecalc
 from chutecalc.api.scatter import HALF_WIDTH
-from chutecalc.studies.uncertain.quantiles import quantiles_of
+from chutecalc.studies.uncertain.quantiles import Joint, quantiles_of
 from chutecalc.studies.uncertain.sampling import FEWEST, REPLICATES, cubes
-from chutecalc.studies.uncertain.statistics import SHARES
+from chutecalc.studies.uncertain.statistics import SHARES, summary
 from tests.conftest import chute, vee, vee_friction
 
 G = 9.80665
@@ -91,14 +91,25 @@ def test_sobol_indices_of_a_sum():
 
 
 def test_the_mean_converges_faster_than_that_of_random_numbers():
-    """Errors of the mean of x = v √(2 h/g) over N fall by 1/N and faster; those of random numbers by 1/√N."""
+    """Errors of the mean of x = v √(2 h/g) over N fall by 1/N and faster; those of random numbers by 1/√N.
+
+    The samples are those of the study, which the first of them shows; x is worked out here, so that many cost nothing.
+    """
     keys = {"inlet.velocity_m_s": {"uniform": [1.0, 5.0]}, "segments.fall.drop_m": {"uniform": [0.5, 3.5]}}
     case = fall(slope=0.0, **keys)
     exact = 3.0 * 2 / 3 * (3.5**1.5 - 0.5**1.5) / 3.0 * np.sqrt(2 / G)
+    joint = Joint(case.uncertain)
+
+    def of_samples(count, seed):
+        velocity, drop = np.concatenate([joint(cube[:, :2]) for cube in cubes(4, count // REPLICATES, seed)]).T
+        return summary(velocity * np.sqrt(2 * drop / G))
+
+    study = chutecalc.uncertain(case, FEWEST, 0, ["exit_x_m"]).summaries["exit_x_m"]
+    assert of_samples(FEWEST, 0)[:3] == pytest.approx(study[:3], rel=1e-9)
     counts = FEWEST * 4 ** np.arange(4)
     errors, told = [], []
     for count in counts:
-        runs = [chutecalc.uncertain(case, int(count), seed, ["exit_x_m"]).summaries["exit_x_m"] for seed in range(8)]
+        runs = [of_samples(int(count), seed) for seed in range(8)]
         errors.append(np.sqrt(np.mean([(own.mean - exact) ** 2 for own in runs])))
         told.append(np.sqrt(np.mean([own.error**2 for own in runs])))
     order = np.polyfit(np.log(counts), np.log(errors), 1)[0]
@@ -168,12 +179,54 @@ def test_a_shear_test_is_students_t_of_the_slope():
 
 
 def test_a_distribution_is_cut_off_at_the_bounds_of_its_key():
-    (key,) = stalling(**{"liners.wall.friction_deg": {"normal": 15.0}}).uncertain.keys
-    low, high = -22.0 / 15.0, (90.0 - 22.0) / 15.0
-    exact = stats.truncnorm(low, high, 22.0, 15.0)
+    (key,) = stalling(**{"liners.wall.friction_deg": {"normal": 11.0}}).uncertain.keys
+    low, high = -22.0 / 11.0, (90.0 - 22.0) / 11.0
+    exact = stats.truncnorm(low, high, 22.0, 11.0)
     shares = np.array([1e-9, 0.01, 0.5, 0.99, 1 - 1e-9])
-    assert quantiles_of(key)(shares) == pytest.approx(exact.ppf(shares), rel=1e-6)
-    assert quantiles_of(key)([0.0, 1.0]) == pytest.approx([0.0, 90.0], abs=1e-9)
+    own = quantiles_of(key)
+    assert own(shares) == pytest.approx(exact.ppf(shares), rel=1e-6)
+    assert own([0.0, 1.0]) == pytest.approx([0.0, 90.0], abs=1e-6)
+    assert own.outside == pytest.approx(stats.norm.cdf(low), rel=1e-6)
+    found = chutecalc.uncertain(stalling(**{"liners.wall.friction_deg": {"normal": 11.0}}))
+    values = found.values["liners.wall.friction_deg"]
+    assert values.mean() == pytest.approx(exact.mean(), rel=1e-4)
+    assert values.std() == pytest.approx(exact.std(), rel=1e-3)
+
+
+@pytest.mark.parametrize("scale", [1.0, 1e-300, 1e300])
+def test_mean_and_deviation_hold_for_numbers_of_any_size(scale):
+    """Of 1 to N: (N + 1)/2 and the root of N (N + 1)/12; 1e300 has no square."""
+    count = 1024
+    own = summary(scale * np.random.default_rng(1).permutation(np.arange(1.0, count + 1)))
+    assert own.mean == pytest.approx(scale * (count + 1) / 2, rel=1e-12)
+    assert own.deviation == pytest.approx(scale * np.sqrt(count * (count + 1) / 12), rel=1e-12)
+    far = summary(1e9 + np.random.default_rng(1).permutation(np.arange(1.0, count + 1)))
+    assert far.deviation == pytest.approx(np.sqrt(count * (count + 1) / 12), rel=1e-9)
+
+
+@pytest.mark.parametrize(("limit", "sign"), [("exit_z_m<=8.5", 1.0), ("exit_z_m>=7.2", -1.0)])
+def test_the_chance_that_a_limit_is_exceeded_is_that_of_a_normal_number(limit, sign):
+    found = chutecalc.uncertain(fall(**HEIGHTS), limits=[limit])
+    value = float(limit[-3:])
+    exact = stats.norm(8.0, 0.5).sf(value) if sign > 0 else stats.norm(8.0, 0.5).cdf(value)
+    own = found.exceeded[limit]
+    assert abs(own.share - exact) < MANY * own.error < 0.01
+    assert own.at_most == pytest.approx(own.share + 2.0 * own.error)
+    assert found.exceeded["any"] == own
+
+
+def test_limits_count_among_those_that_do_not_fail_and_all_together_among_all():
+    """v² falls linearly with tan φ, to 0 at the angle of the stall: below 1 m/s is the share between two angles."""
+    root = np.tan(np.radians(stall_angle()))
+    rest = 4.0 + 2 * G * 3.0 * np.sin(np.radians(30.0))
+    slow = float(np.degrees(np.arctan(root * (rest - 1.0) / rest)))
+    keys = {"liners.wall.friction_deg": {"uniform": [10.0, 45.0]}}
+    found = chutecalc.uncertain(stalling(**keys), limits=["exit_velocity_m_s>=1"])
+    assert slow < stall_angle() < 45.0
+    own, all_ = found.exceeded["exit_velocity_m_s>=1"], found.exceeded["any"]
+    assert own.share == pytest.approx((stall_angle() - slow) / (stall_angle() - 10.0), abs=2e-3)
+    assert all_.share == pytest.approx((45.0 - slow) / 35.0, abs=2e-3)
+    assert all_.share == pytest.approx(found.chances["fails"].share + own.share * found.chances["ok"].share, rel=1e-12)
 
 
 def test_replicates_are_nets():

@@ -7,7 +7,7 @@ from scipy.optimize import nnls
 
 from chutecalc.physics.arrays import Array, Index
 from chutecalc.studies.optimise.borders import Edge, failure_edges
-from chutecalc.studies.optimise.limit import NO_FAILURE, NO_WARNINGS
+from chutecalc.studies.optimise.objective import NO_FAILURE, NO_WARNINGS
 from chutecalc.studies.optimise.polish import Slopes
 from chutecalc.studies.optimise.problem import FAILURE, Problem, Rows
 

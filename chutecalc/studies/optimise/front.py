@@ -3,8 +3,9 @@
 import numpy as np
 
 from chutecalc.physics.arrays import Array
+from chutecalc.studies.limit import Limit
 from chutecalc.studies.optimise.binding import Binding, binding
-from chutecalc.studies.optimise.limit import Limit, Objective
+from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.optimise.problem import Problem
 from chutecalc.studies.optimise.search import best_place
 

@@ -8,10 +8,11 @@ from chutecalc.errors import UsageError
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.found import solved
 from chutecalc.studies.keys import Key, key_arguments, read_keys
+from chutecalc.studies.limit import Limit, read_limit
 from chutecalc.studies.optimise.answer import KeyAnswer, key_answers
 from chutecalc.studies.optimise.binding import binding
 from chutecalc.studies.optimise.front import front_places
-from chutecalc.studies.optimise.limit import Limit, Objective, read_limit
+from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.optimise.optimum import Optimum
 from chutecalc.studies.optimise.problem import Problem
 from chutecalc.studies.optimise.search import best_place

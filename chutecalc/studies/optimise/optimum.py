@@ -4,9 +4,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from chutecalc.studies.found import Found
+from chutecalc.studies.limit import Limit
 from chutecalc.studies.optimise.answer import KeyAnswer
 from chutecalc.studies.optimise.binding import Binding
-from chutecalc.studies.optimise.limit import NO_FAILURE, NO_WARNINGS, Limit, Objective
+from chutecalc.studies.optimise.objective import NO_FAILURE, NO_WARNINGS, Objective
 from chutecalc.studies.optimise.violation import Violation
 
 

@@ -12,7 +12,8 @@ from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
-from chutecalc.studies.optimise.limit import Limit, Objective
+from chutecalc.studies.limit import Limit
+from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.variants import Variants
 from chutecalc.workers import Threads
 

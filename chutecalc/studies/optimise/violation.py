@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.physics.arrays import Array
-from chutecalc.studies.optimise.limit import NO_FAILURE, NO_WARNINGS
+from chutecalc.studies.optimise.objective import NO_FAILURE, NO_WARNINGS
 from chutecalc.studies.optimise.problem import FAILURE, OK, WARNING, Problem
 
 

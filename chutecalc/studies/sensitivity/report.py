@@ -22,9 +22,9 @@ def sensitivity_table(found: Sensitivity, units: str) -> Grid:
     """
     column = COLUMNS[found.column.removeprefix("exit_")]
     value = f"{column.shown(found.value, units)} {column.unit_text(units)}".rstrip()
-    table = Grid(f"sensitivity of the exit {column.words} of {value}, in % of it")
+    table = Grid(f"change of the exit {column.words} of {value}, in % of it, where one key rises")
     table.column("key", left=True, label=True)
-    for heading in ("value", "per\nunit", "per\n1 %"):
+    for heading in ("value", "by 1 of\nits unit", "by 1 %\nof it"):
         table.column(heading)
     table.column("", left=True, words=True)
     marks = _marks(found)
@@ -41,10 +41,17 @@ def _shown(value: float) -> str:
 
 def _marks(found: Sensitivity) -> list[str]:
     """Return what there is to say of each key."""
-    return [
-        "fails on both sides" if slope != slope else "fails on one side" if error != error else "" if smooth else "kink"
-        for slope, error, smooth in zip(found.derivative, found.error, found.smooth, strict=True)
-    ]
+    numbers = zip(found.derivative, found.error, found.smooth, strict=True)
+    return [_mark(slope, error, smooth) for slope, error, smooth in numbers]
+
+
+def _mark(slope: float, error: float, smooth: bool) -> str:
+    """Return what there is to say of one key."""
+    if slope != slope:
+        return "fails on both sides"
+    if error != error:
+        return "fails on one side"
+    return "" if smooth else "differs where it falls"
 
 
 def sensitivity_document(found: Sensitivity) -> dict[str, Any]:

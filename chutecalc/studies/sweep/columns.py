@@ -25,6 +25,8 @@ GREATEST = {name: IMPACT_COLUMNS[name] for name in ("incidence_deg", "pressure_k
 IMPACTS = "largest of all impacts, 0 without one"
 CODES = {"findings": tuple(Severity), "warnings": (Severity.WARNING,)}
 """Columns of the codes of findings, each with the severities of these."""
+ALONE = ("landing_margin_m", "duration_s", "status")
+"""Columns of a segment that belong to no group."""
 
 
 def row_columns() -> dict[str, Column]:
@@ -113,7 +115,7 @@ def column_forms() -> list[tuple[str, str]]:
         ("receiver_NAME", f"of the receiving belt: {_members(RECEIVER_COLUMNS.values())}"),
         *((name, row_columns()[name].meaning) for name in ("error_estimate", *CODES)),
         *own,
-        *((f"segments.SEGMENT.{name}", segment_columns()[name].meaning) for name in ("duration_s", "status")),
+        *((f"segments.SEGMENT.{name}", segment_columns()[name].meaning) for name in ALONE),
     ]
 
 

@@ -1,14 +1,15 @@
 """An uncertain chute as a document, and its samples as rows."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from chutecalc.output.dataset import Block, Dataset, document_head, number, numbers
 from chutecalc.studies.uncertain.outcome import Outcome
+from chutecalc.studies.uncertain.quantiles import quantiles_of
 from chutecalc.studies.uncertain.sampling import REPLICATES
-from chutecalc.studies.uncertain.statistics import SHARES, STATUSES
+from chutecalc.studies.uncertain.statistics import SHARES, STATUSES, Chance
 
 ROWS = 1 << 16
 """Rows of a block of samples in files."""
@@ -54,6 +55,7 @@ def uncertainty_document(result: Outcome) -> dict[str, Any]:
                 "value": number(key.parameter.value_in_unit),
                 "distribution": key.scatter.kind,
                 "numbers": list(key.scatter.numbers),
+                "cut_off": quantiles_of(key).outside,
                 "quantiles": numbers(np.quantile(result.values[key.path], SHARES)),
             }
             for key in result.keys.keys
@@ -72,13 +74,20 @@ def uncertainty_document(result: Outcome) -> dict[str, Any]:
             }
             for name, own in result.summaries.items()
         },
-        "chances": {
-            status: {"share": own.share, "error": number(own.error), "at_most": own.at_most}
-            for status, own in result.chances.items()
-        },
+        "chances": _chances(result.chances),
+        "exceeded": _chances(result.exceeded),
+        **({} if result.warned is None else {"warnings": _chances(result.warned)}),
         "indices": {
             name: {key: numbers(values) for key, values in own._asdict().items()}
             for name, own in result.indices.items()
         },
         "no_indices": result.no_indices or None,
+    }
+
+
+def _chances(chances: Mapping[str, Chance]) -> dict[str, Any]:
+    """Return chances by what they are of."""
+    return {
+        name: {"share": number(own.share), "error": number(own.error), "at_most": own.at_most}
+        for name, own in chances.items()
     }

@@ -16,6 +16,8 @@ ENDS = (0.05, 0.95)
 """Quantiles at which each key stands alone."""
 FEWEST_FAILURES = 20
 """Failing samples below which nothing is said of what makes them fail."""
+SAME = 1e-8
+"""Share of a column by which it varies at least: the error of the solver is 1e-10, unless another one is asked for."""
 
 
 class Indices(NamedTuple):
@@ -97,8 +99,13 @@ def indices(solver: RowSolver, one: Array, other: Array, solved: Rows, show: Sho
     if fails:
         columns = {FAILS: (ends > 0).astype(float)}
     shape = (2 + count, REPLICATES, -1)
-    found = {name: _of(values.reshape(shape)) for name, values in columns.items() if np.isfinite(values).all()}
-    return found, "" if found else "the columns do not exist in all samples"
+    found = {name: _of(values.reshape(shape)) for name, values in columns.items() if _varies(values)}
+    return found, "" if found else "no column exists in all samples and varies"
+
+
+def _varies(values: Array) -> bool:
+    """Return whether a column exists in all samples and has a variance that is more than rounding."""
+    return bool(np.isfinite(values).all() and np.ptp(values) > SAME * np.abs(values).max())
 
 
 def _of(values: Array) -> Indices:

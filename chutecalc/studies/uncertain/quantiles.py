@@ -32,6 +32,11 @@ class Quantiles(NamedTuple):
     read: Callable[[Array], Array]
     """Turns numbers of the distribution into values of the key."""
 
+    @property
+    def outside(self) -> float:
+        """Share of the distribution that is cut off, because the key does not take it."""
+        return max(1.0 - self.within, 0.0)
+
     def __call__(self, shares: Any) -> Array:
         r"""Return the values below which these shares of all values lie.
 
@@ -109,12 +114,14 @@ def _triangular(scatter: Scatter, centre: float, unit: str) -> _Made:
 
 
 def _shear_test(scatter: Scatter, centre: float, unit: str) -> _Made:
-    """Return Student's t of the slope; the key is its angle."""
-    slope, error, freedom = scatter.numbers
-    base = stats.t(freedom, slope, error)
-    if unit == "deg":
-        return base, lambda tangent: np.degrees(np.arctan(tangent)), lambda angle: float(np.tan(np.radians(angle)))
-    return base, np.arctan, lambda angle: float(np.tan(angle))
+    """Return Student's t of the slope; the key is its angle, and what a case adds to that."""
+    slope, error, freedom, added = scatter.numbers
+    one = np.degrees(1.0) if unit == "deg" else 1.0  # a radian in the unit of the key
+
+    def slope_at(angle: float) -> float:
+        return float(np.tan(np.clip((angle - added) / one, 0.0, 0.5 * np.pi)))  # no friction is below 0
+
+    return stats.t(freedom, slope, error), lambda tangent: np.arctan(tangent) * one + added, slope_at
 
 
 _DISTRIBUTIONS: dict[str, Callable[[Scatter, float, str], _Made]] = {

@@ -1,6 +1,6 @@
 """The report on an uncertain chute for people."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -9,13 +9,17 @@ from chutecalc.output.printer import Printer
 from chutecalc.results.column import Column
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep.columns import own_columns, row_columns
-from chutecalc.studies.uncertain.importance import Indices
+from chutecalc.studies.uncertain.beyond import ANY
+from chutecalc.studies.uncertain.importance_report import print_importance
 from chutecalc.studies.uncertain.outcome import Outcome
-from chutecalc.studies.uncertain.sampling import REPLICATES
-from chutecalc.studies.uncertain.statistics import FAILS, SHARES, STATUSES
+from chutecalc.studies.uncertain.quantiles import quantiles_of
+from chutecalc.studies.uncertain.statistics import FAILS, SHARES, STATUSES, Chance
+from chutecalc.studies.uncertain.texts import cell, label, per_cent, status_words
 
 AHEAD = tuple(f"{100 * share:g} %" for share in SHARES)
 """Headings of the quantiles."""
+LEAST_CUT = 1e-6
+"""Share of a distribution below which it is not told that it is cut off."""
 
 
 def columns_of(result: Outcome) -> dict[str, Column]:
@@ -30,7 +34,7 @@ def columns_of(result: Outcome) -> dict[str, Column]:
 
 
 def print_uncertainty(printer: Printer, result: Outcome) -> None:
-    """Print what is uncertain, what comes out, how it may fail, and which keys matter.
+    """Print what is uncertain, what comes out, how it may fail or exceed its limits, and which keys matter.
 
     Args:
         printer: where to print, and in which units.
@@ -39,34 +43,31 @@ def print_uncertainty(printer: Printer, result: Outcome) -> None:
     chute = result.chute
     printer.text(chute.spec.title or chute.source)
     state = "" if result.case == DESIGN_POINT else f", case {result.case}"
-    printer.text(
-        f"{chute.source}{state}: {result.count:,} samples, {REPLICATES} scramblings of Sobol points, seed {result.seed}"
-    )
+    printer.text(f"{chute.source}{state}: {result.count:,} samples, seed {result.seed}")
     printer.text()
     printer.table(_keys(result))
-    for line in _correlations(result):
+    for line in (*_cut_off(result), *_correlations(result)):
         printer.text(line)
     printer.text()
-    printer.table(_summaries(result, printer.units))
+    _print_summaries(printer, result)
     printer.text()
-    printer.table(_chances(result))
-    for name, column in columns_of(result).items():
-        if np.isnan(result.tornado.columns[name]).all():
-            continue
+    printer.table(_chances("how it ends", "status", _ends(result)))
+    if result.exceeded:
         printer.text()
-        printer.table(_importance(result, name, column, printer.units))
-    if FAILS in result.indices:
+        printer.table(_chances(f"how likely limits are exceeded{_over(result)}", "limit", _exceeded(result)))
+    if result.warned is not None:
         printer.text()
-        printer.table(_failure(result))
-    elif result.no_indices:
-        printer.text()
-        printer.text(f"no Sobol indices: {result.no_indices}")
+        if result.warned:
+            printer.table(_chances(f"how likely findings warn{_over(result)}", "warning", result.warned))
+        else:
+            printer.text("no sample has a warning")
+    print_importance(printer, result, columns_of(result))
 
 
 def _keys(result: Outcome) -> Grid:
     """Return a row for each key: its value in the spec, how it scatters, its quantiles."""
     table = Grid()
-    for heading in ("key", "in the spec"):
+    for heading in ("key", result.where):
         table.column(heading, left=heading == "key", label=heading == "key")
     table.column("uncertainty", left=True, words=True)
     for heading in AHEAD:
@@ -85,86 +86,66 @@ def _correlations(result: Outcome) -> Iterator[str]:
         yield f"correlation of {paths[one]} and {paths[other]}: {result.keys.correlation[one, other]:g}"
 
 
-def _summaries(result: Outcome, units: str) -> Grid:
-    """Return a row for each column."""
-    fails = "" if result.ok.all() else ", over the samples that do not fail"
-    table = Grid(f"what comes out{fails}")
+def _cut_off(result: Outcome) -> Iterator[str]:
+    """Yield a line for each key of whose distribution something is cut off."""
+    for key in result.keys.keys:
+        outside, bounds = quantiles_of(key).outside, key.parameter.quantity.bounds_text(key.parameter.unit)
+        if outside >= LEAST_CUT:
+            yield f"{key.path} must be {bounds}: {per_cent(outside)} of its values would not be, and are cut off"
+
+
+def _over(result: Outcome) -> str:
+    """Return over which samples something is, where that is not over all."""
+    return "" if result.ok.all() else ", over the samples that do not fail"
+
+
+def _print_summaries(printer: Printer, result: Outcome) -> None:
+    """Print a row for each column that a sample has, and which columns none has."""
+    table = Grid(f"what comes out{_over(result)}")
     table.column("column", left=True, label=True)
     for heading in ("mean", "standard\nerror", "standard\ndeviation", *AHEAD):
         table.column(heading)
+    without = []
     for name, column in columns_of(result).items():
         own = result.summaries[name]
+        if np.isnan(own.mean):
+            without.append(column.words)
+            continue
         mean, deviation, *quantiles = (
-            _shown(column, value, units) for value in (own.mean, own.deviation, *own.quantiles)
+            cell(column, value, printer.units) for value in (own.mean, own.deviation, *own.quantiles)
         )
-        error = "" if own.error != own.error else f"{column.converted(own.error, units):.1e}"
-        table.row([_label(column, units), mean, error, deviation, *quantiles])
+        error = "" if own.error != own.error else f"{column.converted(own.error, printer.units):.1e}"
+        table.row([label(column, printer.units), mean, error, deviation, *quantiles])
+    if table.rows:
+        printer.table(table)
+    if not result.ok.any():
+        printer.text("nothing comes out: every sample fails")
+    elif without:
+        printer.text(f"no sample has: {', '.join(without)}")
+
+
+def _ends(result: Outcome) -> dict[str, Chance]:
+    """Return the chances of the ways in which samples end, and that of failure."""
+    return {status_words(status): own for status, own in result.chances.items() if own.share or status == FAILS}
+
+
+def _exceeded(result: Outcome) -> dict[str, Chance]:
+    """Return the chances that limits are exceeded; all together where that says more."""
+    more = len(result.exceeded) > 2 or not result.ok.all()
+    given = {text: own for text, own in result.exceeded.items() if text != ANY}
+    return given | ({"of all: fails or exceeds any": result.exceeded[ANY]} if more else {})
+
+
+def _chances(title: str, heading: str, chances: Mapping[str, Chance]) -> Grid:
+    """Return a row for each chance."""
+    table = Grid(title)
+    table.column(heading, left=True, label=True)
+    for text in ("chance", "standard\nerror", "at most\n(95 %)"):
+        table.column(text)
+    for name, own in chances.items():
+        if own.share != own.share:
+            table.row([name])
+            continue
+        most = "" if name == STATUSES[0] else per_cent(own.at_most)
+        table.row([name, per_cent(own.share, 4), per_cent(own.error, 1), most])
     return table
-
-
-def _shown(column: Column, value: float, units: str) -> str:
-    """Return a number of a column, empty for NaN."""
-    if column.name == "error_estimate":
-        return "" if value != value else f"{value:.0e}"
-    return column.shown(float(value), units)
-
-
-def _status(status: str) -> str:
-    """Return a status as people read it."""
-    return status.replace("_", " ")
-
-
-def _label(column: Column, units: str) -> str:
-    """Return the name of a column with its unit."""
-    return ", ".join(part for part in (column.heading, column.unit_text(units)) if part)
-
-
-def _chances(result: Outcome) -> Grid:
-    """Return a row for each way to end."""
-    table = Grid("how it ends")
-    table.column("status", left=True, label=True)
-    for heading in ("chance", "standard\nerror", "at most\n(95 %)"):
-        table.column(heading)
-    for status, own in result.chances.items():
-        if own.share or status == FAILS:
-            most = "" if status == STATUSES[0] else f"{100 * own.at_most:.2g} %"
-            table.row([_status(status), f"{100 * own.share:.4g} %", f"{100 * own.error:.1g} %", most])
-    return table
-
-
-def _importance(result: Outcome, name: str, column: Column, units: str) -> Grid:
-    """Return a row for each key: the column with the key alone at its ends, and its Sobol indices."""
-    own = result.indices.get(name)
-    spec = _shown(column, result.tornado.spec[name], units) or "none"
-    table = Grid(f"{_label(column, units)}, {spec} in the spec: each key alone" + (", Sobol indices" if own else ""))
-    table.column("key", left=True, label=True)
-    for heading in ("at 5 %", "at 95 %"):
-        table.column(heading)
-    _index_columns(table, own)
-    for k in result.tornado.order(name):
-        ends = zip(result.tornado.columns[name][k], result.tornado.ends[k], strict=True)
-        alone = [_shown(column, value, units) if code == 0 else _status(STATUSES[code]) for value, code in ends]
-        table.row([result.keys.paths[k], *alone, *_index_cells(own, k)])
-    return table
-
-
-def _failure(result: Outcome) -> Grid:
-    """Return a row for each key: its Sobol indices of failure."""
-    own = result.indices[FAILS]
-    table = Grid("which keys decide whether it fails: Sobol indices of failure")
-    table.column("key", left=True, label=True)
-    _index_columns(table, own)
-    for k in np.argsort(-own.total, kind="stable"):
-        table.row([result.keys.paths[k], *_index_cells(own, int(k))])
-    return table
-
-
-def _index_columns(table: Grid, own: Indices | None) -> None:
-    """Add the columns of Sobol indices, if there are any."""
-    for heading in ("first\norder", "±", "total\norder", "±") if own else ():
-        table.column(heading)
-
-
-def _index_cells(own: Indices | None, key: int) -> list[str]:
-    """Return the cells of Sobol indices of a key."""
-    return [] if own is None else [f"{values[key]:z.3f}" for values in own]

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from chutecalc.results.described import html_table
 from chutecalc.studies.uncertain.bands import POINTS, Bands, bands
 from chutecalc.studies.uncertain.outcome import Outcome
-from chutecalc.studies.uncertain.statistics import FAILS
+from chutecalc.studies.uncertain.statistics import FAILS, Summary
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -46,15 +46,19 @@ class Uncertainty(Outcome):
         """Return a table of the columns, for notebooks."""
         rows = [
             (name, *(f"{value:.4g}" for value in (own.mean, own.deviation, *own.quantiles)))
-            for name, own in self.summaries.items()
+            for name, own in self._known()
         ]
         headings = ("column", "mean", "standard deviation", "5 %", "50 %", "95 %")
         return html_table(self._described(), headings, rows)
 
+    def _known(self) -> list[tuple[str, Summary]]:
+        """Return the columns that any sample has, by name."""
+        return [(name, own) for name, own in self.summaries.items() if own.mean == own.mean]
+
     def _described(self) -> str:
-        """Return the first column and the chance of failure, as text."""
-        name, own = next(iter(self.summaries.items()))
-        low, _, high = own.quantiles
-        fails = 100.0 * self.chances[FAILS].share
-        spread = f"{name} {own.mean:.4g} (5 to 95 %: {low:.4g} to {high:.4g})"
-        return f"Uncertainty of {self.count} samples: {spread}, {fails:.3g} % fail"
+        """Return the first column that any sample has, and the chance of failure, as text."""
+        spread = ""
+        for name, own in self._known()[:1]:
+            low, _, high = own.quantiles
+            spread = f"{name} {own.mean:.4g} (5 to 95 %: {low:.4g} to {high:.4g}), "
+        return f"Uncertainty of {self.count} samples: {spread}{100.0 * self.chances[FAILS].share:.3g} % fail"

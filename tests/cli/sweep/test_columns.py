@@ -8,6 +8,7 @@ from chutecalc.results.cases import Cases
 from chutecalc.results.segment_columns import segment_columns
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep.checks import DEFAULT, DEFAULT_ON_BELT
+from chutecalc.studies.sweep.columns import ALONE
 from tests.cli.sweep.commands import BELT, HOOD, SPOON, refused, swept
 from tests.conftest import ROOT
 
@@ -66,7 +67,7 @@ def test_columns_of_a_segment_are_its_results(capsys):
     for row in rows:
         state = chutecalc.solve(chutecalc.load(BELT).vary({"flow.rate_t_h": float(row["rate_t_h"])}))
         spoon = run_document(Cases({DESIGN_POINT: state}), None)["segments"][-1]
-        found = {"status": spoon["status"], "duration_s": spoon["duration_s"]}
+        found = {name: spoon[name] for name in ALONE}
         for prefix, part in (("entry", "entry"), ("exit", "exit"), ("min", "minimum"), ("max", "maximum")):
             found |= {f"{prefix}_{name}": value for name, value in spoon[part].items()}
         found |= {f"impact_{name}": value for name, value in spoon["impact"].items()} | spoon.get("loads", {})

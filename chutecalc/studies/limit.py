@@ -1,4 +1,4 @@
-"""What is to be best, and the limits that it has to keep."""
+"""A limit of a column, as commands take it."""
 
 import re
 from typing import NamedTuple
@@ -6,18 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.errors import UsageError
+from chutecalc.physics.arrays import Array, Mask
 
 SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
-NO_FAILURE, NO_WARNINGS = "no failure", "no warnings"
-"""Names of the limits that are of no column."""
-
-
-class Objective(NamedTuple):
-    """A column that is to be small or large."""
-
-    column: str
-    sign: float
-    """1 where it is minimised, -1 where it is maximised."""
 
 
 class Limit(NamedTuple):
@@ -32,6 +23,18 @@ class Limit(NamedTuple):
     def text(self) -> str:
         """The limit as it is written."""
         return f"{self.column}{'<=' if self.sign > 0 else '>='}{self.value:.12g}"
+
+    def is_exceeded(self, values: Array) -> Mask:
+        """Return where values are beyond it; nowhere where there is none.
+
+        Args:
+            values: of the column, in its unit, of any shape.
+
+        >>> read_limit("max_depth_m<=0.3").is_exceeded(np.array([0.2, 0.4, np.nan])).tolist()
+        [False, True, False]
+        """
+        beyond: Mask = self.sign * (values - self.value) > 0.0
+        return beyond
 
     @property
     def scale(self) -> float:
