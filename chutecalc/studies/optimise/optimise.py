@@ -31,6 +31,8 @@ class Optimum(Found):
     """What is minimised or maximised: one, or two of a front."""
     limits: tuple[Limit, ...]
     """What it is subject to, in each state."""
+    no_warnings: bool
+    """Whether it is subject to having no warnings either."""
     worst: dict[str, Any]
     """Each objective in the worst state, an array of shape (designs,) by column."""
     binding: list[list[Binding]]
@@ -195,5 +197,15 @@ def find_optimum(
     worst = {each.column: each.sign * (each.sign * found[1][each.column]).max(axis=0) for each in objectives}
     bound = [each for each, _ in binds]
     return Optimum(
-        chute, tuple(keys), states, *found, tuple(objectives), tuple(limits), worst, bound, answers, violation
+        chute,
+        tuple(keys),
+        states,
+        *found,
+        tuple(objectives),
+        tuple(limits),
+        no_warnings,
+        worst,
+        bound,
+        answers,
+        violation,
     )
