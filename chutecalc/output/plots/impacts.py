@@ -18,7 +18,7 @@ REACH = 4.0
 """An axis reaches an impact of up to this multiple of what it holds already; beyond, it would squash all else."""
 MOST_VALUED = 8
 """Of more impacts only the greatest has its value beside it, and those beyond the axis."""
-SMALL_MARK = 3.0
+SMALL_MARK = 3.5
 """Size of the mark of an impact in another operating state, points."""
 
 
@@ -33,7 +33,8 @@ def draw_impacts(axes: dict[str, Axes], seen: View, cases: Sequence[CaseLine], u
     """
     drawn: list[tuple[View, dict[str, Any]]] = [(seen, LOOK)]
     for case in cases:
-        small = {"markeredgecolor": case.look["color"], "markersize": SMALL_MARK, "gid": "case impact", "zorder": 2.9}
+        small = {"marker": case.look["marker"], "markeredgecolor": case.look["color"], "markersize": SMALL_MARK}
+        small |= {"gid": "case impact", "zorder": 2.9}
         drawn.append((case.seen, LOOK | small))
     for name in STRUCK:
         top = axes[name].get_ylim()[1]
