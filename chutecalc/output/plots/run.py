@@ -72,7 +72,8 @@ def _one(states: Cases, units: str, band: Band | None) -> Figure:
     draw_impacts(axes, seen, cases, units)
     lay_out(figure)
     mark_ends(axes, seen.traces, units)
-    lay_out(figure)  # headings that stand upright take room
+    if any(name.get_rotation() for name in axes[PANELS[0]].texts):  # upright names take room
+        lay_out(figure)
     label_impacts(axes, seen, units)
     side.label(marks)
     return figure
