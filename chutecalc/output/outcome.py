@@ -26,12 +26,13 @@ def flow_line(solution: SolvedChute, units: str) -> str:
     return f"{solution.source}: {rate} of {material.name or 'material'} ({what})"
 
 
-def outcome(solution: SolvedChute, units: str) -> str:
+def outcome(solution: SolvedChute, units: str, error_from: float = 0.0) -> str:
     """Return the status of a chute and the stream at its exit, in a line.
 
     Args:
         solution: solution of one design.
         units: ``metric`` or ``us``.
+        error_from: relative error estimate from which on it is told, dimensionless.
     """
     if not solution.ok[0]:
         return f"status {solution.status[0]}"
@@ -40,9 +41,9 @@ def outcome(solution: SolvedChute, units: str) -> str:
         column, value = COLUMNS[name], float(solution.exit[name][0])
         if value == value:
             parts.append(f"{column.heading} {column.shown(value, units)} {column.unit_text(units)}")
-    return (
-        f"status {solution.status[0]}, exit {', '.join(parts)} (error estimate {float(solution.error_estimate[0]):.0e})"
-    )
+    error = float(solution.error_estimate[0])
+    estimate = "" if error < error_from else f" (error estimate {error:.0e})"
+    return f"status {solution.status[0]}, exit {', '.join(parts)}{estimate}"
 
 
 def impact_lines(solution: SolvedChute, units: str) -> Iterator[str]:

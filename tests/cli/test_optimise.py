@@ -5,14 +5,15 @@ import re
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.output.printer import PIPE_WIDTH
-from chutecalc.studies.optimise.plot import draw_optimum, neighbourhood
-from chutecalc.studies.sweep.solved_blocks import solve_block
+from chutecalc.studies.optimise.neighbourhood import neighbourhood
+from chutecalc.studies.optimise.plot import draw_optimum
 from tests.conftest import ROOT
 
 SPOON = ROOT / "specs" / "paper" / "r3_d55_chamfered.toml"
@@ -178,21 +179,75 @@ def test_lines_fit_80_columns(capsys, spec):
         assert max(len(line) for line in lines if str(spec) not in line) <= PIPE_WIDTH
 
 
+def explained(figure):
+    """Return the entries of the legend."""
+    return [text.get_text().replace("\n", " ") for text in figure.legends[0].get_texts()]
+
+
+def drawn_as(figure, gid):
+    axes = figure.axes[0]
+    return [each for each in (*axes.lines, *axes.patches, *axes.collections) if each.get_gid() == gid]
+
+
 def test_pictures(tmp_path, spec):
     chute = chutecalc.load(spec)
     found = chutecalc.optimise(chute, {RADIUS: (1, 4), BETA: (20, 89)}, minimise="exit_velocity_m_s")
-    sweep, best = neighbourhood(found)
-    assert best == [found.values[RADIUS][0], found.values[BETA][0]]
-    assert sweep.count == 33 * 33
-    assert solve_block(sweep, 0)["exit_velocity_m_s"].min() >= found.worst["exit_velocity_m_s"][0] * (1.0 - 1e-9)
+    near = neighbourhood(found)
+    assert near.best == [found.values[RADIUS][0], found.values[BETA][0]]
+    assert near.worst.shape == (33 * 33,)
+    assert near.worst.min() >= found.worst["exit_velocity_m_s"][0] * (1.0 - 1e-9)
     figure = draw_optimum(found)
     assert isinstance(figure, Figure)
-    (mark,) = [line for line in figure.axes[0].lines if line.get_gid() == "best"]
-    assert (mark.get_xdata()[0], mark.get_ydata()[0]) == tuple(best)
+    (mark,) = drawn_as(figure, "best")
+    assert (mark.get_xdata()[0], mark.get_ydata()[0]) == tuple(near.best)
+    assert explained(figure) == ["best design"]
     file = tmp_path / "front.svg"
     given = ["--minimise", "max_depth_m", "--maximise", "exit_velocity_m_s", "--points", "3", "--plot", str(file)]
     assert main(["optimise", str(spec), "rate=500:1500", *given]) == 0
     assert file.stat().st_size > 1000
+
+
+def test_what_limits_and_warnings_exclude_is_hatched_and_named(spec):
+    keys = {RADIUS: (1, 4), BETA: (20, 89)}
+    chute = chutecalc.load(spec)
+    found = chutecalc.optimise(chute, keys, "exit_velocity_m_s", subject=["max_depth_m<=0.15"])
+    near = neighbourhood(found)
+    (margin,) = near.margins.values()
+    radius, beta = (each.values for each in near.sweep.parameters)
+    for k in (0, 40, 500, 1088):
+        one = chutecalc.solve(chute.put({RADIUS: radius[k // 33], BETA: beta[k % 33]}))
+        assert margin[k] == pytest.approx(0.15 - np.nanmax(one.stations(points=101)["depth_m"]), abs=1e-5)
+    figure = draw_optimum(found)
+    assert explained(figure) == ["best design", "excluded: max_depth_m > 0.15"]
+    assert len(drawn_as(figure, "excluded")) == 1
+    assert 0 < (margin < 0.0).sum() < margin.size
+    unlimited = np.where(margin < 0.0, np.inf, near.worst)
+    assert unlimited.min() >= found.worst["exit_velocity_m_s"][0] * (1.0 - 1e-9)
+    assert near.worst.min() < found.worst["exit_velocity_m_s"][0]  # where the limit excludes it
+    strict = chutecalc.optimise(chute, keys, "exit_velocity_m_s", no_warnings=True)
+    words = explained(draw_optimum(strict))
+    assert any(text.startswith("excluded: warnings (") and "below_cut_off" in text for text in words)
+
+
+def test_the_picture_shows_the_worst_case_of_each_design_and_says_so():
+    chute = chutecalc.load(ROOT / "specs" / "transfer_90.toml")
+    found = chutecalc.optimise(
+        chute, {"segments.spoon.to_slope_deg": (20, 40)}, "receiver_velocity_into_m_s", subject=["exit_depth_m<=0.17"]
+    )
+    near = neighbourhood(found)
+    assert set(found.states) == {"design", "dry", "wet", "surge", "slow_belt"}
+    (slope,) = near.sweep.parameters
+    middle = chute.put({"segments.spoon.to_slope_deg": slope.values[100]})
+    states = chutecalc.solve_cases(middle)
+    into = {name: states[name].receiver["velocity_into_m_s"][0] for name in found.states}
+    assert near.worst[100] == pytest.approx(max(into.values()), rel=1e-9)
+    assert found.states[near.state[100]] == max(into, key=into.get)
+    figure = draw_optimum(found)
+    assert figure.axes[0].get_title(loc="left").endswith(", in its worst case")
+    assert "each is shown in the worst of design, dry, wet, surge, slow_belt; " in figure.get_supxlabel()
+    assert any(text.startswith("excluded: exit_depth_m > 0.17 in ") for text in explained(figure))
+    alone = chutecalc.optimise(chute, {"segments.spoon.to_slope_deg": (20, 40)}, "exit_velocity_m_s", case="wet")
+    assert draw_optimum(alone).axes[0].get_title(loc="left").endswith(", case wet")
 
 
 def test_one_key_is_drawn_as_a_line_and_choices_alone_are_not(spec):

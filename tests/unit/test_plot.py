@@ -1,19 +1,26 @@
 """Pictures hold what the solution says: their lines, labels and numbers, not their pixels."""
 
 import io
+import itertools
 import re
 import tomllib
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.patches import ArrowStyle
+from matplotlib.text import Text
 
 import chutecalc
+from chutecalc.output.outcome import outcome
 from chutecalc.output.plots.flights import STATIONS
 from chutecalc.output.plots.layout import PANELS
+from chutecalc.output.plots.notes import MOST_TOLD, by_weight
 from chutecalc.output.plots.run import draw_run
 from chutecalc.output.plots.save import PICTURE_FORMATS, save
 from chutecalc.output.plots.style import colours
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.finding import Severity
 from chutecalc.studies.friction.plot import draw_study
 from chutecalc.studies.friction.study import FrictionStudy
 from tests.conftest import ROOT, chute, spec
@@ -281,15 +288,123 @@ def test_findings_have_numbers_at_their_places():
         assert mark.xy == (stations["x_m"][0][nearest], stations["z_m"][0][nearest])
 
 
-def test_many_segments_are_told_once_and_not_named():
-    slopes = np.linspace(75.0, 15.0, 61)
+def ramps(count):
+    """Return a chute of straights that flatten, with many findings of few kinds."""
     straights = [
-        {"kind": "straight", "slope_deg": float(a), "length_m": 0.1, "name": f"s{k}"} for k, a in enumerate(slopes)
+        {"kind": "straight", "slope_deg": float(a), "length_m": 0.1, "name": f"s{k}"}
+        for k, a in enumerate(np.linspace(75.0, 15.0, count))
     ]
-    _, axes, _ = drawn(chute(inlet={"velocity_m_s": 5.0, "slope_deg": 76.0}, segments=straights))
-    assert [text.get_text() for text in axes["side"].texts] == ["1, 2"]  # where both findings have their first place
+    return chute(inlet={"velocity_m_s": 5.0, "slope_deg": 76.0}, segments=straights)
+
+
+def test_many_segments_are_not_named_and_what_is_not_told_is_counted():
+    _, axes, (solution,) = drawn(ramps(61))
+    assert len(solution.findings()) > MOST_TOLD
     assert not axes["velocity_m_s"].texts
-    assert re.search(r"and \d+ more", axes["notes"].texts[0].get_text())
+    told = axes["notes"].texts[0].get_text().split("\n")
+    entries = [line for line in told if re.search(r" (warning|note) \w+: ", line)]
+    assert len(entries) == MOST_TOLD
+    rest = next(re.match(r"and (\d+) more .*: see the report", line) for line in told if line.startswith("and "))
+    assert int(rest[1]) == len(solution.findings()) - MOST_TOLD
+
+
+def test_the_worst_of_each_kind_comes_first_and_one_place_has_one_number():
+    _, axes, (solution,) = drawn(ramps(61))
+    found = by_weight(solution.findings())
+    order = list(Severity)
+    assert [order.index(each.severity) for each in found] == sorted(order.index(each.severity) for each in found)
+    for severity in order:
+        own = [each for each in found if each.severity == severity]
+        kinds = list(dict.fromkeys(each.code for each in own))
+        for first, code in zip(own, kinds, strict=False):
+            assert first.code == code
+            assert first.badness[0] == max(each.badness[0] for each in own if each.code == code)
+    told = found[:MOST_TOLD]
+    numbers = [int(each) for text in axes["side"].texts for each in re.findall(r"\d+", text.get_text())]
+    assert sorted(numbers) == list(range(1, len({round(each.s_m[0], 6) for each in told}) + 1))
+
+
+def test_findings_of_one_place_share_its_number():
+    _, axes, (solution,) = drawn(load("impact_plate"))
+    notes = axes["notes"].texts[0].get_text()
+    last = [each for each in solution.findings() if each.s_m[0] == solution.findings()[-1].s_m[0]]
+    assert len(last) == 2
+    assert f"3  warning {last[0].code}: " in notes
+    assert f"\n    warning {last[1].code}: " in notes
+    assert [text.get_text() for text in axes["side"].texts if text.get_text().isdigit()] == ["1", "2", "3"]
+
+
+@pytest.mark.parametrize("units", ["metric", "us"])
+@pytest.mark.parametrize("name", ["transfer_90", "rock_box", "pipe_two_bends", "impact_plate"])
+def test_impacts_are_marked_in_the_panels_with_their_values(name, units):
+    """Each at its place; those beyond the axis at its edge, and either way with the number."""
+    _, axes, (solution,) = drawn(load(name), units=units)
+    struck = [each for each in solution.trajectory.results if each.impact]
+    assert struck
+    for column in ("pressure_kpa", "wear_w_m2"):
+        panel, converted = axes[column], COLUMNS[column].converted
+        top = panel.get_ylim()[1]
+        expected = sorted(
+            (
+                float(COLUMNS["s_m"].converted(each.entry["s_m"][0], units)),
+                min(float(converted(each.impact[column][0], units)), top),
+            )
+            for each in struck
+        )
+        marks = [line.get_xydata() for line in (*by_name(panel, "impact"), *by_name(panel, "impact beyond"))]
+        assert np.allclose(sorted(map(tuple, np.concatenate(marks))), expected, rtol=1e-12)
+        for each in struck:
+            value = float(each.impact[column][0])
+            shown = COLUMNS[column].shown(value, units)
+            assert shown + (" ↑" if converted(value, units) > top else "") in written(panel)
+        (line,) = by_name(panel, column)
+        assert np.nanmax(line.get_ydata()) > 0.2 * top  # an impact does not squash the rest
+
+
+def test_an_impact_of_a_case_is_marked_too():
+    _, axes, _ = drawn(load("transfer_90"))
+    cases = chutecalc.solve_cases(load("transfer_90"))
+    wet = cases["wet"].segments["spoon"]
+    marks = np.concatenate([line.get_xydata() for line in by_name(axes["wear_w_m2"], "case impact")])
+    assert np.isclose(marks, [wet.entry["s_m"][0], wet.impact["wear_w_m2"][0]], rtol=1e-12).all(axis=1).any()
+    assert axes["wear_w_m2"].get_ylim()[1] > wet.impact["wear_w_m2"][0]
+
+
+def test_every_segment_has_its_name_above_the_panels_and_names_keep_apart():
+    figure, axes, _ = drawn(ramps(18))
+    panel = axes["velocity_m_s"]
+    assert [text.get_text() for text in panel.texts] == [f"s{k}" for k in range(18)]
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
+    boxes = [Text.get_window_extent(text, renderer) for text in panel.texts]
+    for one, other in itertools.pairwise(boxes):
+        assert one.x1 <= other.x0 + 1.0
+    assert all(box.y0 >= panel.get_window_extent().y1 for box in boxes)
+
+
+def test_a_name_without_room_stands_upright_at_its_segment():
+    _, axes, _ = drawn(load("impact_plate"))
+    turned = {text.get_text(): text.get_rotation() for text in axes["velocity_m_s"].texts}
+    assert turned == {"throw": 0.0, "plate": 90.0, "drop": 0.0, "spoon": 0.0}
+
+
+@pytest.mark.parametrize(("plan", "text"), [(90.0, "at 90° in plan, seen end on"), (60.0, "at 60° in plan"), (0.0, "")])
+def test_the_receiving_belt_says_how_it_turns_in_plan(plan, text):
+    _, axes, _ = drawn(with_belt_at(plan_angle_deg=plan))
+    assert ", ".join(filter(None, ["belt, 5 m/s", text])) in written(axes["side"])
+    (belt,) = [patch for patch in axes["side"].patches if patch.get_gid() == "receiver"]
+    head = belt.get_arrowstyle()
+    assert isinstance(head, ArrowStyle.BarAB) == (plan == 90.0)
+
+
+@pytest.mark.parametrize(("error", "told"), [(1e-15, False), (1e-2, True)])
+def test_a_picture_tells_only_an_error_that_it_could_show(error, told, monkeypatch):
+    states = chutecalc.solve_cases(load("transfer_90"))
+    for solution in states.solutions.values():
+        monkeypatch.setattr(solution, "error_estimate", np.array([error]))
+    axes = {each.get_label(): each for each in draw_run([states]).axes}
+    assert ("error estimate" in axes["notes"].texts[0].get_text()) == told
+    assert "error estimate" in outcome(states["design"], "metric")
 
 
 @pytest.mark.parametrize(

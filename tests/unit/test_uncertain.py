@@ -226,6 +226,58 @@ def test_bands_are_of_those_that_do_not_fail():
     assert len(none.plot().axes) == 3
 
 
+def crest(velocity):
+    """Return a pipe over a crest, at whose inlet a slow stream follows the floor and a fast one leaves it."""
+    over = {"kind": "curve", "name": "bend", "radius_m": 2.0, "to_slope_deg": 80.0}
+    down = {"kind": "straight", "name": "down", "slope_deg": 80.0, "length_m": 3.0}
+    return study(
+        {"inlet.velocity_m_s": {"uniform": velocity}},
+        samples=1024,
+        sections={"body": {"shape": "pipe", "radius_m": 0.3}},
+        inlet={"velocity_m_s": 3.0, "slope_deg": 20.0},
+        segments=[over, down],
+    )
+
+
+def test_samples_that_leave_a_surface_have_bands_of_their_own():
+    found = crest([2.0, 8.0])
+    bands = found.bands()
+    assert len(bands.shares) == 3
+    assert sum(bands.shares) == pytest.approx(1.0)
+    assert bands.shares[0] == max(bands.shares)
+    exits = []
+    for way in range(3):
+        own = np.array(bands.way) == way
+        assert (np.diff(bands.s_m[own]) >= 0.0).all()  # the bands of a way go on along the chute
+        low, _, high = bands.quantiles["velocity_m_s"][:, own]
+        exits.append((low[-1], high[-1]))
+    drawn = found.columns["exit_velocity_m_s"]
+    assert min(low for low, _ in exits) >= drawn.min()
+    assert max(high for _, high in exits) <= drawn.max()
+    axes = {each.get_label(): each for each in found.plot().axes}
+    assert len(axes["velocity"].get_legend().get_texts()) == 3
+    for line in axes["velocity"].lines:
+        assert (np.diff(line.get_xdata()) >= 0.0).all()
+
+
+def test_bands_end_at_the_exit_with_the_quantiles_of_the_report():
+    """Also where the stream flies to the mouth from the last surface, and for more samples than the bands once took."""
+    found = crest([7.0, 8.0])
+    bands = found.bands()
+    assert bands.samples == found.count == 1024
+    assert bands.shares == (1.0,)
+    for name in ("velocity_m_s",):
+        expected = found.summaries[f"exit_{name}"].quantiles
+        assert bands.quantiles[name][:, -1] == pytest.approx(expected, rel=1e-9)
+    assert "bands from all that do not fail" in found.plot().get_supxlabel()
+
+
+def test_a_picture_says_where_bands_are_of_some_samples_only(monkeypatch):
+    monkeypatch.setattr("chutecalc.studies.uncertain.bands.SAMPLES", 4)
+    text = study().plot().get_supxlabel()
+    assert "bands from the first 64 that do not fail, so that last digits differ" in text
+
+
 def test_a_picture_has_a_bar_for_each_end_and_the_bands():
     figure = study().plot("us")
     axes = {each.get_label(): each for each in figure.axes}

@@ -6,13 +6,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, FancyArrowPatch
 
-from chutecalc.design import Belt
+from chutecalc.design import Belt, Receiver
 from chutecalc.output.plots.flights import Line, belt_throws
 from chutecalc.output.plots.style import LOAD, STEEL
 from chutecalc.results.solved import SolvedChute
 
 BEHIND, AHEAD = 0.12, 0.28
 """Length of the receiving belt drawn before and after the landing, over the greater side of the chute."""
+END_ON = np.cos(np.radians(85.0))
+"""Share of its length below which a belt is seen end on: within 5° of across the plane of the chute."""
 SHOWN = 3.0
 """Length of the feeding belt drawn before its pulley, over the pulley's radius."""
 ON_PULLEY = 25
@@ -53,8 +55,18 @@ def receiver_lines(solution: SolvedChute, size: float) -> list[Line]:
         place = np.array([receiver.at[0][0], receiver.at[1][0]])
     slope, forward = receiver.slope_of_trace[0], np.sign(np.cos(receiver.plan_angle[0]))
     along = forward * np.array([np.cos(slope), -np.sin(slope)])
-    line: Line = place[:, None] + size * np.array([-BEHIND, AHEAD]) * along[:, None]
+    ends = np.array([-BEHIND, BEHIND if is_end_on(receiver) else AHEAD])
+    line: Line = place[:, None] + size * ends * along[:, None]
     return [line] if np.isfinite(line).all() else []
+
+
+def is_end_on(receiver: Receiver) -> bool:
+    """Return whether the receiving belt runs across the plane of the chute.
+
+    Args:
+        receiver: the belt, of one design.
+    """
+    return bool(abs(np.cos(receiver.plan_angle[0])) < END_ON)
 
 
 def draw_feed(axes: Axes, lines: list[Line]) -> None:
@@ -74,14 +86,16 @@ def draw_feed(axes: Axes, lines: list[Line]) -> None:
     axes.update_datalim(np.concatenate([upper, pulley], axis=1).T)
 
 
-def draw_receiver(axes: Axes, lines: list[Line]) -> None:
-    """Draw the belt that the stream goes to, as an arrow in its direction.
+def draw_receiver(axes: Axes, lines: list[Line], receiver: Receiver | None) -> None:
+    """Draw the belt that the stream goes to, as an arrow in its direction; seen end on, as a line across its width.
 
     Args:
         axes: axes to draw on.
         lines: from :func:`receiver_lines`, in the units of the axes; none without such a belt.
+        receiver: the belt.
     """
-    look: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 11.0, "shrinkA": 0.0, "shrinkB": 0.0}
+    style = "|-|,widthA=0.3,widthB=0.3" if receiver is not None and is_end_on(receiver) else "-|>"
+    look: dict[str, Any] = {"arrowstyle": style, "mutation_scale": 11.0, "shrinkA": 0.0, "shrinkB": 0.0}
     for line in lines:
         first, last = (tuple(line[:, end]) for end in (0, -1))
         axes.add_patch(FancyArrowPatch(first, last, color=STEEL, linewidth=1.6, zorder=0.85, gid="receiver", **look))

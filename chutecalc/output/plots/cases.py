@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 from chutecalc.output.outcome import outcome
 from chutecalc.output.plots.flights import Line
-from chutecalc.output.plots.layout import PANELS
+from chutecalc.output.plots.layout import PANELS, VISIBLE
 from chutecalc.output.plots.looks import END, MISSED
 from chutecalc.output.plots.style import INK, MARKS, colours
 from chutecalc.output.plots.text import fitted
@@ -140,7 +140,7 @@ def case_notes(cases: Cases, units: str, width: float) -> list[str]:
         found = cases.findings(name)
         warned = dict.fromkeys(finding.code for finding in found if finding.severity == Severity.WARNING)
         more = f"; warning {', '.join(warned)}" if warned else ""
-        texts = [f"case {name}: {outcome(solution, units)}{more}"]
+        texts = [f"case {name}: {outcome(solution, units, VISIBLE)}{more}"]
         texts += [
             f"    failure {finding.code}: {finding.segment}: {finding.message(0, units)}"
             for finding in found

@@ -18,6 +18,8 @@ KEY, NOTES, SIDE = "key", "notes", "side"
 """Names of the axes beside the panels: the legend of the side view, lines of text, and the side view."""
 SCALES, COLOUR_BAR = 0.6, 0.9
 """What scales take of the width and height of the side view, and what the colour bar takes of its width, inches."""
+VISIBLE = 2e-3
+"""Smallest share of a panel that can be seen, a quarter of the width of a line: a smaller error is not told."""
 
 
 class Arrangement(NamedTuple):

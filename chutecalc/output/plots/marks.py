@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.design import Receiver
+from chutecalc.output.plots.belts import is_end_on
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.labels import Label
 from chutecalc.output.plots.traces import Trace, View
@@ -96,20 +98,21 @@ def mark_labels(stream: Sequence[Trace], marks: Sequence[Mark], size: float, uni
     return found
 
 
-def belt_label(line: Line, velocity: Array, share: float, plan_angle: Array | None, units: str) -> Label:
-    """Return the label of a belt: its velocity. It is best below.
+def belt_label(line: Line, velocity: Array, share: float, receiver: Receiver | None, units: str) -> Label:
+    """Return the label of a belt: its velocity, and where it turns in plan, by how much. It is best below.
 
     Args:
         line: of the belt, in the units of the axes.
         velocity: of the belt, m/s, shape (1,).
         share: of the belt's length at which it is.
-        plan_angle: between the headings of stream and belt, rad, shape (1,); None if it is 0.
+        receiver: the belt, if it is the receiving one.
         units: ``metric`` or ``us``.
     """
     column = COLUMNS["velocity_m_s"]
     text = f"belt, {float(column.converted(velocity[0], units)):.3g} {column.unit_text(units)}"
-    if plan_angle is not None and plan_angle[0]:
-        text += f", {np.degrees(plan_angle[0]):.3g}° in plan"
+    if receiver is not None and receiver.plan_angle[0]:
+        text += f", at {np.degrees(receiver.plan_angle[0]):.3g}° in plan"
+        text += ", seen end on" if is_end_on(receiver) else ""
     x, z = line[:, 0] + share * (line[:, -1] - line[:, 0])
     return Label(text, float(x), float(z), (0.0, -1.0))
 

@@ -6,19 +6,21 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from chutecalc.output.plots.headings import Heading, write_headings
 from chutecalc.output.plots.layout import PANELS
 from chutecalc.output.plots.looks import END, MISSED, STRUCK
 from chutecalc.output.plots.marks import MOST_NAMED
 from chutecalc.output.plots.style import INK, PALE, SHADE, SMALL
 from chutecalc.output.plots.text import POINTS, width_of
 from chutecalc.output.plots.traces import LOST, Trace, View, along
+from chutecalc.output.plots.traces import STRUCK as STRUCK_COLUMNS
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.part import FLIGHT
 
+HEADROOM = 1.06
+"""Top of a panel over its largest value."""
 CUT_OFF = 12.0
 """A panel ends at this multiple of the median of its values."""
-UPRIGHT = 50.0
-"""Greatest width of a name that may stand upright, points."""
 IN_FLIGHT = "in flight"
 
 
@@ -34,7 +36,7 @@ def draw_panels(axes: Mapping[str, Axes], seen: View, units: str) -> None:
     for name, panel in zip(PANELS, panels, strict=True):
         panel.plot(*along(seen.stream, name, units), color=INK, gid=name)
         for trace in seen.stream:
-            if trace.is_plate:
+            if trace.is_plate and name not in STRUCK_COLUMNS:
                 panel.plot(*(values[:1] for values in along([trace], name, units)), **STRUCK)
         if seen.lost:
             panel.plot(*along([seen.lost], name, units), **MISSED)
@@ -52,12 +54,12 @@ def limit(panel: Axes) -> None:
     if not np.isfinite(values).any():
         panel.set_yticks([])
     values = values[np.isfinite(values) & (values > 0.0)]
-    top = min(1.06 * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
+    top = min(HEADROOM * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
 
 
 def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> None:
-    """Mark the ends of segments and flights, shade the flights, and name what has room for its name.
+    """Mark the ends of segments and flights, shade the flights, and name the segments.
 
     Args:
         axes: axes by name, of a figure that is laid out.
@@ -77,12 +79,15 @@ def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> 
         panel.set_xlim(low, high)
         for end in [end for _, end in ends if end < high] if len(ends) <= MOST_NAMED else ():
             panel.axvline(end, color=PALE, linewidth=0.7, zorder=1)
+    named: list[Heading] = []
     for trace, (first, last) in zip(stream, ends, strict=True):
         share, middle = (last - first) / (high - low) * room, 0.5 * (first + last)
         if trace.side == 0.0:
             _shade(panels, first, last, share)
-        if trace.kind not in (LOST, FLIGHT) and len(ends) <= MOST_NAMED:
-            _name(panels[0], middle, trace.name, share)
+        if trace.kind not in (LOST, FLIGHT):
+            named.append(Heading(trace.name, middle, share))
+    if len(ends) <= MOST_NAMED:
+        write_headings(panels[0], named, room)
 
 
 def _shade(panels: Sequence[Axes], first: float, last: float, room: float) -> None:
@@ -92,12 +97,3 @@ def _shade(panels: Sequence[Axes], first: float, last: float, room: float) -> No
         panel.axvspan(first, last, color=SHADE, linewidth=0.0, zorder=0.4, gid=IN_FLIGHT)
         if name != PANELS[0] and width_of(IN_FLIGHT) < 0.9 * room:
             panel.text(0.5 * (first + last), 0.5, IN_FLIGHT, transform=panel.get_xaxis_transform(), **text)
-
-
-def _name(panel: Axes, middle: float, name: str, room: float) -> None:
-    """Write the name of a segment above a panel: a short one upright where there is only room for that."""
-    look: dict[str, Any] = {"transform": panel.get_xaxis_transform(), "ha": "center", "fontsize": SMALL}
-    if width_of(name) < 0.95 * room:
-        panel.text(middle, 1.03, name, **look)
-    elif room > SMALL:
-        panel.text(middle, 1.03, name, rotation=90.0, va="bottom", **look)

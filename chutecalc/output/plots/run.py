@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from chutecalc.output.plots.band import band_notes, draw_band
 from chutecalc.output.plots.cases import case_lines, case_notes, draw_columns, handles
 from chutecalc.output.plots.compare import draw_comparison
+from chutecalc.output.plots.impacts import draw_impacts, label_impacts
 from chutecalc.output.plots.layout import PANELS, WIDTH, page
 from chutecalc.output.plots.notes import notes
 from chutecalc.output.plots.panels import draw_panels, limit, mark_ends
@@ -68,8 +69,12 @@ def _one(states: Cases, units: str, band: Band | None) -> Figure:
     draw_columns(axes, cases, units)
     for panel in PANELS:
         limit(axes[panel])
+    draw_impacts(axes, seen, cases, units)
     lay_out(figure)
     mark_ends(axes, seen.traces, units)
+    if any(name.get_rotation() for name in axes[PANELS[0]].texts):  # upright names take room
+        lay_out(figure)
+    label_impacts(axes, seen, units)
     side.label(marks)
     return figure
 

@@ -59,7 +59,7 @@ class SideView:
             self._explain("flies on, not solved", drawn)
         self.feed, self.received = ([self._long(line) for line in lines] for lines in (seen.feed, seen.received))
         draw_feed(axes, self.feed)
-        draw_receiver(axes, self.received)
+        draw_receiver(axes, self.received, solution.design.receiver)
         if seen.end:
             (drawn,) = axes.plot(*self._long(seen.end.path), **END)
             self._explain("end", drawn)
@@ -79,7 +79,7 @@ class SideView:
         if belt is not None:
             labels.append(belt_label(self.feed[0], belt.velocity, 0.2, None, self.units))
         if receiver is not None and self.received:
-            labels.append(belt_label(self.received[0], receiver.velocity, 0.6, receiver.plan_angle, self.units))
+            labels.append(belt_label(self.received[0], receiver.velocity, 0.6, receiver, self.units))
         labels += mark_labels(stream, marks, size, self.units)
         lines = (*self.seen.lines, *self._inside(), *(line for case in self.cases for line in case.lines))
         place_labels(self.axes, labels, [self._long(line) for line in lines])

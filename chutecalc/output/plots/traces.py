@@ -13,6 +13,8 @@ DEEPEST = 0.25
 """Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
 LOST = "lost"
 """Kind of the trace of a stream that nothing catches."""
+STRUCK = ("pressure_kpa", "wear_w_m2")
+"""Columns that an impact has of its own, beside those of the stream along the surface."""
 Lines = dict[str, Array]
 """Columns by name, each of shape (stations,)."""
 
@@ -80,6 +82,8 @@ class View(NamedTuple):
     """The belt that the stream comes from, see :func:`chutecalc.output.plots.belts.feed_lines`."""
     received: list[Line]
     """The belt that it goes to, as one line."""
+    impacts: Lines
+    """``s_m`` and the columns of :data:`STRUCK` where the stream strikes surfaces, each of shape (impacts,)."""
     size: float
     """Greater side of the chute without belts, m."""
 

@@ -8,7 +8,7 @@ import numpy as np
 from chutecalc.output.plots.belts import feed_lines, receiver_lines
 from chutecalc.output.plots.flights import SHARES, STATIONS, Line, Throw, belt_throws, flown, surface_line, thrown
 from chutecalc.output.plots.onwards import failing_end, flight_to_exit, lost_stream
-from chutecalc.output.plots.traces import DEEPEST, Lines, Steel, Trace, View, extent
+from chutecalc.output.plots.traces import DEEPEST, STRUCK, Lines, Steel, Trace, View, extent
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.part import Part
 from chutecalc.results.solved import SolvedChute
@@ -32,7 +32,7 @@ def view(solution: SolvedChute) -> View:
         stream.append(further)
     lost = lost_stream(solution, stream, throws, surfaces)
     end = None if solution.ok[0] else failing_end(solution, stream[-1], lost, surfaces, received)
-    return View(stream, lost, end, surfaces, feed_lines(solution), received, size)
+    return View(stream, lost, end, surfaces, feed_lines(solution), received, _impacts(solution), size)
 
 
 def _stream(
@@ -89,6 +89,13 @@ def _reached(solution: SolvedChute) -> list[tuple[Part, Lines]]:
         if reached.any():
             found.append((part, {name: values[0, rows][reached] for name, values in stations.items()}))
     return found
+
+
+def _impacts(solution: SolvedChute) -> Lines:
+    """Return where the stream strikes surfaces, and with what pressure and wear."""
+    struck = [each for each in solution.trajectory.results if each.impact and np.isfinite(each.impact[STRUCK[0]][0])]
+    numbers = {name: np.array([each.impact[name][0] for each in struck]) for name in STRUCK}
+    return {"s_m": np.array([each.entry["s_m"][0] for each in struck]), **numbers}
 
 
 def _guided(at: Lines, side: float, deepest: float, gravity: float) -> tuple[list[Line], list[Throw]]:
