@@ -6,6 +6,9 @@ A ``console`` block holds commands, each after ``$``, and what they print. ``| h
 ``echo $?`` shows the exit status. The ``python`` blocks of a page are one program; a ``text`` block right after one of
 them is what it prints. The first ``toml`` block of a page is a whole spec, and the tables of the others replace those
 in it.
+
+On a page of docs/tutorial the commands follow from one another, and the ``toml`` block is the file that they begin
+with, named as the page.
 """
 
 import contextlib
@@ -26,6 +29,8 @@ from chutecalc.cli import main
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", *sorted(path for path in (ROOT / "docs").glob("*.md") if path.stem != "paper")]
 """docs/paper.md is checked by tests/house/test_paper_page.py."""
+LESSONS = sorted((ROOT / "docs" / "tutorial").glob("*.md"))
+"""Pages of the tutorial."""
 FENCE = re.compile(r"^```(console|python|toml)\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.DOTALL | re.MULTILINE)
 
 
@@ -112,7 +117,20 @@ def renewed(page: Path) -> str:
         return FENCE.sub(run, page.read_text(encoding="utf-8"))
 
 
+def renewed_lesson(page: Path) -> str:
+    """Return the text of a page of the tutorial with its commands run, one after the other in one folder."""
+    with workplace():
+        for block in blocks(page, "toml"):
+            Path(f"{page.stem}.toml").write_text(block.text, encoding="utf-8")
+        text = page.read_text(encoding="utf-8")
+        return FENCE.sub(
+            lambda match: match[0].replace(match[2], console(match[2])) if match[1] == "console" else match[0], text
+        )
+
+
 if __name__ == "__main__":
+    for lesson in LESSONS:
+        lesson.write_text(renewed_lesson(lesson), encoding="utf-8")
     for page in PAGES:
         page.write_text(renewed(page), encoding="utf-8")
         for block in blocks(page, "toml"):

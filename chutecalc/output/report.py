@@ -1,6 +1,6 @@
 """Reports on a chute for its designer."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from chutecalc.output.cases import case_findings, cases_table
 from chutecalc.output.inlet import inlet_lines
@@ -78,8 +78,10 @@ def print_cases(printer: Printer, cases: Cases) -> None:
     """
     printer.text()
     printer.table(cases_table(cases, printer.units))
-    printer.text()
-    print_case_findings(printer, cases)
+    found = list(case_findings(cases, printer.units))
+    if found:
+        printer.text()
+    _print_lines(printer, found)
 
 
 def print_case_findings(printer: Printer, cases: Cases) -> None:
@@ -89,5 +91,10 @@ def print_case_findings(printer: Printer, cases: Cases) -> None:
         printer: where to print, and in which units.
         cases: the states of one design.
     """
-    for severity, begin, rest in case_findings(cases, printer.units):
+    _print_lines(printer, case_findings(cases, printer.units))
+
+
+def _print_lines(printer: Printer, lines: Iterable[tuple[Severity, str, str]]) -> None:
+    """Print lines that begin in the colour of their severity."""
+    for severity, begin, rest in lines:
         printer.text(begin, rest, COLOURS[severity])

@@ -15,11 +15,11 @@ from chutecalc.results.findings import CRITERIA
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
 from tests.house.test_imports import LEVEL
-from tests.pages import PAGES, ROOT, blocks, console, program, spec, workplace
+from tests.pages import LESSONS, PAGES, ROOT, blocks, console, program, renewed_lesson, spec, workplace
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 FINDINGS = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
-LINKING = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), ROOT / "specs" / "README.md"])
+LINKING = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *LESSONS, ROOT / "specs" / "README.md"])
 
 
 def each(language):
@@ -40,6 +40,17 @@ def test_commands_print_what_is_shown(page, block):
     assert all(command.startswith("chutecalc ") or command == "echo $?" for command in commands)
     shown = console(block.text)
     assert shown == block.text, f"{page.name}: python -m tests.pages writes its examples anew"
+
+
+@pytest.mark.parametrize("page", LESSONS, ids=lambda page: page.stem)
+def test_lessons_go_as_they_are_told(page):
+    assert renewed_lesson(page) == page.read_text(encoding="utf-8"), "python -m tests.pages writes its examples anew"
+
+
+def test_a_lesson_needs_at_most_five_commands():
+    for page in LESSONS:
+        commands = [line for block in blocks(page, "console") for line in block.text.splitlines() if line[:2] == "$ "]
+        assert len([each for each in commands if each.startswith("$ chutecalc")]) <= 5, page.name
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=lambda page: page.stem)
