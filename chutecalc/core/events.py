@@ -34,22 +34,22 @@ def event_function(
         guide_surface.set_section(guide, share)
         return 1.0 - floats.root(y) * guide.facets.area[facet] / guide.flow
     stress = friction.wall_stress(guide, facet, share, y)
-    compression, tension = max(stress, 0.0), min(stress, 0.0)  # tension: beyond a loss of contact
+    press = guide_surface.normal_acceleration(guide, share, y)
+    heavy = stress / press * guide.gravity if press != 0.0 else 0.0  # what weight alone would make of it
     if event == PIECE_UP:
-        if piece + 1 >= guide.pieces:
-            return 1.0
-        return relative_difference(guide.starts[piece + 1], compression) - floats.quotient(
-            2.0 * tension, guide.starts[piece + 1]
-        )
-    least = guide.starts[piece]
-    return relative_difference(compression, least) + 2.0 * tension / least if least > 0.0 else 1.0
+        return above(guide.starts[piece + 1], stress, heavy) if piece + 1 < guide.pieces else 1.0
+    return -above(guide.starts[piece], stress, heavy) if guide.starts[piece] > 0.0 else 1.0
 
 
-def relative_difference(more: float, less: float) -> float:
-    """Return (more - less)/(more + less), with its limits where one of the two is infinite."""
-    if more == floats.INFINITY:
-        return 1.0
-    return -1.0 if less == floats.INFINITY else floats.quotient(more - less, more + less)
+def above(start: float, stress: float, heavy: float) -> float:
+    """Return how far the start of a piece lies above a stress, as a share of it and of the stress under weight alone.
+
+    Where hardly anything presses the stream on its surface, its stress is a small difference of large numbers. A share
+    of the stress itself would be rounding there.
+    """
+    if stress == floats.INFINITY:
+        return -1.0
+    return 1.0 if start == floats.INFINITY else (start - stress) / (start + heavy)
 
 
 def relative_excess(value: float, limit: float) -> float:

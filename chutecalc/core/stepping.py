@@ -99,6 +99,8 @@ def initialise(stream: "state.Stream", options: "state.SolverOptions") -> None:
         and not state.event_function(stream, events.JUMP, stream.share, stream.y) > events.EVENT_TOLERANCE
     ):
         step_control.apply_event(stream, options, events.JUMP)
+    if stream.status == state.RUNNING and stream.share >= 1.0:  # it has struck the end
+        stream.status = state.OK
 
 
 def pass_plate(stream: "state.Stream", options: "state.SolverOptions") -> None:

@@ -25,10 +25,11 @@ def last_flights(design: Design, ends: Ends, last: Part) -> Iterator[Part]:
         last: the last part of the trajectory.
     """
     leaves = [ends.distance, ends.x, ends.z, ends.velocity, ends.slope]
-    for name, begins, velocity, slope in (
-        (EXIT, _last_touched(last, leaves), ends.velocity, ends.slope),
-        (RECEIVER, leaves, ends.landing_velocity, ends.landing_slope),
+    for name, velocity, slope in (
+        (EXIT, ends.velocity, ends.slope),
+        (RECEIVER, ends.landing_velocity, ends.landing_slope),
     ):
+        begins = _last_touched(last, leaves)
         gained = velocity * np.sin(slope) - begins[3] * np.sin(begins[4])
         time = np.where(ends.status == Status.OK, gained / design.gravity, np.nan)
         if (time > LEAST).any():
@@ -37,7 +38,7 @@ def last_flights(design: Design, ends: Ends, last: Part) -> Iterator[Part]:
 
 
 def _last_touched(last: Part, otherwise: list[Array]) -> list[Array]:
-    """Return distance, x, z, velocity and slope at the end of the last segment that streams touch or fall along."""
+    """Return distance, x, z, velocity and slope at the end of the last part that streams touch or fly along."""
     found, open_ = otherwise, np.ones(1, dtype=bool)
     part: Part | None = last
     while part is not None:
