@@ -24,7 +24,7 @@ def place(
         ...,
         metavar="SEGMENT WISH...",
         help="A segment and how the stream is to strike it: incidence=DEG, x=M or z=M, and share=SHARE of its length"
-        " before the strike, or share=edges. Then the next segment.",
+        " before the strike, or share=edges, or edges+MARGIN. Then the next segment.",
     ),
     write: bool = typer.Option(False, "--write", help="Write start_m and slope into the spec, comments kept."),
     output: str | None = typer.Option(None, "--output", "-o", metavar="FILE", help="Write the placed spec to a file."),
@@ -64,13 +64,13 @@ def place(
 def _print(placement: Placement, written: bool) -> None:
     """Print how segments are struck, what the spec needs for it, and what a run of the chute has to tell."""
     from chutecalc.output.printer import COLOURS, Printer
-    from chutecalc.studies.place.report import drawn_lines, outcome_lines, placement_table
+    from chutecalc.studies.place.report import drawn_lines, outcome_lines, placement_table, shape_text
 
     printer = Printer()
     printer.table(placement_table(placement))
     printer.text()
     for each in placement.segments:
-        printer.text(f"{each.name}:")
+        printer.text(f"{each.name}: {shape_text(each)}")
         for line in drawn_lines(each):
             printer.text(f"  {line}")
     if not written:

@@ -98,7 +98,7 @@ def test_line_ends_stay(sketch):
 def test_without_write_it_says_what_to_write(sketch, capsys):
     assert main(["place", str(sketch), "hood", "incidence=8", "x=0.9"]) == 0
     printed = capsys.readouterr().out
-    assert re.search(r"^hood:$\s+start_m = \[0\.9, ", printed, re.MULTILINE)
+    assert re.search(r"^hood: hood from \S+° to 80.00°$\s+start_m = \[0\.9, ", printed, re.MULTILINE)
     assert "status: design ok\n" in printed
     assert "--write puts this into the spec." in printed
     assert all(len(line) <= 80 for line in printed.splitlines())

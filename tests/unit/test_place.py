@@ -191,6 +191,7 @@ def test_several_segments_are_placed_one_after_the_other():
             {"spoon": {"incidence": 5, "share": 1.0}},
             "share must be a number, at least 0 and below 1, or edges",
         ),
+        ({"spoon": {"incidence": 5, "z": -2, "share": "edges+1"}}, "share must be edges, or edges+0.05 with a margin"),
         ({"spoon": {"incidence": 5}}, "it has no from_slope_deg: give it, or both incidence and x or z"),
         ({"spoon": {"incidence": 5, "x": 1}}, "the stream falls straight down: the nearest is x 0 m. Give z instead"),
         ({"spoon": {"incidence": 5, "z": 1}}, "its flight begins to fall at z 0 m: that is the nearest"),
@@ -277,6 +278,16 @@ def test_the_share_for_all_edges_is_the_least_that_lets_them_strike():
     slow = placement.segments[0].strikes["slow_belt"]
     assert slow.share > share
     assert slow.edges.keys() == {"lower", "upper"}
+
+
+def test_a_margin_goes_beyond_the_least_share():
+    shares = {
+        wish: chutecalc.place(BELT, {"hood": {"incidence": 10, "x": 1.0, "share": wish}}).segments[0].strike.share
+        for wish in ("edges", "edges+0.05")
+    }
+    assert shares["edges+0.05"] == pytest.approx(shares["edges"] + 0.05, abs=1e-9)
+    with pytest.raises(UsageError, match=r"from a share of .* on, but with the margin it would begin at"):
+        chutecalc.place(BELT, {"hood": {"incidence": 10, "x": 1.0, "share": "edges+0.5"}})
 
 
 def test_edges_that_no_share_can_catch_are_named():

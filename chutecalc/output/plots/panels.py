@@ -47,14 +47,17 @@ def draw_panels(axes: Mapping[str, Axes], seen: View, units: str) -> None:
 def limit(panel: Axes) -> None:
     """Limit a panel to its largest value, but cut off the peaks of a stream that nearly stops.
 
+    A peak is far above what is usual on its own segment: short bends may lie far above all the rest.
+
     Args:
         panel: the panel, with all its lines.
     """
-    values = np.concatenate([np.asarray(line.get_ydata(), float) for line in panel.get_lines()])
-    if not np.isfinite(values).any():
+    lines = [np.asarray(line.get_ydata(), float) for line in panel.get_lines()]
+    if not any(np.isfinite(values).any() for values in lines):
         panel.set_yticks([])
-    values = values[np.isfinite(values) & (values > 0.0)]
-    top = min(HEADROOM * values.max(), CUT_OFF * np.median(values)) if values.size else 0.0
+    known = [positive for values in lines if (positive := values[np.isfinite(values) & (values > 0.0)]).size]
+    usual = max((float(np.median(values)) for values in known if len(values) > 1), default=np.inf)
+    top = min(HEADROOM * max(float(values.max()) for values in known), CUT_OFF * usual) if known else 0.0
     panel.set_ylim(0.0, top if top > 0.0 else 1.0)
 
 

@@ -83,7 +83,8 @@ def _limits(problem: Problem, place: Array, tight: Index, multipliers: Array) ->
         limit, own = problem.limits[number], tight // len(names) == number
         values = {names[k]: float(rows.block[limit.column][k, 0]) for k in tight[own] % len(names)}
         change = -problem.objective.sign * multipliers[own].sum() * limit.sign / limit.scale
-        found.append(Binding(limit.text, values, float(change) + 0.0))
+        if change != 0.0:  # where it is 0 the limit is met, but something else decides
+            found.append(Binding(limit.text, values, float(change)))
     return found
 
 

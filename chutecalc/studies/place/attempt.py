@@ -8,6 +8,7 @@ from chutecalc.api.cases import solve_cases
 from chutecalc.api.chute import Chute
 from chutecalc.api.solve import solve
 from chutecalc.design import Contact
+from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.place.approach import RTOL, chute_up_to
 from chutecalc.studies.place.stand import length_of, stand_for, start_of
 from chutecalc.studies.place.strike import Launch, NotReachedError
@@ -56,7 +57,7 @@ class Attempt(NamedTuple):
             NotReachedError: it cannot be, with the nearest that can.
             UsageError: the spec has no slope, and the wishes do not give it.
         """
-        if self.wish.all_edges:
+        if self.wish.edges_margin is not None:
             return self._catching()
         drawn = self.at(self.wish.share)
         if drawn is None:
@@ -116,24 +117,31 @@ class Attempt(NamedTuple):
             NotReachedError: there is none.
         """
         self.at(0.0)  # what cannot be for any share is said so
-        found: dict[float, tuple[Drawn, list[tuple[str, str]]]] = {}
+        found: dict[float, list[tuple[str, str]]] = {}
+        refusal = ""
         for number in range(SHARES):
             share = number / SHARES
-            if (drawn := self._at(share)) is None:
+            try:
+                drawn = self.at(share)
+            except NotReachedError as error:
+                refusal = refusal or str(error)
                 continue
-            found[share] = drawn, list(_missing(drawn.chute))
-            if not found[share][1]:
-                return self._least(share, drawn)
+            if drawn is not None:
+                found[share] = list(_missing(drawn.chute))
+                if not found[share]:
+                    return self._with_margin(*self._least(share, drawn))
         if not found:
             raise NotReachedError(self._nearest())
-        share = min(found, key=lambda share: len(found[share][1]))
+        share = min(found, key=lambda share: len(found[share]))
+        more = f" More than {max(found):g} cannot be had: {refusal}." if refusal else ""
         raise NotReachedError(
-            f"no share lets the whole stream strike it in every state; with {share:g} before the strike these do not:"
-            f" {_named(found[share][1])}. Let it be struck more steeply or elsewhere, or make it longer"
+            f"no share lets the whole stream strike it in every state. Best of those tried is {share:g}, with which"
+            f" these miss it: {_named(found[share])}.{more} Let it be struck more steeply or elsewhere, or make it"
+            " longer"
         )
 
-    def _least(self, share: float, drawn: Drawn) -> Drawn:
-        """Return the segment with the least share that does, which is at most one step below the first found."""
+    def _least(self, share: float, drawn: Drawn) -> tuple[float, Drawn]:
+        """Return the least share that does, which is at most one step below the first found, and the segment then."""
         low = share - 1.0 / SHARES
         while share > 0.0 and share - low > FINE:
             middle = 0.5 * (low + share)
@@ -141,7 +149,26 @@ class Attempt(NamedTuple):
                 share, drawn = middle, tried
             else:
                 low = middle
-        return drawn
+        return share, drawn
+
+    def _with_margin(self, share: float, drawn: Drawn) -> Drawn:
+        """Return the segment with a margin beyond the least share that does.
+
+        Raises:
+            NotReachedError: the whole stream does not strike it so.
+        """
+        margin = self.wish.edges_margin
+        if not margin:
+            return drawn
+        begins = f"the whole stream strikes it from a share of {share:.3f} on, but with the margin"
+        try:
+            further = self.at(share + margin)
+        except NotReachedError as error:
+            raise NotReachedError(f"{begins} {error}") from None
+        missing = [(MIDDLE, DESIGN_POINT)] if further is None else list(_missing(further.chute))
+        if further is None or missing:
+            raise NotReachedError(f"{begins} these miss it: {_named(missing)}. Take a smaller margin")
+        return further
 
 
 def _missing(chute: Chute) -> Iterator[tuple[str, str]]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import degrees
 from typing import Any
 
 import tomli_w
@@ -19,6 +20,7 @@ from chutecalc.spec.parse import parse_text
 from chutecalc.spec.paths import is_number, item_names
 from chutecalc.studies.place.approach import lacks_place, launch_to
 from chutecalc.studies.place.attempt import Attempt
+from chutecalc.studies.place.stand import ENDS, angle_of
 from chutecalc.studies.place.strike import NotReachedError
 from chutecalc.studies.place.struck import Struck, struck_by
 from chutecalc.studies.place.wish import read_wish
@@ -34,6 +36,8 @@ class PlacedSegment:
     """x and z of its drawn start."""
     slopes: dict[str, float]
     """Its slope, or that at the start of an arc, degrees, by its key in the spec."""
+    ends_deg: float | None
+    """Slope at the end of an arc, degrees."""
     strikes: dict[str, Struck | None]
     """How the stream strikes it, by the name of the state, the design point first; None where it does not."""
 
@@ -101,8 +105,10 @@ def place(
         except (NotReachedError, UsageError) as error:
             raise UsageError(f"{source}: {name} cannot be placed so: {error}") from None
         text = frozen_text(text, {number: Drawn(drawn.start, drawn.slopes)})
-        kind = data["segments"][number]["kind"]
-        placed.append(PlacedSegment(name, kind, drawn.start, drawn.slopes, {DESIGN_POINT: drawn.struck}))
+        table = data["segments"][number]
+        ends = angle_of(table, ENDS)
+        shape = table["kind"], drawn.start, drawn.slopes, None if ends is None else degrees(ends)
+        placed.append(PlacedSegment(name, *shape, {DESIGN_POINT: drawn.struck}))
     data = parse_text(text, source)
     names = item_names(data["segments"])
     if any(lacks_place(data["segments"], number) for number in range(len(names))):

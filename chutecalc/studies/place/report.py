@@ -53,6 +53,19 @@ def _edge(strike: Struck | None, name: str) -> str:
     return "" if incidence is None else "misses" if incidence != incidence else f"{incidence:z.2f}"
 
 
+def shape_text(placed: PlacedSegment) -> str:
+    """Return what a segment is: of a curve whether it flattens as a spoon or steepens as a crest.
+
+    Args:
+        placed: the segment.
+    """
+    begins = next(iter(placed.slopes.values()))
+    if placed.ends_deg is None:
+        return f"{placed.kind} at {begins:z.2f}°"
+    what = placed.kind if placed.kind != "curve" else "spoon" if begins > placed.ends_deg else "crest"
+    return f"{what} from {begins:z.2f}° to {placed.ends_deg:z.2f}°"
+
+
 def drawn_lines(placed: PlacedSegment) -> Iterator[str]:
     """Yield what the spec needs for a segment to stand so, as lines of TOML.
 

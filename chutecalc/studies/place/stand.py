@@ -50,9 +50,9 @@ def stand_for(launch: Launch, table: Mapping[str, Any], wish: Wish) -> Stand:
     """
     kind: Any = KINDS[table["kind"]]
     side = kind.side
-    ends = _angle(table, ENDS) if issubclass(kind, Arc) else None
+    ends = angle_of(table, ENDS) if issubclass(kind, Arc) else None
     key = SLOPE if ends is None else BEGINS
-    begins, share = _angle(table, key), wish.share if ends is not None else 0.0
+    begins, share = angle_of(table, key), wish.share if ends is not None else 0.0
     time = _time(launch, wish)
     if time is not None and wish.incidence_deg is not None:
         strike = strike_at(launch, side, time, radians(wish.incidence_deg))
@@ -117,8 +117,13 @@ def _time(launch: Launch, wish: Wish) -> float | None:
     return None if wish.z_m is None else launch.time_to_z(wish.z_m)
 
 
-def _angle(table: Mapping[str, Any], key: str) -> float | None:
-    """Return an angle of a table in any of its units, rad; None where there is none."""
+def angle_of(table: Mapping[str, Any], key: str) -> float | None:
+    """Return an angle of a table in any of its units, rad; None where there is none.
+
+    Args:
+        table: of a segment.
+        key: of the angle in its first unit.
+    """
     for name in same_quantity(key):
         if name in table:
             return float(convert(table[name], "angle", name.rpartition("_")[2], "rad"))

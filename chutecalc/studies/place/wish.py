@@ -13,7 +13,7 @@ DIMENSIONS = {"incidence": "angle", "x": "length", "z": "length", "share": "numb
 BOUNDS = {"incidence": (0.0, 90.0), "x": (-1e5, 1e5), "z": (-1e5, 1e5), "share": (0.0, 1.0)}
 """Least and greatest value of each; a share of 1 is not allowed, as nothing of the segment would be left."""
 EDGES = "edges"
-"""The share that lets all edges of the stream strike."""
+"""The share that lets all edges of the stream strike; with a margin ``edges+0.05``."""
 
 
 class Wish(NamedTuple):
@@ -27,8 +27,8 @@ class Wish(NamedTuple):
     """or z instead."""
     share: float = 0.0
     """Share of the segment's length from its drawn start that lies before the strike, below 1."""
-    all_edges: bool = False
-    """Whether the share is to be the least at which all edges of the stream strike the segment."""
+    edges_margin: float | None = None
+    """If the share is to be the least at which all edges of the stream strike the segment: what is added to that."""
 
 
 def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
@@ -37,18 +37,18 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
     Args:
         segment: name of the segment, for messages.
         given: ``incidence``, ``x`` or ``z``, and ``share``, each in its first unit or with a unit, such as ``x_ft``;
-            a share may be ``edges``.
+            a share may be ``edges``, or ``edges+0.05`` with a margin.
 
     Raises:
         UsageError: all faults of the keys and values.
 
     >>> read_wish("hood", {"incidence": 10, "x_mm": 1200, "share": 0.1})
-    Wish(incidence_deg=10.0, x_m=1.2, z_m=None, share=0.1, all_edges=False)
+    Wish(incidence_deg=10.0, x_m=1.2, z_m=None, share=0.1, edges_margin=None)
     """
     if not isinstance(given, Mapping):
         raise UsageError(f"{segment}: wishes are keys with numbers, such as incidence and x, not {given!r}")
     found: dict[str, float] = {}
-    all_edges, faults = False, []
+    edges_margin, faults = None, []
     for key, value in given.items():
         name, _, unit = key.partition("_")
         dimension = DIMENSIONS.get(name)
@@ -58,8 +58,10 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
         if name in found:
             faults.append(f"{segment}: {name} is given twice. Keep one.")
         found[name] = 0.0
-        if name == "share" and value == EDGES:
-            all_edges = True
+        if name == "share" and str(value).startswith(EDGES):
+            edges_margin = _number(str(value).removeprefix(EDGES).removeprefix("+") or 0.0)
+            if not 0.0 <= edges_margin < 1.0:
+                faults.append(f"{segment}: {key} must be {EDGES}, or {EDGES}+0.05 with a margin below 1, not {value}.")
             continue
         number = float(convert(_number(value), dimension, unit or first_unit(dimension), first_unit(dimension)))
         low, high = BOUNDS[name]
@@ -74,14 +76,15 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
         faults.append(f"{segment}: nothing is asked. Give incidence=DEG, x=M or z=M, such as incidence=10 x=1.2.")
     if faults:
         raise UsageError("\n".join(faults))
-    return Wish(found.get("incidence"), found.get("x"), found.get("z"), found.get("share", 0.0), all_edges)
+    return Wish(found.get("incidence"), found.get("x"), found.get("z"), found.get("share", 0.0), edges_margin)
 
 
 def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float | str]]:
     """Return the wishes that arguments stand for, by segment in order.
 
     Args:
-        arguments: names of segments, each followed by its wishes as ``KEY=NUMBER``, or ``share=edges``.
+        arguments: names of segments, each followed by its wishes as ``KEY=NUMBER``, ``share=edges`` or
+            ``share=edges+0.05``.
 
     Raises:
         UsageError: a wish comes before the first segment, a segment is given twice, or a value is not a number.
@@ -102,7 +105,7 @@ def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float | str]]:
         wishes = found[next(reversed(found))]
         if key in wishes:
             raise UsageError(f"{argument}: {key} is given twice. Keep one")
-        if text == EDGES:
+        if text.startswith(EDGES):
             wishes[key] = text
             continue
         values = read_values(key, text)
