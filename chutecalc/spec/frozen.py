@@ -14,6 +14,8 @@ from chutecalc.spec.edited import put_key
 
 FALL = next(kind for kind, table in KINDS.items() if table is Fall)
 """Kind of a fall."""
+OF_SEGMENT = re.compile(r"segments\.(\d+)\.(.*)")
+"""Key path of something of a segment by its number."""
 FALL_ENDS = (*same_quantity("drop_m"), *same_quantity("run_m"))
 """Keys of a fall that say where it ends."""
 
@@ -52,24 +54,36 @@ def frozen_text(text: str, drawn: Mapping[int, Drawn]) -> str:
         if not inline:
             fall.append(None, tomlkit.nl())
         tables.insert(0, fall)
-        for case in document.get("cases", {}).values():
-            _shift_numbers(case)
+        for table in (*document.get("cases", {}).values(), document.get("uncertainty", {})):
+            _shift_numbers(table)
     return tomlkit.dumps(document).removesuffix(end)
 
 
-def _shift_numbers(case: Any) -> None:
-    """Add 1 to the numbers of segments in the key paths of a case: a segment has been added before them."""
-    shifted = {}
-    for path, table, key in list(_values(case)):
-        if found := re.fullmatch(r"segments\.(\d+)\.(.*)", path):
-            shifted[f"segments.{int(found[1]) + 1}.{found[2]}"] = table.pop(key)
-    case.update(shifted)
+def _shift_numbers(table: Any) -> None:
+    """Add 1 to the numbers of segments in the key paths of a case or of uncertainty: one has been added before them."""
+    renamed = {}
+    for path, below, key in list(_values(table)):
+        if (shifted := _shifted(path)) != path:
+            renamed[shifted] = below.pop(key)
+    table.update(renamed)
+    for row in table.get("correlation", ()):
+        for number in (0, 1):
+            row[number] = _shifted(row[number])
+
+
+def _shifted(path: str) -> str:
+    """Return a key path with 1 added to the number of its segment."""
+    found = OF_SEGMENT.fullmatch(path)
+    return f"segments.{int(found[1]) + 1}.{found[2]}" if found else path
 
 
 def _values(table: Any, above: str = "") -> Iterator[tuple[str, Any, str]]:
-    """Yield the path of each value in a table, with the table that it stands in and its key there."""
+    """Yield the path of each value in a table, with the table that it stands in and its key there.
+
+    What stands below a segment's number goes with it as a whole, such as a distribution.
+    """
     for key, value in table.items():
-        if isinstance(value, dict):
+        if isinstance(value, dict) and not OF_SEGMENT.fullmatch(f"{above}{key}"):
             yield from _values(value, f"{above}{key}.")
         else:
             yield f"{above}{key}", table, key

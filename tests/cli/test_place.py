@@ -118,9 +118,10 @@ def test_the_document_has_what_to_write_and_the_outcome(sketch, capsys):
     ("arguments", "message"),
     [
         (["x=1"], "name the segment first, such as hood x=1"),
-        (["hood", "x=a"], "x"),
+        (["hood", "x=a"], "x=a is not one number: give x one, such as x=0.2"),
+        (["hood", "x=1", "2", "incidence=3"], "hood is given twice, also as 2"),
         (["hood", "x=1", "x=2"], "x is given twice"),
-        (["hood", "incidence=1,3"], "takes one value, not 2"),
+        (["hood", "incidence=1,3"], "incidence=1,3 is not one number"),
         (["hood", "x=-2", "incidence=3"], "its flight begins at x 0 m: that is the nearest"),
         (["hood", "x=1", "incidence=3", "--write", "-o", "other.toml"], "--write changes the file of the spec"),
     ],

@@ -69,3 +69,15 @@ def test_cases_follow_the_numbers_of_their_segments(case):
     assert result.data["cases"]["one"]["segments.3.liner"] == "wall"
     assert result.cases["one"].spec.flow.rate_t_h == 900
     assert result.cases["two"].spec.flow.rate_t_h == 800
+
+
+@pytest.mark.parametrize(
+    "key",
+    ['"segments.2.radius_m" = 0.05', "segments.2.radius_m = { normal = [1, 0.05] }", 'segments."2.radius_m" = 0.05'],
+)
+def test_uncertainty_follows_the_numbers_of_its_segments(key):
+    rest = '"flow.rate_t_h" = { uniform = [800, 900] }\ncorrelation = [["segments.2.radius_m", "flow.rate_t_h", 0.2]]\n'
+    text = HEAD + BELT + SPOON + SPOON.replace("20", "10") + f"[uncertainty]\n{key}  # as built\n{rest}"
+    result = chutecalc.parse(frozen(text))
+    assert {each.path for each in result.uncertain.keys} == {"segments.3.radius_m", "flow.rate_t_h"}
+    assert result.data["uncertainty"]["correlation"] == [["segments.3.radius_m", "flow.rate_t_h", 0.2]]

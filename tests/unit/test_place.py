@@ -229,6 +229,16 @@ def test_a_chute_that_stalls_before_cannot_be_placed_on():
         chutecalc.place(data, {"next": {"incidence": 5.0, "x": 60.0}})
 
 
+@pytest.mark.parametrize(
+    "own", ["start_mm = [900, 300]", "start_ft = [3, 1]", "from_slope_rad = 0.4\nstart_mm = [1, 2]"]
+)
+def test_a_place_in_other_units_is_replaced(own):
+    text = BELT.replace("to_slope_deg = 88\n", f"to_slope_deg = 88\n{own}\n")
+    placement = chutecalc.place(text, {"hood": {"incidence": 10, "x_ft": 3.0, "share": 0.1}})
+    assert placement.segments[0].strike.x_m == pytest.approx(3.0 * 0.3048, abs=1e-9)
+    assert not re.search("start_mm|start_ft|slope_rad", placement.text)
+
+
 BELT = """\
 [flow]
 rate_t_h = 1600

@@ -8,6 +8,7 @@ from chutecalc.api.cases import solve_cases
 from chutecalc.api.chute import Chute
 from chutecalc.api.solve import solve
 from chutecalc.design import Contact
+from chutecalc.fields.units import same_quantity
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.place.approach import RTOL, chute_up_to
 from chutecalc.studies.place.stand import length_of, stand_for, start_of
@@ -75,11 +76,10 @@ class Attempt(NamedTuple):
             UsageError: the spec has no slope, and the wishes do not give it.
         """
         stand = stand_for(self.launch, self.data["segments"][self.number], self.wish._replace(share=share))
-        table = self.data["segments"][self.number] | stand.slopes
-        segment = self._chute(table, (0.0, 0.0)).design.segments[-1]
+        segment = self._chute(stand.slopes, (0.0, 0.0)).design.segments[-1]
         assert isinstance(segment, Contact)
         start = start_of(segment, self.launch, stand, share)
-        chute = self._chute(table, start)
+        chute = self._chute(stand.slopes, start)
         solution = solve(chute, RTOL)
         number = len(solution.segments) - 1
         arrival, struck = arrival_on(solution, number), struck_by(solution, number)
@@ -90,8 +90,12 @@ class Attempt(NamedTuple):
         as_wanted = max(along, abs(arrival.incidence.item() - incidence)) <= CLOSE
         return Drawn(start, stand.slopes, chute, struck) if as_wanted else None
 
-    def _chute(self, table: dict[str, Any], start: tuple[float, float]) -> Chute:
-        return chute_up_to(self.data, self.number, table | {"start_m": list(start)}, self.source)
+    def _chute(self, slopes: dict[str, float], start: tuple[float, float]) -> Chute:
+        """Return the chute up to the segment, with slopes and a start that replace its own, whatever their units."""
+        own = {"start_m": list(start)} | slopes
+        replaced = {other for key in own for other in same_quantity(key)}
+        table = {key: value for key, value in self.data["segments"][self.number].items() if key not in replaced}
+        return chute_up_to(self.data, self.number, table | own, self.source)
 
     def _at(self, share: float) -> Drawn | None:
         """Return the segment with a share before the strike; None if that cannot be."""

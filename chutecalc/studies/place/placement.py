@@ -155,6 +155,8 @@ def _in_order(
         if number and tables[number - 1].get("kind") != FALL:
             remedy = f'add [[segments]] with kind = "{FALL}" and onto_next = true before {name}'
             raise UsageError(f"{source}: {name} follows {names[number - 1]} without a flight between: {remedy}.")
+        if number in found:
+            raise UsageError(f"{source}: {names[number]} is given twice, also as {name}: give all its wishes together")
         found[number] = names[number], given
     return [found[number] for number in sorted(found)]
 

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from chutecalc.errors import UsageError
-from chutecalc.fields.ranges import read_values
 from chutecalc.fields.units import UNITS, convert, first_unit
 from chutecalc.results.column_names import closest
 
@@ -108,10 +107,12 @@ def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float | str]]:
         if text.startswith(EDGES):
             wishes[key] = text
             continue
-        values = read_values(key, text)
-        if len(values) != 1:
-            raise UsageError(f"{argument}: place takes one value, not {len(values)}")
-        wishes[key] = float(values[0])
+        try:
+            wishes[key] = float(text)
+        except ValueError:
+            raise UsageError(
+                f"{argument}: {text or 'nothing'} is not a number; place takes one, such as {key}=1.2"
+            ) from None
     return found
 
 
