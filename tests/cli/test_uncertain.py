@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from pathlib import Path
 
 import pytest
 
@@ -179,14 +180,27 @@ def test_where_every_sample_fails_that_is_said(capsys, tmp_path):
     assert lines[lines.index("max_depth_m<=0.2") + 1].startswith("of all: fails or exceeds any   100 %")
 
 
+def test_what_is_infinite_is_no_value(capsys, tmp_path):
+    """A belt without friction never brings the stream to its speed."""
+    file = tmp_path / "slip.toml"
+    text = (ROOT / "specs" / "transfer_90.toml").read_text(encoding="utf-8")
+    file.write_text(text.replace("friction_deg = 30\nat_m", "friction_deg = 0\nat_m"), encoding="utf-8")
+    columns = "receiver_acceleration_length_m,exit_velocity_m_s"
+    out = told(capsys, "uncertain", str(file), "--samples", "256", "--columns", columns)
+    assert "no sample has: belt slip" in out
+    assert "∞" not in out
+
+
 def test_what_is_cut_off_is_told(capsys, tmp_path):
     file = tmp_path / "cut.toml"
     table = '\n[uncertainty]\n"liners.ceramic.friction_deg" = { normal = 12 }\n"flow.rate_t_h" = 100\n'
     file.write_text(chutecalc.STARTER + table, encoding="utf-8")
-    out = told(capsys, "uncertain", str(file), "--samples", "256", "--json", str(tmp_path / "cut.json"))
+    out = " ".join(
+        told(capsys, "uncertain", str(file), "--samples", "256", "--json", str(tmp_path / "cut.json")).split()
+    )
     path = "liners.ceramic.friction_deg"
     assert f"{path} must be at least 0° and less than 90°: 1.9 % of its values would not be, and are cut off" in out
     assert "flow.rate_t_h must" not in out
-    keys = json.loads((tmp_path / "cut.json").read_text(encoding="utf-8"))["keys"]
+    keys = json.loads(Path(document).read_text(encoding="utf-8"))["keys"]
     assert keys[0]["cut_off"] == pytest.approx(0.0186, rel=0.01)  # below -25/12 standard deviations
     assert keys[1]["cut_off"] == pytest.approx(0.0, abs=1e-12)

@@ -73,7 +73,7 @@ def test_cases_follow_the_numbers_of_their_segments(case):
 
 @pytest.mark.parametrize(
     "key",
-    ['"segments.2.radius_m" = 0.05', "segments.2.radius_m = { normal = [1, 0.05] }", 'segments."2.radius_m" = 0.05'],
+    ['"segments.2.radius_m" = 0.05', "segments.2.radius_m = { normal = 0.05 }", 'segments."2.radius_m" = 0.05'],
 )
 def test_uncertainty_follows_the_numbers_of_its_segments(key):
     rest = '"flow.rate_t_h" = { uniform = [800, 900] }\ncorrelation = [["segments.2.radius_m", "flow.rate_t_h", 0.2]]\n'

@@ -110,9 +110,7 @@ def read_wishes(arguments: Sequence[str]) -> dict[str, dict[str, float | str]]:
         try:
             wishes[key] = float(text)
         except ValueError:
-            raise UsageError(
-                f"{argument}: {text or 'nothing'} is not a number; place takes one, such as {key}=1.2"
-            ) from None
+            raise UsageError(f"{argument} is not one number: give {key} one, such as {key}=0.2") from None
     return found
 
 

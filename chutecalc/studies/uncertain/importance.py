@@ -51,7 +51,8 @@ class Tornado(NamedTuple):
         Args:
             name: of the column.
         """
-        width = np.abs(np.diff(self.columns[name], axis=1)[:, 0])
+        with np.errstate(invalid="ignore"):  # between two infinite ends
+            width = np.abs(np.diff(self.columns[name], axis=1)[:, 0])
         return [int(k) for k in np.argsort(-np.where(np.isnan(width), np.inf, width), kind="stable")]
 
 

@@ -28,7 +28,7 @@ def print_importance(printer: Printer, result: Outcome, columns: Mapping[str, Co
         columns: of the study, by name.
     """
     for name, column in columns.items():
-        if np.isnan(result.tornado.columns[name]).all():
+        if not np.isfinite(result.tornado.columns[name]).any():
             continue
         printer.text()
         printer.table(_importance(result, name, column, printer.units))
@@ -37,14 +37,14 @@ def print_importance(printer: Printer, result: Outcome, columns: Mapping[str, Co
         printer.table(_failure(result))
     printer.text()
     for line in MEANING if result.indices else (f"no shares of the variance: {result.no_indices}",):
-        printer.text(line)
+        printer.prose(line)
 
 
 def _importance(result: Outcome, name: str, column: Column, units: str) -> Grid:
     """Return a row for each key: the column with the key alone at its ends, and its Sobol indices."""
     own = result.indices.get(name)
     spec = cell(column, result.tornado.spec[name], units) or "none"
-    shares = ", share of the variance" if own else ""
+    shares = ", share of variance" if own else ""
     table = Grid(f"{label(column, units)}, {spec} {result.where}: each key alone{shares}")
     table.column("key", left=True, label=True)
     for heading in ("at 5 %", "at 95 %"):

@@ -47,7 +47,7 @@ def print_uncertainty(printer: Printer, result: Outcome) -> None:
     printer.text()
     printer.table(_keys(result))
     for line in (*_cut_off(result), *_correlations(result)):
-        printer.text(line)
+        printer.prose(line)
     printer.text()
     _print_summaries(printer, result)
     printer.text()
@@ -121,7 +121,7 @@ def _print_summaries(printer: Printer, result: Outcome) -> None:
     if not result.ok.any():
         printer.text("nothing comes out: every sample fails")
     elif without:
-        printer.text(f"no sample has: {', '.join(without)}")
+        printer.prose(f"no sample has: {', '.join(without)}")
 
 
 def _ends(result: Outcome) -> dict[str, Chance]:
