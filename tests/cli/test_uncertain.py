@@ -195,9 +195,8 @@ def test_what_is_cut_off_is_told(capsys, tmp_path):
     file = tmp_path / "cut.toml"
     table = '\n[uncertainty]\n"liners.ceramic.friction_deg" = { normal = 12 }\n"flow.rate_t_h" = 100\n'
     file.write_text(chutecalc.STARTER + table, encoding="utf-8")
-    out = " ".join(
-        told(capsys, "uncertain", str(file), "--samples", "256", "--json", str(tmp_path / "cut.json")).split()
-    )
+    document = str(tmp_path / "cut.json")
+    out = " ".join(told(capsys, "uncertain", str(file), "--samples", "256", "--json", document).split())
     path = "liners.ceramic.friction_deg"
     assert f"{path} must be at least 0° and less than 90°: 1.9 % of its values would not be, and are cut off" in out
     assert "flow.rate_t_h must" not in out
