@@ -22,7 +22,7 @@ BIN = Path(".venv", "bin").absolute()
 BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep", "commands")
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
-UNCOMPILED = ("tests/unit", "tests/regression")
+UNCOMPILED = ("tests/unit/test_solution.py", "tests/unit/test_function.py", "tests/regression")
 """What is tested with the core in plain Python, whose digits tests/verification/test_compiled.py compares."""
 
 
