@@ -42,6 +42,22 @@ class Limit(NamedTuple):
         return abs(self.value) or 1.0
 
 
+def check_column(source: str, column: str, exists: Mask, remedy: str) -> None:
+    """Check that a column has a value in any of the designs that do not fail.
+
+    Args:
+        source: name of the spec.
+        column: name of the column.
+        exists: where there is a value, over designs that do not fail, shape (designs,).
+        remedy: what to do where there is none.
+
+    Raises:
+        UsageError: there are designs, and none has a value.
+    """
+    if exists.size and not exists.any():
+        raise UsageError(f"{source} has no {column} in any design that was tried: {remedy}")
+
+
 def read_limit(text: str) -> Limit:
     """Return the limit that a text states.
 

@@ -258,6 +258,23 @@ def test_one_key_is_drawn_as_a_line_and_choices_alone_are_not(spec):
         draw_optimum(chutecalc.optimise(chute, {RADIUS: (1, 4, 1)}, minimise="exit_velocity_m_s"))
 
 
+SLIP = "receiver_acceleration_length_m"
+
+
+@pytest.fixture(scope="module")
+def downhill():
+    """A transfer onto a belt that runs downhill: the stream slips without end where the belt is smooth."""
+    return chutecalc.load(ROOT / "specs" / "transfer_90.toml").put({"receiver.slope_deg": -20})
+
+
+def test_designs_of_a_front_have_both_objectives(downhill):
+    """The end of the chute is the same on each belt, so the first objective alone would not care."""
+    keys = {"receiver.friction_deg": (10, 30)}
+    found = chutecalc.optimise(downhill, keys, ["exit_x_m", SLIP], case="design", points=2)
+    assert found.feasible
+    assert 0.0 < found.worst[SLIP][0] < 10.0
+
+
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
@@ -266,6 +283,9 @@ def test_one_key_is_drawn_as_a_line_and_choices_alone_are_not(spec):
         (["radius=1:4", *SLOWEST, "--subject", "max_depth_m<0.2"], "a limit is COLUMN<=VALUE"),
         (["radius=1:4", *SLOWEST, "--subject", "depth<=0.2"], "unknown column depth"),
         (["radius=1:4", "--minimise", "findings"], "need columns of numbers"),
+        (["phi=20:30", *SLOWEST, "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
+        (["phi=20:30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
+        (["phi=20,30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
         (["radius=3", *SLOWEST], "one value leaves no choice"),
         (["radius=1:4", *SLOWEST, "--case", "wet"], "the spec has no cases"),
         (["radius=1:4", *SLOWEST, "--take", "1"], "add --write"),

@@ -12,7 +12,7 @@ from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
-from chutecalc.studies.limit import Limit
+from chutecalc.studies.limit import Limit, check_column
 from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.variants import Variants
 from chutecalc.workers import Threads
@@ -34,7 +34,7 @@ class Rows(NamedTuple):
     faults: Array
     """What is violated beside limits, see :data:`FAILURE`, shape (designs,)."""
     block: Block
-    """``status``, the columns of objective and limits, ``warnings`` if they count, shape (states, designs) each."""
+    """``status``, the columns of objectives and limits, ``warnings`` if they count, shape (states, designs) each."""
 
     @property
     def stands(self) -> Mask:
@@ -65,6 +65,7 @@ class Problem:
         states: Sequence[str],
         no_warnings: bool = False,
         jobs: int | None = None,
+        others: Sequence[Objective] = (),
     ) -> None:
         """Check the columns; nothing is solved yet.
 
@@ -76,13 +77,15 @@ class Problem:
             states: operating states.
             no_warnings: whether warnings are violations.
             jobs: number of threads.
+            others: further objectives: a design needs a value of each.
 
         Raises:
             UsageError: a column does not exist or is text, or a key has one choice only.
         """
         self.chute, self.keys, self.objective, self.limits = chute, tuple(keys), objective, tuple(limits)
         self.no_warnings, self.jobs = no_warnings, jobs
-        self.columns = list(dict.fromkeys([objective.column, *(limit.column for limit in limits)]))
+        self.needed = list(dict.fromkeys(each.column for each in (objective, *others)))
+        self.columns = list(dict.fromkeys([*self.needed, *(limit.column for limit in limits)]))
         columns = [*self.columns, *(["warnings"] if no_warnings else [])]
         self.variants = Variants(chute, [key.parameter for key in keys], columns, states, pool=Threads(jobs))
         if texts := [name for name in self.columns if name in self.variants.sweep.texts]:
@@ -105,12 +108,26 @@ class Problem:
         margins = np.array(
             [limit.sign * (limit.value - block[limit.column]) / limit.scale for limit in self.limits]
         ).reshape(len(self.limits), *values.shape)
-        fails = (block["status"] != OK) | np.isnan(values) | np.isnan(margins).any(axis=0)
+        exists = np.all([np.isfinite(block[name]) for name in self.needed], axis=0)
+        fails = (block["status"] != OK) | ~exists | np.isnan(margins).any(axis=0)
         faults = FAILURE * fails.sum(axis=0)
         if self.no_warnings:
             counts = np.vectorize(lambda codes: len(codes.split()), otypes=[float])(block["warnings"])
             faults = faults + WARNING * counts.sum(axis=0)
         return Rows(np.where(fails, np.nan, values), margins, faults, block)
+
+    def check_values(self, rows: Rows) -> None:
+        """Check that each objective has a value in any design that does not fail.
+
+        Args:
+            rows: of designs from all over the bounds.
+
+        Raises:
+            UsageError: one has none.
+        """
+        ok = rows.block["status"] == OK
+        for name in self.needed:
+            check_column(self.chute.source, name, np.isfinite(rows.block[name][ok]), "choose another objective")
 
     def merit(self, rows: Rows) -> Array:
         """Return one number for each design by Deb's rule: of feasible ones the better is less, all others come after.

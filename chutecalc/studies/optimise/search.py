@@ -36,7 +36,9 @@ def best_place(problem: Problem, seed: int = 0, known: Array | None = None, gene
     """
     every = problem.all_choices(FIRST)
     if every is not None:
-        return np.asarray(every[_merit(problem, every).argmin()])
+        rows = problem.rows(every)
+        problem.check_values(rows)
+        return np.asarray(every[problem.merit(rows).argmin()])
     keys = len(problem.keys)
     sample = problem.low + Sobol(keys, seed=seed).random(FIRST) * (problem.high - problem.low)
     sample[:, ~problem.continuous] = problem.low[~problem.continuous] + np.floor(
@@ -44,6 +46,7 @@ def best_place(problem: Problem, seed: int = 0, known: Array | None = None, gene
     )[:, ~problem.continuous].clip(0.0, problem.high[~problem.continuous])
     sample = np.concatenate([*([] if known is None else [known]), _corners(problem), sample])
     rows = problem.rows(sample)
+    problem.check_values(rows)
     sizes = np.abs(rows.worst[np.isfinite(rows.worst)])
     problem.unit = float(np.median(sizes)) or 1.0 if sizes.size else 1.0
     merit = problem.merit(rows)
