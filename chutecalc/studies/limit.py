@@ -12,7 +12,11 @@ SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
 
 
 class Limit(NamedTuple):
-    """A limit of a column."""
+    """A limit of a column.
+
+    Where the column has no value, the limit is kept: what there is not, such as the angle of an impact where the stream
+    meets a segment along its slope, cannot be too much. An infinite value is compared as any other.
+    """
 
     column: str
     sign: float

@@ -135,6 +135,7 @@ TARGET = ["--target", "exit_velocity_m_s=3.7"]
         ([SPOON, "radius=1:4", *TARGET, "--take", "1"], "add --write"),
         (["-", "radius=1:4", *TARGET, "--write"], "not standard input"),
         ([SPOON, "phi=10:20", "--target", "exit_slope_deg=0"], "more than 50 solutions"),
+        ([SPOON, "radius=1:4", "--target", "max_fill=0.5"], "no max_fill in any design that was tried: choose another"),
     ],
 )
 def test_what_makes_no_sense_is_told(capsys, arguments, problem):

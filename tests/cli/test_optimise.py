@@ -114,10 +114,24 @@ def test_a_state_that_fails_is_among_what_is_violated(capsys, spec):
     assert table_below(out, "limits violated, the worst first")[-1] == ["no failure", "sticky", "stall"]
     assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, "--case", "design"]) == 0
     assert "no failure, design point alone" in " ".join(capsys.readouterr().out.split())
-    given = ["--subject", "segments.spoon.impact_incidence_deg<=5", "--case", "design"]
-    assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, *given]) == 1  # the spoon is met without an impact
-    rows = table_below(capsys.readouterr().out, "limits violated, the worst first")
-    assert rows[-1] == ["a value of segments.spoon.impact_incidence_deg", "design", "none"]
+
+
+def test_a_limit_of_what_there_is_not_is_kept_as_in_a_study_of_uncertainty():
+    """A steep ledge is flown past without an impact."""
+    text = (ROOT / "specs" / "short_ledge.toml").read_text(encoding="utf-8")
+    path, column = "segments.ledge.slope_deg", "segments.ledge.impact_incidence_deg"
+    limit, most = f"{column}<=4", f"{column}<=90"
+    chute = chutecalc.parse(text + f'\n[uncertainty]\n"{path}" = {{ uniform = [5, 60] }}\n')
+    found = chutecalc.optimise(chute, {path: (5, 60)}, maximise="exit_velocity_m_s", subject=[limit])
+    assert found.feasible
+    assert np.isnan(found.outcome[column][0, 0])
+    free = chutecalc.optimise(chute, {path: (5, 60)}, maximise="exit_velocity_m_s")
+    assert found.worst["exit_velocity_m_s"][0] == pytest.approx(free.worst["exit_velocity_m_s"][0], rel=1e-9)
+    samples = chutecalc.uncertain(chute, 1024, limits=[limit, most])
+    assert samples.ok.all()
+    assert np.isnan(samples.columns[column]).any()
+    assert samples.exceeded[limit].share == (samples.columns[column] > 4.0).mean() > 0.0
+    assert samples.exceeded[most].share == 0.0
 
 
 def test_the_edge_of_a_failure_is_told_with_how_near_it_is(capsys, spec):
@@ -286,6 +300,7 @@ def test_designs_of_a_front_have_both_objectives(downhill):
         (["phi=20:30", *SLOWEST, "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
         (["phi=20:30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
         (["phi=20,30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
+        (["phi=20:30", *SLOWEST, "--subject", "max_fill<=0.9"], "that was tried: leave out the limit max_fill<=0.9"),
         (["radius=3", *SLOWEST], "one value leaves no choice"),
         (["radius=1:4", *SLOWEST, "--case", "wet"], "the spec has no cases"),
         (["radius=1:4", *SLOWEST, "--take", "1"], "add --write"),

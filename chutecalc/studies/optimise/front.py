@@ -29,7 +29,6 @@ def front_places(problem: Problem, second: Objective, points: int, seed: int) ->
         Places in the units of the keys, shape (designs, keys), and for each the limits that decide. Where no design
         is feasible, the one that violates least.
     """
-
     both_of = problem.objective, second
 
     def under(first: Objective, limits: tuple[Limit, ...]) -> Problem:

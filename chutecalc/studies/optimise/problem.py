@@ -30,7 +30,8 @@ class Rows(NamedTuple):
     values: Array
     """The objective, its sign turned where it is maximised, shape (states, designs)."""
     margins: Array
-    """Distance from each limit as a share of it, negative where it is violated, shape (limits, states, designs)."""
+    """Distance from each limit as a share of it, negative where it is violated, shape (limits, states, designs);
+    :data:`MOST` where the column has no value, which keeps any limit."""
     faults: Array
     """What is violated beside limits, see :data:`FAILURE`, shape (designs,)."""
     block: Block
@@ -38,7 +39,7 @@ class Rows(NamedTuple):
 
     @property
     def stands(self) -> Mask:
-        """Whether a design neither fails nor lacks a value, shape (states, designs)."""
+        """Whether a design neither fails nor lacks a value of an objective, shape (states, designs)."""
         return np.asarray(~np.isnan(self.values))
 
     @property
@@ -49,7 +50,7 @@ class Rows(NamedTuple):
     @property
     def violation(self) -> Array:
         """Sum of all violations of each design, dimensionless, 0 where it is feasible."""
-        short = np.minimum(np.maximum(-np.nan_to_num(self.margins, nan=0.0), 0.0), MOST)
+        short = np.clip(-self.margins, 0.0, MOST)
         return np.asarray(self.faults + short.sum(axis=(0, 1)))
 
 
@@ -108,8 +109,9 @@ class Problem:
         margins = np.array(
             [limit.sign * (limit.value - block[limit.column]) / limit.scale for limit in self.limits]
         ).reshape(len(self.limits), *values.shape)
+        margins = np.nan_to_num(margins, nan=MOST, posinf=MOST, neginf=-MOST)
         exists = np.all([np.isfinite(block[name]) for name in self.needed], axis=0)
-        fails = (block["status"] != OK) | ~exists | np.isnan(margins).any(axis=0)
+        fails = (block["status"] != OK) | ~exists
         faults = FAILURE * fails.sum(axis=0)
         if self.no_warnings:
             counts = np.vectorize(lambda codes: len(codes.split()), otypes=[float])(block["warnings"])
@@ -117,7 +119,7 @@ class Problem:
         return Rows(np.where(fails, np.nan, values), margins, faults, block)
 
     def check_values(self, rows: Rows) -> None:
-        """Check that each objective has a value in any design that does not fail.
+        """Check that each objective and the column of each limit have a value in any design that does not fail.
 
         Args:
             rows: of designs from all over the bounds.
@@ -128,6 +130,9 @@ class Problem:
         ok = rows.block["status"] == OK
         for name in self.needed:
             check_column(self.chute.source, name, np.isfinite(rows.block[name][ok]), "choose another objective")
+        for limit in self.limits:
+            exists = ~np.isnan(rows.block[limit.column][ok])
+            check_column(self.chute.source, limit.column, exists, f"leave out the limit {limit.text}")
 
     def merit(self, rows: Rows) -> Array:
         """Return one number for each design by Deb's rule: of feasible ones the better is less, all others come after.

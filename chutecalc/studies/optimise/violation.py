@@ -35,7 +35,7 @@ def violations(problem: Problem, place: Array) -> list[Violation]:
         if own["status"] != OK:
             found.append((FAILURE, Violation(NO_FAILURE, state, str(own["status"]), np.nan)))
         else:
-            missing = [name for name in problem.columns if not np.isfinite(own[name])]
+            missing = [name for name in problem.needed if not np.isfinite(own[name])]
             found += [(FAILURE, Violation(f"a value of {name}", state, "none", np.nan)) for name in missing]
         if problem.no_warnings and own["warnings"]:
             codes = str(own["warnings"])
