@@ -277,16 +277,40 @@ SLIP = "receiver_acceleration_length_m"
 
 @pytest.fixture(scope="module")
 def downhill():
-    """A transfer onto a belt that runs downhill: the stream slips without end where the belt is smooth."""
-    return chutecalc.load(ROOT / "specs" / "transfer_90.toml").put({"receiver.slope_deg": -20})
+    """The spec of a transfer onto a belt that runs downhill: where that is smooth the stream slips without end."""
+    text = (ROOT / "specs" / "transfer_90.toml").read_text(encoding="utf-8")
+    return text.replace("[receiver]", "[receiver]\nslope_deg = -20")
 
 
 def test_designs_of_a_front_have_both_objectives(downhill):
     """The end of the chute is the same on each belt, so the first objective alone would not care."""
     keys = {"receiver.friction_deg": (10, 30)}
-    found = chutecalc.optimise(downhill, keys, ["exit_x_m", SLIP], case="design", points=2)
+    found = chutecalc.optimise(chutecalc.parse(downhill), keys, ["exit_x_m", SLIP], case="design", points=2)
     assert found.feasible
     assert 0.0 < found.worst[SLIP][0] < 10.0
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_an_infinite_column_is_written_and_as_an_objective_no_value(capsys, downhill, tmp_path):
+    spec, file = tmp_path / "downhill.toml", tmp_path / "found.json"
+    spec.write_text(downhill, encoding="utf-8")
+    key, state = "receiver.friction_deg", ["--case", "design", "--json", str(file)]
+    assert (
+        main(["optimise", str(spec), f"{key}=5:10", "--minimise", "exit_x_m", "--subject", f"{SLIP}<=3", *state]) == 1
+    )
+    (violation,) = json.loads(file.read_text(encoding="utf-8"))["violations"]
+    assert violation == {"limit": f"{SLIP}<=3", "state": "design", "value": None, "by": None}
+    assert table_below(capsys.readouterr().out, "limits violated, the worst first")[-1][2:] == ["∞", "∞"]
+    assert main(["optimise", str(spec), f"{key}=5:30", "--maximise", SLIP, *state]) == 0
+    document = json.loads(file.read_text(encoding="utf-8"))
+    assert 10.0 < document["worst"][SLIP][0] < np.inf
+    assert main(["optimise", str(spec), f"{key}=5:10", "--minimise", SLIP, *state]) == 2
+    assert f"has no {SLIP} in any design that was tried" in capsys.readouterr().err
+    with spec.open("a", encoding="utf-8") as stream:
+        stream.write('\n[cases.smooth]\n"receiver.friction_deg" = 5\n')
+    assert main(["optimise", str(spec), f"{RADIUS}=3:4", "--minimise", SLIP, "--json", str(file)]) == 1
+    rows = table_below(capsys.readouterr().out, "limits violated, the worst first")
+    assert rows[-1] == [f"a value of {SLIP}", "smooth", "none"]
 
 
 @pytest.mark.parametrize(
@@ -302,6 +326,8 @@ def test_designs_of_a_front_have_both_objectives(downhill):
         (["phi=20,30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
         (["phi=20:30", *SLOWEST, "--subject", "max_fill<=0.9"], "that was tried: leave out the limit max_fill<=0.9"),
         (["radius=3", *SLOWEST], "one value leaves no choice"),
+        (["radius=3,3", *SLOWEST], "one value leaves no choice"),
+        (["segments.spoon.liner=wall,wall", *SLOWEST], "one value leaves no choice"),
         (["radius=1:4", *SLOWEST, "--case", "wet"], "the spec has no cases"),
         (["radius=1:4", *SLOWEST, "--take", "1"], "add --write"),
         (SLOWEST, "nothing may change"),

@@ -91,7 +91,7 @@ class Problem:
         self.variants = Variants(chute, [key.parameter for key in keys], columns, states, pool=Threads(jobs))
         if texts := [name for name in self.columns if name in self.variants.sweep.texts]:
             raise UsageError(f"{', '.join(texts)}: objectives and limits need columns of numbers")
-        if single := [key.name for key in keys if not key.is_continuous and len(key.parameter.values) < 2]:
+        if single := [key.name for key in keys if len({*key.parameter.values.tolist()}) == 1]:
             raise UsageError(f"{', '.join(single)}: one value leaves no choice; put it into the spec")
         self.low, self.high = np.array([key.bounds for key in keys]).T
         self.continuous = np.array([key.is_continuous for key in keys])
