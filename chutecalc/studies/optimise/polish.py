@@ -38,7 +38,7 @@ class Slopes:
         rows = problem.rows(places)
         values = rows.values / problem.unit
         margins = rows.margins.reshape(-1, len(places))
-        fails = np.isnan(values).any(axis=0)
+        fails = np.asarray(np.isnan(values).any(axis=0))
         self.fails = bool(fails[0])
         source = np.where(fails, 0, np.arange(len(places)))  # differences to one side, where the other fails
         places, values, margins = places[source], values[:, source], margins[:, source]

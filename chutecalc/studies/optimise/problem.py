@@ -20,6 +20,8 @@ from chutecalc.workers import Threads
 OK = Status.OK_LABEL
 FAILURE, WARNING, MOST = 1000.0, 1.0, 100.0
 """What counts as violation: a state that fails, a warning, and a limit at most, as shares of it."""
+FEASIBLE = 1.0
+"""What the merit of a feasible design is below, and that of any other above."""
 WORSE = 1e-9
 """Share of the objective, and violation, that rounding may add."""
 
@@ -142,7 +144,7 @@ class Problem:
         """
         share = rows.worst / self.unit
         violation = rows.violation
-        return np.where(violation > 0.0, 1.0 + violation, share / (1.0 + np.abs(share)))
+        return np.where(violation > 0.0, FEASIBLE + violation, share / (1.0 + np.abs(share)))
 
     def clipped(self, places: Array) -> Array:
         """Return places within the bounds, those of choices whole.
