@@ -23,7 +23,7 @@ def dead_targets(residuals: Residuals, places: Array) -> list[int] | None:
 
     Args:
         residuals: functions of as many numbers from 0 to 1 as there are residuals.
-        places: roots, shape (roots, keys).
+        places: roots, dimensionless, shape (roots, keys).
 
     >>> dead_targets(lambda x: np.stack([x[:, 0] - x[:, 1], 0.0 * x[:, 0]], axis=1), np.array([[0.5, 0.5]]))
     [1]
