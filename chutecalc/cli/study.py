@@ -98,9 +98,15 @@ def write_solution(found: Found, write: bool, take: int | None, quiet: bool = Fa
         write: whether it is wanted.
         take: which of several.
         quiet: whether to say nothing of it.
+
+    Raises:
+        UsageError: there are several and it is not said which, or there is no such one. All else is delivered by then.
     """
     if write and found.count:
-        found.write(take=take)
+        try:
+            found.write(take=take)
+        except UsageError as error:
+            raise UsageError(f"nothing written into {found.chute.source}: {error}") from None
         if not quiet:
             from tomlkit import item
 

@@ -12,7 +12,11 @@ SUBJECT = re.compile(r"\s*([\w.]+)\s*(<=|>=)\s*(\S+)\s*")
 
 
 class Limit(NamedTuple):
-    """A limit of a column."""
+    """A limit of a column.
+
+    Where the column has no value, the limit is kept: what there is not, such as the angle of an impact where the stream
+    meets a segment along its slope, cannot be too much. An infinite value is compared as any other.
+    """
 
     column: str
     sign: float
@@ -40,6 +44,22 @@ class Limit(NamedTuple):
     def scale(self) -> float:
         """What violations are a share of."""
         return abs(self.value) or 1.0
+
+
+def check_column(source: str, column: str, exists: Mask, remedy: str) -> None:
+    """Check that a column has a value in any of the designs that do not fail.
+
+    Args:
+        source: name of the spec.
+        column: name of the column.
+        exists: where there is a value, over designs that do not fail, shape (designs,).
+        remedy: what to do where there is none.
+
+    Raises:
+        UsageError: there are designs, and none has a value.
+    """
+    if exists.size and not exists.any():
+        raise UsageError(f"{source} has no {column} in any design that was tried: {remedy}")
 
 
 def read_limit(text: str) -> Limit:

@@ -95,9 +95,15 @@ def test_of_several_one_is_taken(capsys, spec):
     out = capsys.readouterr().out
     assert "2 solutions within the bounds" in out
     assert out.count(" ok ") == 4  # two rows, in two tables
-    assert main([*given, "--write"]) == 2
-    assert "there are 2 solutions: choose one of them with --take N" in capsys.readouterr().err
-    assert main([*given, "--write", "--take", "3"]) == 2
+    before, file = spec.read_bytes(), spec.with_name("found.json")
+    for take, problem in ([], "there are 2 solutions: choose one"), (["--take", "3"], "there is no solution 3 to take"):
+        assert main([*given, "--write", *take, "--json", str(file)]) == 2
+        told = capsys.readouterr()
+        assert "2 solutions within the bounds" in told.out
+        assert f"nothing written into {spec}: {problem}" in told.err
+        assert len(json.loads(file.read_text(encoding="utf-8"))["solutions"]) == 2
+        assert spec.read_bytes() == before
+        file.unlink()
     assert main([*given, "--write", "--take", "2"]) == 0
     angle = tomllib.loads(spec.read_text(encoding="utf-8"))["sections"]["spoon"]["chamfer_deg"]
     assert angle == pytest.approx(55.5005, abs=1e-4)
@@ -135,6 +141,7 @@ TARGET = ["--target", "exit_velocity_m_s=3.7"]
         ([SPOON, "radius=1:4", *TARGET, "--take", "1"], "add --write"),
         (["-", "radius=1:4", *TARGET, "--write"], "not standard input"),
         ([SPOON, "phi=10:20", "--target", "exit_slope_deg=0"], "more than 50 solutions"),
+        ([SPOON, "radius=1:4", "--target", "max_fill=0.5"], "no max_fill in any design that was tried: choose another"),
     ],
 )
 def test_what_makes_no_sense_is_told(capsys, arguments, problem):

@@ -114,10 +114,24 @@ def test_a_state_that_fails_is_among_what_is_violated(capsys, spec):
     assert table_below(out, "limits violated, the worst first")[-1] == ["no failure", "sticky", "stall"]
     assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, "--case", "design"]) == 0
     assert "no failure, design point alone" in " ".join(capsys.readouterr().out.split())
-    given = ["--subject", "segments.spoon.impact_incidence_deg<=5", "--case", "design"]
-    assert main(["optimise", str(spec), "radius=1:4", *SLOWEST, *given]) == 1  # the spoon is met without an impact
-    rows = table_below(capsys.readouterr().out, "limits violated, the worst first")
-    assert rows[-1] == ["a value of segments.spoon.impact_incidence_deg", "design", "none"]
+
+
+def test_a_limit_of_what_there_is_not_is_kept_as_in_a_study_of_uncertainty():
+    """A steep ledge is flown past without an impact."""
+    text = (ROOT / "specs" / "short_ledge.toml").read_text(encoding="utf-8")
+    path, column = "segments.ledge.slope_deg", "segments.ledge.impact_incidence_deg"
+    limit, most = f"{column}<=4", f"{column}<=90"
+    chute = chutecalc.parse(text + f'\n[uncertainty]\n"{path}" = {{ uniform = [5, 60] }}\n')
+    found = chutecalc.optimise(chute, {path: (5, 60)}, maximise="exit_velocity_m_s", subject=[limit])
+    assert found.feasible
+    assert np.isnan(found.outcome[column][0, 0])
+    free = chutecalc.optimise(chute, {path: (5, 60)}, maximise="exit_velocity_m_s")
+    assert found.worst["exit_velocity_m_s"][0] == pytest.approx(free.worst["exit_velocity_m_s"][0], rel=1e-9)
+    samples = chutecalc.uncertain(chute, 1024, limits=[limit, most])
+    assert samples.ok.all()
+    assert np.isnan(samples.columns[column]).any()
+    assert samples.exceeded[limit].share == (samples.columns[column] > 4.0).mean() > 0.0
+    assert samples.exceeded[most].share == 0.0
 
 
 def test_the_edge_of_a_failure_is_told_with_how_near_it_is(capsys, spec):
@@ -258,6 +272,47 @@ def test_one_key_is_drawn_as_a_line_and_choices_alone_are_not(spec):
         draw_optimum(chutecalc.optimise(chute, {RADIUS: (1, 4, 1)}, minimise="exit_velocity_m_s"))
 
 
+SLIP = "receiver_acceleration_length_m"
+
+
+@pytest.fixture(scope="module")
+def downhill():
+    """The spec of a transfer onto a belt that runs downhill: where that is smooth the stream slips without end."""
+    text = (ROOT / "specs" / "transfer_90.toml").read_text(encoding="utf-8")
+    return text.replace("[receiver]", "[receiver]\nslope_deg = -20")
+
+
+def test_designs_of_a_front_have_both_objectives(downhill):
+    """The end of the chute is the same on each belt, so the first objective alone would not care."""
+    keys = {"receiver.friction_deg": (10, 30)}
+    found = chutecalc.optimise(chutecalc.parse(downhill), keys, ["exit_x_m", SLIP], case="design", points=2)
+    assert found.feasible
+    assert 0.0 < found.worst[SLIP][0] < 10.0
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_an_infinite_column_is_written_and_as_an_objective_no_value(capsys, downhill, tmp_path):
+    spec, file = tmp_path / "downhill.toml", tmp_path / "found.json"
+    spec.write_text(downhill, encoding="utf-8")
+    key, state = "receiver.friction_deg", ["--case", "design", "--json", str(file)]
+    assert (
+        main(["optimise", str(spec), f"{key}=5:10", "--minimise", "exit_x_m", "--subject", f"{SLIP}<=3", *state]) == 1
+    )
+    (violation,) = json.loads(file.read_text(encoding="utf-8"))["violations"]
+    assert violation == {"limit": f"{SLIP}<=3", "state": "design", "value": None, "by": None}
+    assert table_below(capsys.readouterr().out, "limits violated, the worst first")[-1][2:] == ["∞", "∞"]
+    assert main(["optimise", str(spec), f"{key}=5:30", "--maximise", SLIP, *state]) == 0
+    document = json.loads(file.read_text(encoding="utf-8"))
+    assert 10.0 < document["worst"][SLIP][0] < np.inf
+    assert main(["optimise", str(spec), f"{key}=5:10", "--minimise", SLIP, *state]) == 2
+    assert f"has no {SLIP} in any design that was tried" in capsys.readouterr().err
+    with spec.open("a", encoding="utf-8") as stream:
+        stream.write('\n[cases.smooth]\n"receiver.friction_deg" = 5\n')
+    assert main(["optimise", str(spec), f"{RADIUS}=3:4", "--minimise", SLIP, "--json", str(file)]) == 1
+    rows = table_below(capsys.readouterr().out, "limits violated, the worst first")
+    assert rows[-1] == [f"a value of {SLIP}", "smooth", "none"]
+
+
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
@@ -266,7 +321,13 @@ def test_one_key_is_drawn_as_a_line_and_choices_alone_are_not(spec):
         (["radius=1:4", *SLOWEST, "--subject", "max_depth_m<0.2"], "a limit is COLUMN<=VALUE"),
         (["radius=1:4", *SLOWEST, "--subject", "depth<=0.2"], "unknown column depth"),
         (["radius=1:4", "--minimise", "findings"], "need columns of numbers"),
+        (["phi=20:30", *SLOWEST, "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
+        (["phi=20:30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
+        (["phi=20,30", "--maximise", "max_fill"], "no max_fill in any design that was tried: choose another"),
+        (["phi=20:30", *SLOWEST, "--subject", "max_fill<=0.9"], "that was tried: leave out the limit max_fill<=0.9"),
         (["radius=3", *SLOWEST], "one value leaves no choice"),
+        (["radius=3,3", *SLOWEST], "one value leaves no choice"),
+        (["segments.spoon.liner=wall,wall", *SLOWEST], "one value leaves no choice"),
         (["radius=1:4", *SLOWEST, "--case", "wet"], "the spec has no cases"),
         (["radius=1:4", *SLOWEST, "--take", "1"], "add --write"),
         (SLOWEST, "nothing may change"),

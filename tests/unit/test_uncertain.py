@@ -137,7 +137,7 @@ def test_warnings_have_the_chance_of_their_findings():
 
 
 def test_a_limit_of_a_column_that_no_sample_has_is_refused():
-    with pytest.raises(UsageError, match="has no max_fill in any sample: leave out the limit"):
+    with pytest.raises(UsageError, match="has no max_fill in any design that was tried: leave out the limit"):
         chutecalc.uncertain(chute(uncertainty=KEYS), FEW, limits=["max_fill<=0.4"])
     with pytest.raises(UsageError, match="a limit is COLUMN<=VALUE or COLUMN>=VALUE"):
         chutecalc.uncertain(chute(uncertainty=KEYS), FEW, limits=["max_fill<0.4"])

@@ -122,3 +122,31 @@ def test_more_keys_start_from_scattered_points():
     aim = chutecalc.aim(chute, bounds, {name: float(block[name][0, 0]) for name in columns})
     solutions = np.stack([aim.values[name] for name in wanted], axis=1)
     assert np.abs(solutions / np.array([*wanted.values()]) - 1.0).max(axis=1).min() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("spec", "keys", "at", "columns", "problem"),
+    [
+        (
+            "grain_spout",
+            {"segments.elbow.radius_m": (0.5, 2.0), "segments.elbow.to_slope_deg": (5.0, 48.0)},
+            (1.1, 30.0),
+            ("exit_velocity_m_s", "max_depth_m"),  # which is at the inlet
+            "without end: no key moves max_depth_m there. Choose another target than max_depth_m",
+        ),
+        (
+            "belt_hood_spoon",
+            {SPOON: (1.0, 5.0), "segments.drop.drop_m": (0.5, 3.0)},
+            (3.0, 1.5),
+            ("exit_velocity_m_s", "max_depth_m"),
+            "without end",
+        ),
+    ],
+)
+def test_a_line_of_solutions_is_refused(spec, keys, at, columns, problem):
+    """Samples of it would look like a few solutions."""
+    base = chutecalc.load(ROOT / "specs" / f"{spec}.toml")
+    parameters = [key.parameter for key in read_keys(key_arguments(keys), base)]
+    block = Variants(base, parameters, columns, rtol=1e-12)([np.array([value]) for value in at])
+    with pytest.raises(chutecalc.UsageError, match=problem):
+        chutecalc.aim(base, keys, {name: float(block[name][0, 0]) for name in columns})

@@ -5,6 +5,8 @@ import pytest
 
 import chutecalc
 from chutecalc.studies.keys import key_arguments, read_keys
+from chutecalc.studies.optimise import search
+from chutecalc.studies.optimise.polish import polished
 from chutecalc.studies.variants import Variants
 from tests import seeds
 from tests.conftest import ROOT, chute
@@ -170,6 +172,26 @@ def test_the_same_seed_gives_the_same_and_none_feasible_is_said():
     none = chutecalc.optimise(base, keys, maximise="exit_velocity_m_s", subject=["exit_velocity_m_s<=1"])
     assert not none.feasible
     assert repr(none) == "<Optimum of exit_velocity_m_s: no feasible design>"
+
+
+def test_where_nothing_is_feasible_the_closest_alone_is_polished(monkeypatch):
+    """More starts and a direct search would take most of the time, and find what the evolution found."""
+    base, keys = chutecalc.load(COAL), {SPOON: (1.0, 6.0), SLOPE: (10.0, 60.0)}
+    starts = []
+    monkeypatch.setattr(search, "polished", lambda problem, place: starts.append(place) or polished(problem, place))
+    monkeypatch.setattr(search, "settled", lambda *_: pytest.fail("searched on"))
+    none = chutecalc.optimise(base, keys, maximise="exit_x_m", subject=["exit_velocity_m_s<=4", "exit_slope_deg<=15"])
+    assert not none.feasible
+    assert len(starts) == 1
+    _, block = solved_grid(base, keys, ["exit_velocity_m_s", "exit_slope_deg"])
+
+    def beyond(values):
+        return sum(
+            np.maximum(values[name][0] / most - 1.0, 0.0)
+            for name, most in (("exit_velocity_m_s", 4.0), ("exit_slope_deg", 15.0))
+        )
+
+    assert beyond(none.outcome)[0] <= np.nanmin(beyond(block)) * (1.0 + 1e-9)
 
 
 def test_without_warnings_the_best_has_none():

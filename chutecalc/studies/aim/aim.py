@@ -10,6 +10,7 @@ from chutecalc.errors import UsageError
 from chutecalc.results.described import outcomes
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.aim.bracket import bracketed_roots
+from chutecalc.studies.aim.line import dead_targets, line_text
 from chutecalc.studies.aim.misses import RTOL, Misses
 from chutecalc.studies.aim.refine import refined, refined_roots
 from chutecalc.studies.found import Found, solved
@@ -111,6 +112,9 @@ def find_aim(
     else:
         places = refined_roots(misses, len(keys))
     places = misses.met(places)
+    dead = dead_targets(misses, places[:MOST]) if len(keys) > 1 and len(places) else None
+    if dead is not None:
+        raise UsageError(line_text([*targets], dead))
     if len(places) > MOST:
         raise UsageError(
             f"{', '.join(targets)}: more than {MOST} solutions, so they lie side by side without end. Choose keys"

@@ -4,9 +4,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
+from chutecalc.studies.limit import check_column
 from chutecalc.studies.variants import Variants
 
 RTOL = 1e-12
@@ -50,6 +52,9 @@ class Misses:
 
         Returns:
             Shape (designs, targets); NaN where a design fails.
+
+        Raises:
+            UsageError: in the first call, no design has a value of a target.
         """
         if not len(places):
             return np.empty((0, len(self.wanted)))
@@ -60,6 +65,9 @@ class Misses:
             spread = np.ptp(known, axis=0) if len(known) else np.zeros(len(self.wanted))
             self.scale = np.where(spread > 0.0, spread, 1.0)
             self.statuses = statuses
+            ok = np.array(statuses) == Status.OK_LABEL
+            for name, exists in zip(self.names, np.isfinite(missed[ok]).T, strict=True):
+                check_column(self.variants.chute.source, name, exists, "choose another target")
         missed = np.where(np.isfinite(missed).all(axis=1, keepdims=True), missed / self.scale, np.nan)
         size = np.linalg.norm(np.where(np.isnan(missed), np.inf, missed), axis=1)
         best = int(size.argmin()) if size.size else 0

@@ -14,6 +14,8 @@ MOST_STARTS = 128
 STEP = 1e-6
 """Half of the distance over which differences are taken, as a share of the bounds."""
 ITERATIONS = 60
+LEAST_DAMPING = 1e-15
+"""Of squares of slopes that are scaled to 1: what is less is rounding, and no way to go."""
 
 Residuals = Callable[[Array], Array]
 """Residuals of designs, shape (designs, targets), from numbers from 0 to 1, shape (designs, keys); NaN for failures."""
@@ -49,7 +51,7 @@ def refined(residuals: Residuals, points: Array) -> Array:
     for _ in range(ITERATIONS):
         if not on.any():
             break
-        slopes[moved] = _differences(residuals, points[moved], values[moved])
+        slopes[moved] = differences(residuals, points[moved], values[moved])
         on &= np.isfinite(slopes).all(axis=(1, 2))
         here = np.flatnonzero(on)
         trial = np.clip(points[here] + _step(slopes[here], values[here], damping[here]), 0.0, 1.0)
@@ -58,7 +60,7 @@ def refined(residuals: Residuals, points: Array) -> Array:
         won, lost = here[better], here[~better]
         points[won], values[won] = trial[better], found[better]
         size[won] = np.linalg.norm(values[won], axis=1)
-        damping[won] *= 0.1
+        damping[won] = np.maximum(0.1 * damping[won], LEAST_DAMPING)
         damping[lost] *= 8.0
         moved = np.zeros(len(points), dtype=bool)
         moved[won] = True
@@ -68,18 +70,24 @@ def refined(residuals: Residuals, points: Array) -> Array:
 
 
 def _step(slopes: Array, values: Array, damping: Array) -> Array:
-    """Return the damped step of each point, shape (points, keys)."""
-    normal = np.einsum("nij,nik->njk", slopes, slopes)
-    scale = np.einsum("njj->nj", normal)
-    scale = np.maximum(scale, 1e-12 * scale.max(axis=1, keepdims=True) + 1e-300)
-    normal[:, np.arange(scale.shape[1]), np.arange(scale.shape[1])] += damping[:, None] * scale
-    right = np.einsum("nij,ni->nj", slopes, values)
-    step: Array = -np.linalg.solve(normal, right[..., None])[..., 0]
+    """Return the damped step of each point, shape (points, keys); none along what changes nothing."""
+    scale = np.linalg.norm(slopes, axis=1, keepdims=True)
+    scale = np.maximum(scale, 1e-6 * scale.max(axis=2, keepdims=True))
+    scale[scale == 0.0] = 1.0
+    left, size, right = np.linalg.svd(slopes / scale, full_matrices=False)
+    along = np.einsum("nij,ni->nj", left, values) * size / (size**2 + damping[:, None])
+    step: Array = -np.einsum("njk,nj->nk", right, along) / scale[:, 0]
     return step
 
 
-def _differences(residuals: Residuals, points: Array, values: Array) -> Array:
-    """Return the slopes of the residuals, shape (points, targets, keys), from one batch."""
+def differences(residuals: Residuals, points: Array, values: Array) -> Array:
+    """Return the slopes of the residuals, shape (points, targets, keys), from one batch.
+
+    Args:
+        residuals: the functions.
+        points: where, shape (points, keys).
+        values: residuals there, shape (points, targets).
+    """
     count, keys = points.shape
     beside = np.repeat(points[:, None, :], 2 * keys, axis=1)
     for key in range(keys):

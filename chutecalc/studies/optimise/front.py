@@ -20,7 +20,7 @@ def front_places(problem: Problem, second: Objective, points: int, seed: int) ->
     """Return the designs of a front, in the order of the first objective, and the limits that decide at each.
 
     Args:
-        problem: of the first objective.
+        problem: of the first objective, in which designs need a value of the other one too.
         second: the other one.
         points: number of designs, if all are apart.
         seed: of what is random in the search.
@@ -29,10 +29,11 @@ def front_places(problem: Problem, second: Objective, points: int, seed: int) ->
         Places in the units of the keys, shape (designs, keys), and for each the limits that decide. Where no design
         is feasible, the one that violates least.
     """
+    both_of = problem.objective, second
 
     def under(first: Objective, limits: tuple[Limit, ...]) -> Problem:
         chute, states = problem.chute, problem.variants.states
-        return Problem(chute, problem.keys, first, limits, states, problem.no_warnings, problem.jobs)
+        return Problem(chute, problem.keys, first, limits, states, problem.no_warnings, problem.jobs, both_of)
 
     def worst(objective: Objective, place: Array) -> float:
         return float(under(objective, problem.limits).rows(place[None]).worst[0])

@@ -94,6 +94,7 @@ def _margins(found: Optimum, block: Block) -> dict[str, Array]:
     margins = {}
     for limit in found.limits:
         own = limit.sign * (limit.value - block[limit.column])
+        own[np.isnan(own) & (block["status"] == Status.OK_LABEL)] = np.inf  # what does not exist keeps a limit
         if (own < 0.0).any():
             broken = f"{limit.column} {'>' if limit.sign > 0 else '<'} {limit.value:g}"
             margins[_in_states(broken, found.states, (own < 0.0).any(axis=1))] = own.min(axis=0)

@@ -119,7 +119,7 @@ def find_optimum(
         jobs: as there.
     """
     states = (DESIGN_POINT, *chute.cases) if case is None else (case,)
-    problem = Problem(chute, keys, objectives[0], limits, states, no_warnings, jobs)
+    problem = Problem(chute, keys, objectives[0], limits, states, no_warnings, jobs, objectives[1:])
     answers: dict[str, KeyAnswer] = {}
     if len(objectives) > 1:
         places, bound = front_places(problem, objectives[1], points, seed)

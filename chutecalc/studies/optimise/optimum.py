@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
+from chutecalc.output.dataset import number, numbers
 from chutecalc.studies.found import Found
 from chutecalc.studies.limit import Limit
 from chutecalc.studies.optimise.answer import KeyAnswer
@@ -60,12 +61,12 @@ class Optimum(Found):
             "subject": self.subject,
             "states": self.states,
             "feasible": self.feasible,
-            "violations": [each._replace(by=_known(each.by))._asdict() for each in self.violations],
+            "violations": [each.document() for each in self.violations],
         }
         answers = {
             name: {
                 "on_bound": answer.bound or None,
-                "change_per_unit": _known(answer.change_per_unit),
+                "change_per_unit": number(answer.change_per_unit),
                 "within_1_per_cent": list(answer.range),
                 "fails": [edge._asdict() for edge in answer.fails],
             }
@@ -74,15 +75,10 @@ class Optimum(Found):
         bound = [
             [
                 each._asdict()
-                | {"change_per_unit": _known(each.change_per_unit), "edge": each.edge and each.edge._asdict()}
+                | {"change_per_unit": number(each.change_per_unit), "edge": each.edge and each.edge._asdict()}
                 for each in own
             ]
             for own in self.binding
         ]
-        worst = {name: values.tolist() for name, values in self.worst.items()} if self.feasible else {}
+        worst = {name: numbers(values) for name, values in self.worst.items()} if self.feasible else {}
         return told | super().document() | {"worst": worst, "binding": bound, "keys_at_optimum": answers}
-
-
-def _known(value: float) -> Any:
-    """Return a number, None for NaN."""
-    return None if value != value else value

@@ -38,12 +38,12 @@ class Slopes:
         rows = problem.rows(places)
         values = rows.values / problem.unit
         margins = rows.margins.reshape(-1, len(places))
-        fails = np.asarray(np.isnan(values).any(axis=0) | np.isnan(margins).any(axis=0))
+        fails = np.asarray(np.isnan(values).any(axis=0))
         self.fails = bool(fails[0])
         source = np.where(fails, 0, np.arange(len(places)))  # differences to one side, where the other fails
         places, values, margins = places[source], values[:, source], margins[:, source]
         apart = np.array([places[2 + 2 * n, k] - places[1 + 2 * n, k] for n, k in enumerate(keys)]) / width[keys]
-        self.values, self.margins = np.nan_to_num(values[:, 0], nan=FAR), np.nan_to_num(margins[:, 0], nan=-FAR)
+        self.values, self.margins = np.nan_to_num(values[:, 0], nan=FAR), margins[:, 0]
         with np.errstate(invalid="ignore", divide="ignore"):
             self.of_values = np.nan_to_num((values[:, 2::2] - values[:, 1::2]) / apart)
             self.of_margins = np.nan_to_num((margins[:, 2::2] - margins[:, 1::2]) / apart)

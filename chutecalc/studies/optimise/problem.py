@@ -12,7 +12,7 @@ from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Array, Index, Mask
 from chutecalc.studies.digits import rounded
 from chutecalc.studies.keys import Key
-from chutecalc.studies.limit import Limit
+from chutecalc.studies.limit import Limit, check_column
 from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.variants import Variants
 from chutecalc.workers import Threads
@@ -20,6 +20,8 @@ from chutecalc.workers import Threads
 OK = Status.OK_LABEL
 FAILURE, WARNING, MOST = 1000.0, 1.0, 100.0
 """What counts as violation: a state that fails, a warning, and a limit at most, as shares of it."""
+FEASIBLE = 1.0
+"""What the merit of a feasible design is below, and that of any other above."""
 WORSE = 1e-9
 """Share of the objective, and violation, that rounding may add."""
 
@@ -30,15 +32,16 @@ class Rows(NamedTuple):
     values: Array
     """The objective, its sign turned where it is maximised, shape (states, designs)."""
     margins: Array
-    """Distance from each limit as a share of it, negative where it is violated, shape (limits, states, designs)."""
+    """Distance from each limit as a share of it, negative where it is violated, shape (limits, states, designs);
+    :data:`MOST` where the column has no value, which keeps any limit."""
     faults: Array
     """What is violated beside limits, see :data:`FAILURE`, shape (designs,)."""
     block: Block
-    """``status``, the columns of objective and limits, ``warnings`` if they count, shape (states, designs) each."""
+    """``status``, the columns of objectives and limits, ``warnings`` if they count, shape (states, designs) each."""
 
     @property
     def stands(self) -> Mask:
-        """Whether a design neither fails nor lacks a value, shape (states, designs)."""
+        """Whether a design neither fails nor lacks a value of an objective, shape (states, designs)."""
         return np.asarray(~np.isnan(self.values))
 
     @property
@@ -49,7 +52,7 @@ class Rows(NamedTuple):
     @property
     def violation(self) -> Array:
         """Sum of all violations of each design, dimensionless, 0 where it is feasible."""
-        short = np.minimum(np.maximum(-np.nan_to_num(self.margins, nan=0.0), 0.0), MOST)
+        short = np.clip(-self.margins, 0.0, MOST)
         return np.asarray(self.faults + short.sum(axis=(0, 1)))
 
 
@@ -65,6 +68,7 @@ class Problem:
         states: Sequence[str],
         no_warnings: bool = False,
         jobs: int | None = None,
+        others: Sequence[Objective] = (),
     ) -> None:
         """Check the columns; nothing is solved yet.
 
@@ -76,18 +80,20 @@ class Problem:
             states: operating states.
             no_warnings: whether warnings are violations.
             jobs: number of threads.
+            others: further objectives: a design needs a value of each.
 
         Raises:
             UsageError: a column does not exist or is text, or a key has one choice only.
         """
         self.chute, self.keys, self.objective, self.limits = chute, tuple(keys), objective, tuple(limits)
         self.no_warnings, self.jobs = no_warnings, jobs
-        self.columns = list(dict.fromkeys([objective.column, *(limit.column for limit in limits)]))
+        self.needed = list(dict.fromkeys(each.column for each in (objective, *others)))
+        self.columns = list(dict.fromkeys([*self.needed, *(limit.column for limit in limits)]))
         columns = [*self.columns, *(["warnings"] if no_warnings else [])]
         self.variants = Variants(chute, [key.parameter for key in keys], columns, states, pool=Threads(jobs))
         if texts := [name for name in self.columns if name in self.variants.sweep.texts]:
             raise UsageError(f"{', '.join(texts)}: objectives and limits need columns of numbers")
-        if single := [key.name for key in keys if not key.is_continuous and len(key.parameter.values) < 2]:
+        if single := [key.name for key in keys if len({*key.parameter.values.tolist()}) == 1]:
             raise UsageError(f"{', '.join(single)}: one value leaves no choice; put it into the spec")
         self.low, self.high = np.array([key.bounds for key in keys]).T
         self.continuous = np.array([key.is_continuous for key in keys])
@@ -105,12 +111,30 @@ class Problem:
         margins = np.array(
             [limit.sign * (limit.value - block[limit.column]) / limit.scale for limit in self.limits]
         ).reshape(len(self.limits), *values.shape)
-        fails = (block["status"] != OK) | np.isnan(values) | np.isnan(margins).any(axis=0)
+        margins = np.nan_to_num(margins, nan=MOST, posinf=MOST, neginf=-MOST)
+        exists = np.all([np.isfinite(block[name]) for name in self.needed], axis=0)
+        fails = (block["status"] != OK) | ~exists
         faults = FAILURE * fails.sum(axis=0)
         if self.no_warnings:
             counts = np.vectorize(lambda codes: len(codes.split()), otypes=[float])(block["warnings"])
             faults = faults + WARNING * counts.sum(axis=0)
         return Rows(np.where(fails, np.nan, values), margins, faults, block)
+
+    def check_values(self, rows: Rows) -> None:
+        """Check that each objective and the column of each limit have a value in any design that does not fail.
+
+        Args:
+            rows: of designs from all over the bounds.
+
+        Raises:
+            UsageError: one has none.
+        """
+        ok = rows.block["status"] == OK
+        for name in self.needed:
+            check_column(self.chute.source, name, np.isfinite(rows.block[name][ok]), "choose another objective")
+        for limit in self.limits:
+            exists = ~np.isnan(rows.block[limit.column][ok])
+            check_column(self.chute.source, limit.column, exists, f"leave out the limit {limit.text}")
 
     def merit(self, rows: Rows) -> Array:
         """Return one number for each design by Deb's rule: of feasible ones the better is less, all others come after.
@@ -120,7 +144,7 @@ class Problem:
         """
         share = rows.worst / self.unit
         violation = rows.violation
-        return np.where(violation > 0.0, 1.0 + violation, share / (1.0 + np.abs(share)))
+        return np.where(violation > 0.0, FEASIBLE + violation, share / (1.0 + np.abs(share)))
 
     def clipped(self, places: Array) -> Array:
         """Return places within the bounds, those of choices whole.

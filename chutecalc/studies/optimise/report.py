@@ -63,14 +63,14 @@ def _violations(found: Optimum) -> Grid:
     table.column("value", left=True, words=True)
     table.column("beyond\nlimit by")
     for each in found.violations:
-        by = "" if np.isnan(each.by) else f"{each.by:.4g}"
+        by = "" if np.isnan(each.by) else f"{each.by:.4g}".replace("inf", "∞")
         table.row([each.limit, each.state, _value(each.value), by])
     return table
 
 
 def _value(value: float | str) -> str:
     """Return the value of a column, or how a design ends."""
-    return outcome_text(value) if isinstance(value, str) else f"{value:z.6g}"
+    return outcome_text(value) if isinstance(value, str) else f"{value:z.6g}".replace("inf", "∞")
 
 
 def _binding(found: Optimum) -> Grid:

@@ -8,7 +8,7 @@ from scipy.stats.qmc import Sobol
 
 from chutecalc.physics.arrays import Array
 from chutecalc.studies.optimise.polish import polished
-from chutecalc.studies.optimise.problem import Problem
+from chutecalc.studies.optimise.problem import FEASIBLE, Problem
 
 FIRST = 1024
 """Quasi-random designs to begin with; of as many choices, all are solved."""
@@ -36,7 +36,9 @@ def best_place(problem: Problem, seed: int = 0, known: Array | None = None, gene
     """
     every = problem.all_choices(FIRST)
     if every is not None:
-        return np.asarray(every[_merit(problem, every).argmin()])
+        rows = problem.rows(every)
+        problem.check_values(rows)
+        return np.asarray(every[problem.merit(rows).argmin()])
     keys = len(problem.keys)
     sample = problem.low + Sobol(keys, seed=seed).random(FIRST) * (problem.high - problem.low)
     sample[:, ~problem.continuous] = problem.low[~problem.continuous] + np.floor(
@@ -44,6 +46,7 @@ def best_place(problem: Problem, seed: int = 0, known: Array | None = None, gene
     )[:, ~problem.continuous].clip(0.0, problem.high[~problem.continuous])
     sample = np.concatenate([*([] if known is None else [known]), _corners(problem), sample])
     rows = problem.rows(sample)
+    problem.check_values(rows)
     sizes = np.abs(rows.worst[np.isfinite(rows.worst)])
     problem.unit = float(np.median(sizes)) or 1.0 if sizes.size else 1.0
     merit = problem.merit(rows)
@@ -64,9 +67,13 @@ def best_place(problem: Problem, seed: int = 0, known: Array | None = None, gene
     )
     ends = np.concatenate([result.x[None], result.population, sample[order[:count]]])
     found = problem.clipped(ends)
-    starts = _distinct(problem, found[np.argsort(_merit(problem, found), kind="stable")])
+    merit = _merit(problem, found)
+    order = np.argsort(merit, kind="stable")
+    starts = _distinct(problem, found[order]) if merit[order[0]] < FEASIBLE else found[order[:1]]
     found = np.concatenate([starts, *(polished(problem, start)[None] for start in starts)])
-    return settled(problem, np.asarray(found[_merit(problem, found).argmin()]), seed)
+    merit = _merit(problem, found)
+    best = np.asarray(found[merit.argmin()])
+    return settled(problem, best, seed) if merit.min() < FEASIBLE else best
 
 
 def settled(problem: Problem, place: Array, seed: int = 0) -> Array:

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.errors import UsageError
-from chutecalc.studies.limit import Limit
+from chutecalc.studies.limit import Limit, check_column
 from chutecalc.studies.uncertain.solved_rows import Rows
 from chutecalc.studies.uncertain.statistics import Chance, chance
 
@@ -29,8 +28,7 @@ def exceeded(rows: Rows, limits: Sequence[Limit], source: str) -> dict[str, Chan
     found, any_of_them = {}, ~ok
     for limit in limits:
         values = rows.columns[limit.column]
-        if ok.any() and np.isnan(values[ok]).all():
-            raise UsageError(f"{source} has no {limit.column} in any sample: leave out the limit {limit.text}")
+        check_column(source, limit.column, ~np.isnan(values[ok]), f"leave out the limit {limit.text}")
         beyond = limit.is_exceeded(values)
         found[limit.text], any_of_them = chance(beyond, ok), any_of_them | beyond
     return found | ({ANY: chance(any_of_them, np.ones_like(ok))} if limits else {})
