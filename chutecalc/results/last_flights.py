@@ -25,11 +25,13 @@ def last_flights(design: Design, ends: Ends, last: Part) -> Iterator[Part]:
         last: the last part of the trajectory.
     """
     leaves = [ends.distance, ends.x, ends.z, ends.velocity, ends.slope]
-    for name, velocity, slope in (
-        (EXIT, ends.velocity, ends.slope),
-        (RECEIVER, ends.landing_velocity, ends.landing_slope),
+    touched = _last_touched(last, leaves)
+    past = touched[0] > ends.distance  # it has flown on past segments, along flights that are told already
+    goes_on = [np.where(past, there, left) for there, left in zip(touched, leaves, strict=True)]
+    for name, begins, velocity, slope in (
+        (EXIT, touched, ends.velocity, ends.slope),
+        (RECEIVER, goes_on, ends.landing_velocity, ends.landing_slope),
     ):
-        begins = _last_touched(last, leaves)
         gained = velocity * np.sin(slope) - begins[3] * np.sin(begins[4])
         time = np.where(ends.status == Status.OK, gained / design.gravity, np.nan)
         if (time > LEAST).any():

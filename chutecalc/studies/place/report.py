@@ -7,6 +7,8 @@ from chutecalc.output.cases import CONCERNED
 from chutecalc.output.dataset import document_head, number
 from chutecalc.output.grid import Grid
 from chutecalc.results.finding import Severity
+from chutecalc.segments.curve import Curve
+from chutecalc.segments.registry import KINDS
 from chutecalc.studies.place.placement import PlacedSegment, Placement
 from chutecalc.studies.place.struck import Struck
 
@@ -62,7 +64,8 @@ def shape_text(placed: PlacedSegment) -> str:
     begins = next(iter(placed.slopes.values()))
     if placed.ends_deg is None:
         return f"{placed.kind} at {begins:z.2f}°"
-    what = placed.kind if placed.kind != "curve" else "spoon" if begins > placed.ends_deg else "crest"
+    turns = "spoon" if begins > placed.ends_deg else "crest"
+    what = turns if KINDS[placed.kind] is Curve else placed.kind
     return f"{what} from {begins:z.2f}° to {placed.ends_deg:z.2f}°"
 
 
