@@ -34,22 +34,23 @@ def event_function(
         guide_surface.set_section(guide, share)
         return 1.0 - floats.root(y) * guide.facets.area[facet] / guide.flow
     stress = friction.wall_stress(guide, facet, share, y)
-    press = guide_surface.normal_acceleration(guide, share, y)
-    heavy = stress / press * guide.gravity if press != 0.0 else 0.0  # what weight alone would make of it
+    press = guide_surface.normal_acceleration(guide, share, y) / guide.gravity
     if event == PIECE_UP:
-        return above(guide.starts[piece + 1], stress, heavy) if piece + 1 < guide.pieces else 1.0
-    return -above(guide.starts[piece], stress, heavy) if guide.starts[piece] > 0.0 else 1.0
+        return above(guide.starts[piece + 1], stress, press) if piece + 1 < guide.pieces else 1.0
+    return -above(guide.starts[piece], stress, press) if guide.starts[piece] > 0.0 else 1.0
 
 
-def above(start: float, stress: float, heavy: float) -> float:
+def above(start: float, stress: float, press: float) -> float:
     """Return how far the start of a piece lies above a stress, as a share of it and of the stress under weight alone.
 
     Where hardly anything presses the stream on its surface, its stress is a small difference of large numbers. A share
-    of the stress itself would be rounding there.
+    of the stress itself would be rounding there. ``press`` is what presses it, over gravity.
     """
+    if start == floats.INFINITY:
+        return 1.0
     if stress == floats.INFINITY:
-        return -1.0
-    return 1.0 if start == floats.INFINITY else (start - stress) / (start + heavy)
+        return -press
+    return (start - stress) / (start + (stress / press if press != 0.0 else 0.0))
 
 
 def relative_excess(value: float, limit: float) -> float:
