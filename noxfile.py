@@ -100,7 +100,8 @@ def oldest(session: nox.Session) -> None:
     assert isinstance(pins, str)
     constraints.write_text(pins, encoding="utf-8")
     no_compiling = {"CHUTECALC_COMPILE": "0"}
-    session.install("--constraint", str(constraints), "--editable", ".[test]", env=no_compiling)
+    with without_compiled_core():  # which installing anew would remove
+        session.install("--constraint", str(constraints), "--editable", ".[test]", env=no_compiling)
     rooms = [f"tests/{room}" for room in ("unit", "cli", "regression", "dem")]
     skipped = "--ignore=tests/dem/test_lammps.py"
     session.run("python", "-m", "pytest", "-n", "auto", skipped, *rooms, "chutecalc", env=FIXED_CASES)
