@@ -1,11 +1,14 @@
 """The operating states of a chute side by side: for people, and as part of a document."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 from chutecalc.output.dataset import number
 from chutecalc.output.grid import Grid
+from chutecalc.output.told import alike_by, subjects_of
 from chutecalc.results.cases import Cases
+from chutecalc.results.described import status_words
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.solved import SolvedChute
 
@@ -30,7 +33,7 @@ def cases_table(cases: Cases, units: str) -> Grid:
         cells = (
             measure.column.shown(float(cases.numbers[measure.column.name][k, 0]), units) for measure in cases.measures
         )
-        table.row([name, str(solution.status[0]).replace("_", " "), *cells])
+        table.row([name, status_words(solution.status[0]), *cells])
     worst = {name: str(states[0]) for name, states in cases.worst.items()}
     cells = (worst.get(measure.column.name, "") for measure in cases.measures)
     table.row(["worst", worst["status"], *cells])
@@ -47,13 +50,15 @@ def case_findings(cases: Cases, units: str) -> Iterator[tuple[Severity, str, str
         units: ``metric`` or ``us``.
     """
     for name in cases.names:
-        lines: dict[tuple[Severity, str, str], list[str]] = {}
-        for finding in cases.findings(name):
-            if finding.severity in CONCERNED:
-                text = f"{finding.message(0, units)}{_elsewhere(cases, name, finding)}"
-                lines.setdefault((finding.severity, finding.code, text), []).append(finding.subject)
-        for (severity, code, text), subjects in lines.items():
-            yield severity, f"{severity} {code}", f"  {name}: {', '.join(dict.fromkeys(subjects))}: {text}"
+        concerned = (finding for finding in cases.findings(name) if finding.severity in CONCERNED)
+        for text, alike in alike_by(concerned, partial(_case_text, cases, name, units)):
+            severity, code = alike[0].severity, alike[0].code
+            yield severity, f"{severity} {code}", f"  {name}: {subjects_of(alike)}: {text}"
+
+
+def _case_text(cases: Cases, name: str, units: str, finding: Finding) -> str:
+    """Return what a finding says, and in which other states it holds."""
+    return f"{finding.message(0, units)}{_elsewhere(cases, name, finding)}"
 
 
 def _elsewhere(cases: Cases, name: str, finding: Finding) -> str:

@@ -8,6 +8,7 @@ from chutecalc.output.grid import Grid
 from chutecalc.physics.arrays import Numbers
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.described import status_words
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
 
@@ -32,7 +33,7 @@ class StreamTables:
         table = self._table(["segment", "kind", ""])
         for result in results:
             if result.entry["s_m"][0] != result.entry["s_m"][0]:
-                table.row([result.name, result.kind, str(result.status[0]).replace("_", " ")])
+                table.row([result.name, result.kind, status_words(result.status[0])])
                 continue
             for label, numbers in self._ends(result):
                 names = (result.name, result.kind) if label == "in" else ("", "")

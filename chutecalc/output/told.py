@@ -1,6 +1,6 @@
 """Findings in words, what several segments share said once."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
 from chutecalc.results.finding import Finding, Severity
@@ -38,13 +38,33 @@ def told(findings: Iterable[Finding], units: str) -> Iterator[Told]:
         findings: of one design.
         units: ``metric`` or ``us``.
     """
-    alike: dict[tuple[Severity, str, str], list[Finding]] = {}
+    for message, alike in alike_by(findings, lambda finding: finding.message(0, units)):
+        first, subjects = alike[0], subjects_of(alike)
+        where = first.where(0, units) if subjects == first.subject else subjects
+        yield Told(first.severity, first.code, where, message)
+
+
+def alike_by(findings: Iterable[Finding], text: Callable[[Finding], str]) -> Iterator[tuple[str, list[Finding]]]:
+    """Yield texts with the findings that they hold for: those of one code and severity with the same text, in order.
+
+    Args:
+        findings: of one design.
+        text: returns the text of a finding.
+    """
+    found: dict[tuple[Severity, str, str], list[Finding]] = {}
     for finding in findings:
-        alike.setdefault((finding.severity, finding.code, finding.message(0, units)), []).append(finding)
-    for (severity, code, message), (first, *more) in alike.items():
-        subjects = dict.fromkeys(each.subject for each in (first, *more))
-        where = first.where(0, units) if len(subjects) == 1 else ", ".join(subjects)
-        yield Told(severity, code, where, message)
+        found.setdefault((finding.severity, finding.code, text(finding)), []).append(finding)
+    for (_, _, words), alike in found.items():
+        yield words, alike
+
+
+def subjects_of(findings: Iterable[Finding]) -> str:
+    """Return what findings are about, each named once.
+
+    Args:
+        findings: of one design.
+    """
+    return ", ".join(dict.fromkeys(finding.subject for finding in findings))
 
 
 def against_each_other(findings: Iterable[Finding]) -> Iterator[str]:

@@ -27,6 +27,18 @@ def status_text(status_numbers: Index) -> Any:
     return _LABELS[status_numbers]
 
 
+def status_words(status: object) -> str:
+    """Return the name of a status, or of what ended, as people read it.
+
+    Args:
+        status: its name.
+
+    >>> status_words("contact_lost")
+    'contact lost'
+    """
+    return str(status).replace("_", " ")
+
+
 def outcomes(statuses: Iterable[Any]) -> str:
     """Count how designs end, those that get through first.
 

@@ -8,6 +8,7 @@ from chutecalc.output.dataset import Dataset, document_head
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import heading
 from chutecalc.results.column import Column
+from chutecalc.results.described import status_words
 from chutecalc.studies.found import Found
 from chutecalc.studies.sweep.columns import CODES
 from chutecalc.studies.sweep.table import VARIED
@@ -54,7 +55,7 @@ def outcome_text(text: str) -> str:
     Args:
         text: a status, or any other text.
     """
-    return text.replace("_", " ") if text in (*Status.LABELS, Status.IMPOSSIBLE_LABEL) else text
+    return status_words(text) if text in (*Status.LABELS, Status.IMPOSSIBLE_LABEL) else text
 
 
 def found_dataset(found: Found, asked: Mapping[str, Any]) -> Dataset:

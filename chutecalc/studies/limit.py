@@ -37,8 +37,16 @@ class Limit(NamedTuple):
         >>> read_limit("max_depth_m<=0.3").is_exceeded(np.array([0.2, 0.4, np.nan])).tolist()
         [False, True, False]
         """
-        beyond: Mask = self.sign * (values - self.value) > 0.0
+        beyond: Mask = self.margin(values) < 0.0
         return beyond
+
+    def margin(self, values: Array) -> Array:
+        """Return how far values are within it, in the unit of the column: negative beyond it.
+
+        Args:
+            values: of the column, in its unit, of any shape.
+        """
+        return self.sign * (self.value - values)
 
     @property
     def scale(self) -> float:

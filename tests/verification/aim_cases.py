@@ -12,6 +12,7 @@ from chutecalc.studies.keys import read_keys
 from chutecalc.studies.variants import Variants
 from tests import seeds
 from tests.robustness.chutes import draws
+from tests.verification.judging import main
 
 TARGETS = ("exit_velocity_m_s", "exit_x_m", "max_depth_m", "exit_time_s")
 FINE = 1001
@@ -113,45 +114,6 @@ def crossing(of: Case, low: float, high: float) -> float | None:
             return None
         low, high = (middle, high) if (here < 0.0) == below else (low, middle)
     return middle if abs(here) < JUMP * max(1.0, abs(of.target)) else None
-
-
-def main(judged: Any, what: str, arguments: list[str] | None = None) -> int:
-    """Judge the cases of some seeds, and print each that is wrong with its seed.
-
-    Args:
-        judged: returns a verdict and what is wrong, from a seed.
-        what: the command does.
-        arguments: of the command line.
-    """
-    import argparse
-    from collections import Counter
-    from functools import partial
-    from multiprocessing import Pool
-
-    parser = argparse.ArgumentParser(description=what)
-    parser.add_argument("cases", type=int)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--jobs", type=int, default=1)
-    options = parser.parse_args(arguments)
-    of = range(options.first, options.first + options.cases)
-    counts: Counter[str] = Counter()
-    with Pool(options.jobs) as pool:
-        for seed, (verdict, wrong) in zip(of, pool.imap(partial(_judged, judged), of, chunksize=5), strict=True):
-            counts[verdict] += 1
-            if wrong:
-                print(f"seed {seed}: {verdict}", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
-            if seed % 100 == 99:
-                print(seed + 1, dict(counts), flush=True)  # noqa: T201
-    print(dict(counts))  # noqa: T201
-    return int(counts["wrong"] > 0)
-
-
-def _judged(judged: Any, seed: int) -> tuple[str, list[str]]:
-    """Judge a case; one that the solver gives up is told apart."""
-    try:
-        return judged(seed)
-    except RuntimeError as error:
-        return "not solved", [str(error)]
 
 
 if __name__ == "__main__":

@@ -15,7 +15,8 @@ from chutecalc.studies.optimise.objective import Objective
 from chutecalc.studies.optimise.problem import Problem
 from tests import seeds
 from tests.robustness.chutes import draws
-from tests.verification.aim_cases import main, numbers
+from tests.verification.aim_cases import numbers
+from tests.verification.judging import main
 
 COLUMNS = ("exit_velocity_m_s", "exit_x_m", "exit_depth_m", "exit_time_s", "max_depth_m", "min_velocity_m_s")
 GRID = 600

@@ -9,7 +9,7 @@ import numpy as np
 
 import chutecalc
 from chutecalc.errors import UsageError
-from tests.verification.aim_cases import main
+from tests.verification.judging import main
 
 HEAD = {
     "flow": {"rate_t_h": 800.0},

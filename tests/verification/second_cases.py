@@ -1,6 +1,7 @@
 """Random chutes for the second solver, and how its answers are held against chutecalc's."""
 
 import copy
+import json
 from math import isfinite, isnan, nan
 from typing import Any, NamedTuple
 
@@ -344,6 +345,14 @@ def judge(seed: int, maker: type[Maker] = Maker) -> tuple[str, list[str]]:
     """Return how one random chute compares: same, edge, creep, undecided or wrong; and what is wrong."""
     data, chute = case(seed, maker)
     return compare(data, theirs_of(chute))
+
+
+def told(seed: int, maker: type[Maker] = Maker) -> tuple[str, list[str]]:
+    """As `judge`, with the spec of what is wrong, and a line for what else is not the same."""
+    verdict, wrong = judge(seed, maker)
+    if verdict == "wrong":
+        return verdict, [*wrong[:5], json.dumps(case(seed, maker)[0])]
+    return verdict, wrong if wrong or verdict == "same" else ["not compared"]
 
 
 def compare(data: dict[str, Any], theirs: dict[str, Any]) -> tuple[str, list[str]]:

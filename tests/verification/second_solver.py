@@ -538,33 +538,16 @@ def solve(data: dict[str, Any]) -> Result:
 def main(arguments: list[str] | None = None) -> int:
     """Compares random chutes and prints each disagreement with its seed and its spec."""
     import argparse
-    import json
-    from collections import Counter
     from functools import partial
-    from multiprocessing import Pool
 
-    from tests.verification.second_cases import ClosedMaker, Maker, case, judge
+    from tests.verification.judging import main as judged
+    from tests.verification.second_cases import ClosedMaker, Maker, told
 
-    parser = argparse.ArgumentParser(description=main.__doc__)
-    parser.add_argument("chutes", type=int)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--closed", action="store_true", help="pipes and boxes")
-    options = parser.parse_args(arguments)
-    maker = ClosedMaker if options.closed else Maker
-    seeds = range(options.first, options.first + options.chutes)
-    counts: Counter[str] = Counter()
-    with Pool(options.jobs) as pool:
-        for seed, (verdict, wrong) in zip(
-            seeds, pool.imap(partial(judge, maker=maker), seeds, chunksize=20), strict=True
-        ):
-            counts[verdict] += 1
-            if verdict != "same":
-                print(f"seed {seed}: {verdict}", *wrong[:6], sep="\n  ", flush=True)  # noqa: T201
-            if verdict == "wrong":
-                print("  " + json.dumps(case(seed, maker)[0]), flush=True)  # noqa: T201
-    print(dict(counts))  # noqa: T201
-    return int(counts["wrong"] > 0)
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--closed", action="store_true")
+    options, rest = parser.parse_known_args(arguments)
+    what = f"{main.__doc__} With --closed pipes and boxes."
+    return judged(partial(told, maker=ClosedMaker if options.closed else Maker), what, rest)
 
 
 if __name__ == "__main__":

@@ -8,9 +8,10 @@ from chutecalc.design import Status
 from chutecalc.errors import UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.physics.arrays import Array, Mask
+from chutecalc.results.described import status_words
 from chutecalc.studies.optimise.optimum import Optimum
 from chutecalc.studies.sweep.parameters import Parameter
-from chutecalc.studies.sweep.plot_status import LOOKS, words
+from chutecalc.studies.sweep.plot_status import LOOKS
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.variants import Variants
 
@@ -85,7 +86,7 @@ def _failing(found: Optimum, block: Block) -> tuple[dict[str, Mask], dict[str, s
         those = block["status"] == status
         if those.any():
             fails[status] = those.any(axis=0)
-            texts[status] = _in_states(f"fails: {words(status)}", found.states, those.any(axis=1))
+            texts[status] = _in_states(f"fails: {status_words(status)}", found.states, those.any(axis=1))
     return fails, texts
 
 
@@ -93,7 +94,7 @@ def _margins(found: Optimum, block: Block) -> dict[str, Array]:
     """Return how far designs are from each limit, by the limit in words."""
     margins = {}
     for limit in found.limits:
-        own = limit.sign * (limit.value - block[limit.column])
+        own = limit.margin(block[limit.column])
         own[np.isnan(own) & (block["status"] == Status.OK_LABEL)] = np.inf  # what does not exist keeps a limit
         if (own < 0.0).any():
             broken = f"{limit.column} {'>' if limit.sign > 0 else '<'} {limit.value:g}"

@@ -108,9 +108,9 @@ class Problem:
         """
         block = self.variants([key.at(own) for key, own in zip(self.keys, places.T, strict=True)])
         values = self.objective.sign * block[self.objective.column]
-        margins = np.array(
-            [limit.sign * (limit.value - block[limit.column]) / limit.scale for limit in self.limits]
-        ).reshape(len(self.limits), *values.shape)
+        margins = np.array([limit.margin(block[limit.column]) / limit.scale for limit in self.limits]).reshape(
+            len(self.limits), *values.shape
+        )
         margins = np.nan_to_num(margins, nan=MOST, posinf=MOST, neginf=-MOST)
         exists = np.all([np.isfinite(block[name]) for name in self.needed], axis=0)
         fails = (block["status"] != OK) | ~exists

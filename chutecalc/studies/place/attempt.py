@@ -1,7 +1,7 @@
 """A segment placed where the stream strikes it as wanted, or the nearest that can be had."""
 
 from collections.abc import Iterator, Sequence
-from math import nan
+from math import nan, radians
 from typing import Any, NamedTuple
 
 from chutecalc.api.cases import solve_cases
@@ -13,7 +13,7 @@ from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.place.approach import RTOL, chute_up_to
 from chutecalc.studies.place.stand import length_of, stand_for, start_of
 from chutecalc.studies.place.strike import Launch, NotReachedError
-from chutecalc.studies.place.struck import MIDDLE, Struck, arrival_on, struck_by
+from chutecalc.studies.place.struck import MIDDLE, Struck, struck_by
 from chutecalc.studies.place.wish import Wish
 
 CLOSE = 1e-9
@@ -81,13 +81,12 @@ class Attempt(NamedTuple):
         start = start_of(segment, self.launch, stand, share)
         chute = self._chute(stand.slopes, start)
         solution = solve(chute, RTOL)
-        number = len(solution.segments) - 1
-        arrival, struck = arrival_on(solution, number), struck_by(solution, number)
-        if arrival is None or struck is None:
+        struck = struck_by(solution, len(solution.segments) - 1)
+        if struck is None:
             return None
         incidence = segment.side * (self.launch.slope_at(stand.strike.time) - stand.strike.slope)
         along = abs(struck.share - share) * length_of(segment).item() * max(incidence, GRAZING)
-        as_wanted = max(along, abs(arrival.incidence.item() - incidence)) <= CLOSE
+        as_wanted = max(along, abs(radians(struck.incidence_deg) - incidence)) <= CLOSE
         return Drawn(start, stand.slopes, chute, struck) if as_wanted else None
 
     def _chute(self, slopes: dict[str, float], start: tuple[float, float]) -> Chute:
@@ -120,7 +119,6 @@ class Attempt(NamedTuple):
         Raises:
             NotReachedError: there is none.
         """
-        self.at(0.0)  # what cannot be for any share is said so
         found: dict[float, list[tuple[str, str]]] = {}
         refusal = ""
         for number in range(SHARES):
@@ -128,6 +126,8 @@ class Attempt(NamedTuple):
             try:
                 drawn = self.at(share)
             except NotReachedError as error:
+                if not share:  # it cannot be for any
+                    raise
                 refusal = refusal or str(error)
                 continue
             if drawn is not None:
@@ -187,7 +187,5 @@ def _named(missing: Sequence[tuple[str, str]]) -> str:
     """Return what does not strike as text, each edge with its states."""
     states: dict[str, list[str]] = {}
     for edge, state in missing:
-        states.setdefault(edge, []).append(state)
-    return ", ".join(f"its {edge} edge ({', '.join(names)})" for edge, names in states.items()).replace(
-        f"{MIDDLE} edge", MIDDLE
-    )
+        states.setdefault(edge if edge == MIDDLE else f"{edge} edge", []).append(state)
+    return ", ".join(f"its {what} ({', '.join(names)})" for what, names in states.items())

@@ -80,7 +80,7 @@ def place(
         wishes: for each segment, by name or number from 1: ``incidence`` (degrees), ``x`` or ``z`` (m), and ``share``,
             in other units as ``x_ft``. Incidence and place together change its slope. With one of them alone the slope
             stays as it is. The share ``"edges"`` is the least with which all edges of the stream strike the segment, at
-            the design point and in each case.
+            the design point and in each case; ``"edges+0.05"`` is that with a margin.
         source: name of the spec in messages.
 
     Raises:

@@ -5,7 +5,6 @@ from math import degrees, nan
 
 from chutecalc.design import Status
 from chutecalc.results.solved import SolvedChute
-from chutecalc.solver.segment_solution import Arrival
 
 MIDDLE = "middle"
 """Name of the edge of a stream from a belt that is solved."""
@@ -30,20 +29,6 @@ class Struck:
     """Incidence of the other edges of the stream, degrees, by name (:class:`chutecalc.Edge`); NaN where one misses."""
 
 
-def arrival_on(solution: SolvedChute, number: int) -> Arrival | None:
-    """Return how the stream first meets a segment; None if it does not get there.
-
-    Args:
-        solution: of one design.
-        number: of the segment, from 0.
-    """
-    for solved in solution.trajectory.segment_solutions:
-        if solved.number == number and solved.contact is not None:
-            arrival: Arrival = solved.contact.arrival
-            return arrival if arrival.status.item() <= Status.STALL else None
-    return None
-
-
 def struck_by(solution: SolvedChute, number: int) -> Struck | None:
     """Return how the stream strikes a segment; None if it does not.
 
@@ -51,10 +36,10 @@ def struck_by(solution: SolvedChute, number: int) -> Struck | None:
         solution: of one design.
         number: of the segment, from 0.
     """
-    arrival = arrival_on(solution, number)
-    if arrival is None:
+    first = next((solved for solved in solution.trajectory.segment_solutions if solved.number == number), None)
+    if first is None or first.contact is None or first.contact.arrival.status.item() > Status.STALL:
         return None
-    entry = next(solved.entry for solved in solution.trajectory.segment_solutions if solved.number == number)
+    arrival, entry = first.contact.arrival, first.entry
     return Struck(
         x_m=entry.x.item(),
         z_m=entry.z.item(),

@@ -10,6 +10,7 @@ from chutecalc.output.dataset import Dataset, block_of, document_head
 from chutecalc.output.grid import GAP, Grid
 from chutecalc.output.printer import Printer
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.described import status_words
 from chutecalc.studies.regression.verdict import NO_BASELINE, OK, Drift, Verdict, first_and_largest
 
 ROW_COLUMNS: dict[str, type] = {
@@ -44,7 +45,7 @@ def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Seque
         printer.text(f"{note}: {_designs(count)} unchanged")
     for path in written:
         printer.text(f"wrote {path}")
-    counts = Counter("written" if verdict.document else _words(verdict.outcome) for verdict in verdicts)
+    counts = Counter("written" if verdict.document else status_words(verdict.outcome) for verdict in verdicts)
     parts = [
         f"{counts[word]} {word}" for word in sorted(counts, key=lambda word: (word != OK, word == "written", word))
     ]
@@ -53,7 +54,7 @@ def print_verdicts(printer: Printer, verdicts: Sequence[Verdict], written: Seque
 
 def _print_failing(printer: Printer, verdict: Verdict) -> None:
     """Print a design that does not pass."""
-    heading = f"{verdict.spec}: {_words(verdict.outcome)}"
+    heading = f"{verdict.spec}: {status_words(verdict.outcome)}"
     lines = verdict.lines
     if len(lines) == 1 and not verdict.drifts:
         printer.text(heading, f": {lines[0]}", "bold red")
@@ -87,10 +88,6 @@ def _values(drift: Drift) -> tuple[str, str]:
     digits = min(max(2 - math.floor(math.log10(drift.off)), 4), 16)
     was, now = ("none" if value is None else f"{value:z.{digits}g}" for value in (drift.was, drift.now))
     return was, now
-
-
-def _words(outcome: str) -> str:
-    return outcome.replace("_", " ")
 
 
 def _designs(count: int) -> str:
@@ -164,7 +161,7 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
         element = ElementTree.SubElement(suite, "testcase", case | {"time": f"{verdict.seconds:.3f}"})
         if verdict.outcome != OK:
             lines = [*verdict.lines, *(_line(*pair) for pair in first_and_largest(verdict.drifts))]
-            failure = {"type": verdict.outcome, "message": f"{_words(verdict.outcome)}: {lines[0]}"}
+            failure = {"type": verdict.outcome, "message": f"{status_words(verdict.outcome)}: {lines[0]}"}
             ElementTree.SubElement(element, "failure", failure).text = "\n".join(lines)
     ElementTree.indent(root)
     stream.write('<?xml version="1.0" encoding="utf-8"?>\n')

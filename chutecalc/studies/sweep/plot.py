@@ -10,11 +10,12 @@ from chutecalc.fields.units import same_quantity
 from chutecalc.output.dataset import Block
 from chutecalc.output.plots.style import SMALL, TITLE, parts_of, styled
 from chutecalc.output.plots.text import LINE_HEIGHT, fitted
+from chutecalc.results.described import status_words
 from chutecalc.spec.paths import value_at
 from chutecalc.studies.sweep.parameters import Parameter
 from chutecalc.studies.sweep.plot_contours import draw_contours, finite
 from chutecalc.studies.sweep.plot_lines import draw_lines, given
-from chutecalc.studies.sweep.plot_status import handles, words
+from chutecalc.studies.sweep.plot_status import handles
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import column_of
 
@@ -115,7 +116,7 @@ def _varying(sweep: Sweep, block: Block) -> list[str]:
 def _note(sweep: Sweep, block: Block, shown: int, count: int) -> str:
     """Return how the designs end, what does not vary, and what is not drawn, as text."""
     statuses, counts = np.unique(block["status"], return_counts=True)
-    ends = ", ".join(f"{number:,} {words(status)}" for status, number in zip(statuses, counts, strict=True))
+    ends = ", ".join(f"{number:,} {status_words(status)}" for status, number in zip(statuses, counts, strict=True))
     single = [given(sweep, each, each.values.tolist()[0]) for each in sweep.parameters if len(each.values) == 1]
     constant = [f"constant {sweep.keep}"] if sweep.is_adjusted else []
     rest = [f"drawn are {shown} of {count} columns that vary: choose with --columns"] if count > shown else []

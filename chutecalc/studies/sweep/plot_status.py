@@ -8,6 +8,7 @@ from matplotlib.patches import Patch
 
 from chutecalc.design import Status
 from chutecalc.output.plots.style import INK, SHADE
+from chutecalc.results.described import status_words
 
 
 class Look(NamedTuple):
@@ -39,15 +40,6 @@ def failed(block: Any) -> list[str]:
     return [status for status in LOOKS if (np.asarray(block["status"]) == status).any()]
 
 
-def words(status: str) -> str:
-    """Return a status as people read it.
-
-    Args:
-        status: the status.
-    """
-    return status.replace("_", " ")
-
-
 def handles(block: Any, lines: bool) -> list[Any]:
     """Return what a legend shows for the designs that fail.
 
@@ -57,8 +49,8 @@ def handles(block: Any, lines: bool) -> list[Any]:
     """
     if lines:
         return [
-            Line2D([], [], color=INK, marker=LOOKS[status].marker, linestyle="", label=words(status))
+            Line2D([], [], color=INK, marker=LOOKS[status].marker, linestyle="", label=status_words(status))
             for status in failed(block)
         ]
     look: dict[str, Any] = {"facecolor": SHADE, "edgecolor": INK, "linewidth": 0.5}
-    return [Patch(hatch=LOOKS[status].hatch, label=words(status), **look) for status in failed(block)]
+    return [Patch(hatch=LOOKS[status].hatch, label=status_words(status), **look) for status in failed(block)]

@@ -16,6 +16,7 @@ from chutecalc.output.printer import Printer
 from chutecalc.output.table import heading
 from chutecalc.results.column import Column
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.described import status_words
 from chutecalc.spec.paths import is_number
 from chutecalc.studies.sweep.block import joined, select_rows
 from chutecalc.studies.sweep.columns import CODES, row_columns
@@ -177,7 +178,7 @@ def _texts(column: Column, values: Any, units: str) -> list[str]:
     """Return the cells of a column."""
     if values.dtype.kind != "f":
         is_status = column.name.rpartition(".")[2] == "status"
-        return [str(value).replace("_", " ") if is_status else str(value) for value in values.tolist()]
+        return [status_words(value) if is_status else str(value) for value in values.tolist()]
     if column.meaning == VARIED:
         return [f"{value:z.6g}" for value in values.tolist()]
     if column.name == "error_estimate":

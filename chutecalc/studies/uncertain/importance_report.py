@@ -7,10 +7,11 @@ import numpy as np
 from chutecalc.output.grid import Grid
 from chutecalc.output.printer import Printer
 from chutecalc.results.column import Column
+from chutecalc.results.described import status_words
 from chutecalc.studies.uncertain.importance import Indices
 from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.statistics import FAILS, STATUSES
-from chutecalc.studies.uncertain.texts import cell, label, status_words
+from chutecalc.studies.uncertain.texts import cell, label
 
 MEANING = (
     "explains alone: share of the variance that would go if only this key were known",

@@ -13,6 +13,7 @@ from chutecalc.output.plots.style import INK, PALE, SHADE, SMALL, STROKES, TITLE
 from chutecalc.output.plots.text import fitted
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.described import status_words
 from chutecalc.studies.uncertain.bands import Bands, bands
 from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.report import columns_of
@@ -101,7 +102,7 @@ def _draw_tornado(axes: Axes, result: Outcome, units: str) -> None:
             value = column.converted(alone.columns[name][k, end], units)
             if np.isfinite(value) and np.isfinite(spec):
                 axes.barh(place, value - spec, left=spec, color=colour, height=0.7, gid=f"bar {end}")
-        fails = [STATUSES[code].replace("_", " ") for code in alone.ends[k] if code]
+        fails = [status_words(STATUSES[code]) for code in alone.ends[k] if code]
         if fails:
             axes.annotate(", ".join(fails), (1.0, place), xycoords=("axes fraction", "data"), ha="right", color=INK)
     labels = [f"{_short(result.keys.paths[k])}\n{alone.values[k, 0]:.5g} to {alone.values[k, 1]:.5g}" for k in order]

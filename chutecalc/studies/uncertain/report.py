@@ -7,6 +7,7 @@ import numpy as np
 from chutecalc.output.grid import Grid
 from chutecalc.output.printer import Printer
 from chutecalc.results.column import Column
+from chutecalc.results.described import status_words
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sweep.columns import own_columns, row_columns
 from chutecalc.studies.uncertain.beyond import ANY
@@ -14,7 +15,7 @@ from chutecalc.studies.uncertain.importance_report import print_importance
 from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.quantiles import quantiles_of
 from chutecalc.studies.uncertain.statistics import FAILS, SHARES, STATUSES, Chance
-from chutecalc.studies.uncertain.texts import cell, label, per_cent, status_words
+from chutecalc.studies.uncertain.texts import cell, label, per_cent
 
 AHEAD = tuple(f"{100 * share:g} %" for share in SHARES)
 """Headings of the quantiles."""

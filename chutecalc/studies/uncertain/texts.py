@@ -26,15 +26,6 @@ def label(column: Column, units: str) -> str:
     return ", ".join(part for part in (column.heading, column.unit_text(units)) if part)
 
 
-def status_words(status: str) -> str:
-    """Return a status as people read it.
-
-    Args:
-        status: its name.
-    """
-    return status.replace("_", " ")
-
-
 def per_cent(share: float, digits: int = 2) -> str:
     """Return a share as per cent.
 
