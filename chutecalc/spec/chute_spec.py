@@ -141,11 +141,25 @@ class Model(Table):
     )
 
 
+class Project(Table):
+    """What the title block of a report says; any text, also of several lines."""
+
+    client: str | None = Field(None, description="who the chute is for")
+    project: str | None = Field(None, description="name of the project")
+    number: str | None = Field(None, description="number of the document")
+    revision: str | None = Field(None, description="revision of the document")
+    prepared: str | None = Field(None, description="who prepared it")
+    checked: str | None = Field(None, description="who checked it")
+    date: str | None = Field(None, description="date of the document, as it is to be printed")
+    notes: str | None = Field(None, description="what else is to stand in the title block")
+
+
 class ChuteSpec(Table):
     """A chute."""
 
     format: Literal[1] = Field(1, description="version of the file format")
     title: str | None = Field(None, description="title of reports and plots")
+    project: Project = Field(Project(), description="title block of reports, optional")
     flow: Flow
     material: Material
     liners: dict[Name, Liner] = Field(min_length=1, description="liners by name")

@@ -43,6 +43,18 @@ name = "spoon"
 _FURTHER = """
 # What else a chute may have. Remove the # in front of what you need.
 
+# The title block of reports, all text:
+
+# [project]
+# client = "Northern Coal Terminal"
+# project = "CV-204 to CV-205"
+# number = "4711-CH-001"
+# revision = "A"
+# prepared = "A. Miller"
+# checked = "J. Novak"
+# date = "2026-03-02"
+# notes = "Preliminary."
+
 # Other shapes of section. Where there are several, each segment names its own: section = "body"
 
 {sections}
