@@ -1,5 +1,6 @@
 """The page of a picture: the side view, the panels beside it or below a wide chute, and room for text."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from matplotlib.axes import Axes
@@ -55,10 +56,19 @@ ARRANGEMENTS = (
     ),
 )
 """The panels beside the side view, around its corner, or below it. The first one with the largest scale is taken."""
+SIDE_ALONE = tuple(Arrangement(((SIDE, SIDE),), (5.0, 5.0), (high,)) for high in (3.0, 4.5, 6.0, 7.5))
+PANELS_ALONE = (Arrangement(((_V, _H), (_P, _W)), (5.0, 5.0), (2.2, 2.2)),)
+"""Pictures of one of the two."""
 
 
 def page(
-    title: str, size: Array, units: str, notes: int = 0, key: int = 0, legend: int = 0
+    title: str,
+    size: Array,
+    units: str,
+    notes: int = 0,
+    key: int = 0,
+    legend: int = 0,
+    arrangements: Sequence[Arrangement] = ARRANGEMENTS,
 ) -> tuple[Figure, dict[str, Axes]]:
     """Return a figure and its axes.
 
@@ -69,12 +79,13 @@ def page(
         notes: number of lines of notes, which get axes of their own.
         key: number of lines of the legend of the side view, likewise.
         legend: number of lines of a legend of the figure, which needs room below the axes.
+        arrangements: those to choose from.
 
     Returns:
         The figure, and its axes: ``side``, one for each of ``PANELS``, and with such lines ``notes`` and ``key``.
     """
     title = fitted(title, WIDTH, TITLE)
-    best = max(ARRANGEMENTS, key=lambda each: round(each.scale(size), 6))
+    best = max(arrangements, key=lambda each: round(each.scale(size), 6))
     rows: list[Any] = [list(row) for row in best.rows]
     heights = [*best.heights]
     for name, lines, place in ((NOTES, notes, len(rows)), (KEY, key, 0)):
@@ -88,11 +99,12 @@ def page(
     for name in (KEY, NOTES):
         if name in axes:
             axes[name].set_axis_off()
-    label_axes(axes["side"], COLUMNS["x_m"], COLUMNS["z_m"], units)
-    panels = [axes[name] for name in PANELS]
-    for panel in panels[1:]:
-        panel.sharex(panels[0])
-    for name, panel in zip(PANELS, panels, strict=True):
+    if SIDE in axes:
+        label_axes(axes[SIDE], COLUMNS["x_m"], COLUMNS["z_m"], units)
+    panels = {name: axes[name] for name in PANELS if name in axes}
+    for name, panel in panels.items():
+        if name != PANELS[0]:
+            panel.sharex(panels[PANELS[0]])
         label_axes(panel, COLUMNS["s_m"], COLUMNS[name], units)
     for column in (0, 1):
         below = [axes[row[column]] for row in best.rows if row[column] != SIDE]

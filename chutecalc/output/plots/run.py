@@ -10,7 +10,8 @@ from chutecalc.output.plots.band import band_notes, draw_band
 from chutecalc.output.plots.cases import case_lines, case_notes, draw_columns, handles
 from chutecalc.output.plots.compare import draw_comparison
 from chutecalc.output.plots.impacts import draw_impacts, label_impacts
-from chutecalc.output.plots.layout import PANELS, WIDTH, page
+from chutecalc.output.plots.layout import ARRANGEMENTS, PANELS, PANELS_ALONE, SIDE, SIDE_ALONE, WIDTH, Arrangement, page
+from chutecalc.output.plots.marks import Mark
 from chutecalc.output.plots.notes import notes
 from chutecalc.output.plots.panels import draw_panels, limit, mark_ends
 from chutecalc.output.plots.side import SideView
@@ -40,43 +41,82 @@ def draw_run(chutes: Sequence[Cases], units: str = "metric", band: Band | None =
     Returns:
         The figure: axes ``side`` to scale, and one for each of ``PANELS`` over the distance along the stream.
     """
-    with styled():
-        if len(chutes) == 1:
-            return _one(chutes[0], units, band)
-        return draw_comparison([states.main_solution for states in chutes], units)
-
-
-def _one(states: Cases, units: str, band: Band | None) -> Figure:
-    """Draw a chute with its stream between its edges, and those of its other operating states as lines."""
-    solution = states.main_solution
-    seen, cases = view(solution), case_lines(states)
-    lines, marks = notes(solution, seen, units, WIDTH)
-    lines += case_notes(states, units, WIDTH)
+    if len(chutes) > 1:
+        with styled():
+            return draw_comparison([states.main_solution for states in chutes], units)
+    picture = _Picture(chutes[0], units, band)
+    lines, marks = notes(picture.solution, picture.seen, units, WIDTH)
+    lines += case_notes(chutes[0], units, WIDTH)
     if band:
         lines += band_notes(band, units, WIDTH)
-    title, named = solution.spec.title or solution.source, handles(cases)
-    if states.main != DESIGN_POINT:
-        title += f" — case {states.main}"
-    columns = legend_columns([*named], WIDTH)
-    size = extent([*seen.lines, *(line for case in cases for line in case.lines)])
-    figure, axes = page(title, size, units, notes=len(lines), key=1 + (legend_rows([*named], columns) if named else 0))
-    axes["notes"].text(0.0, 1.0, "\n".join(lines), va="top", fontsize=SMALL, linespacing=1.5)
-    side = SideView(axes["side"], solution, seen, cases, units)
-    _explain(axes["key"], side.handles, named, columns)
-    draw_panels(axes, seen, units)
-    if band:
-        draw_band(axes, band, units)
-    draw_columns(axes, cases, units)
-    for panel in PANELS:
-        limit(axes[panel])
-    draw_impacts(axes, seen, cases, units)
-    lay_out(figure)
-    mark_ends(axes, seen.traces, units)
-    if any(name.get_rotation() for name in axes[PANELS[0]].texts):  # upright names take room
+    title = picture.solution.spec.title or picture.solution.source
+    if chutes[0].main != DESIGN_POINT:
+        title += f" — case {chutes[0].main}"
+    return picture.drawn(ARRANGEMENTS, marks, title, lines)
+
+
+def draw_parts(
+    states: Cases, marks: Sequence[Mark], units: str = "metric", band: Band | None = None
+) -> tuple[Figure, Figure]:
+    """Draws the side view of a chute, and the columns of its stream, as two pictures without titles or notes.
+
+    Args:
+        states: the operating states of one design.
+        marks: numbers to set beside the stream.
+        units: ``metric`` or ``us``.
+        band: of the chute, if it is asked for.
+    """
+    picture = _Picture(states, units, band)
+    return picture.drawn(SIDE_ALONE, marks), picture.drawn(PANELS_ALONE)
+
+
+class _Picture:
+    """A chute with its stream between its edges, and those of its other operating states as lines."""
+
+    def __init__(self, states: Cases, units: str, band: Band | None) -> None:
+        self.solution, self.units, self.band = states.main_solution, units, band
+        self.seen, self.cases = view(self.solution), case_lines(states)
+
+    def drawn(
+        self,
+        arrangements: Sequence[Arrangement],
+        marks: Sequence[Mark] = (),
+        title: str = "",
+        lines: Sequence[str] = (),
+    ) -> Figure:
+        """Return what arrangements have of it: the side view, the panels, or both."""
+        with styled():
+            named = handles(self.cases)
+            columns = legend_columns([*named], WIDTH)
+            size = extent([*self.seen.lines, *(line for case in self.cases for line in case.lines)])
+            key = 1 + (legend_rows([*named], columns) if named else 0)
+            figure, axes = page(title, size, self.units, len(lines), key, arrangements=arrangements)
+            if lines:
+                axes["notes"].text(0.0, 1.0, "\n".join(lines), va="top", fontsize=SMALL, linespacing=1.5)
+            side = SideView(axes[SIDE], self.solution, self.seen, self.cases, self.units) if SIDE in axes else None
+            _explain(axes["key"], side.handles if side else {}, named, columns)
+            if PANELS[0] in axes:
+                self._draw_panels(figure, axes)
+            else:
+                lay_out(figure)
+            if side:
+                side.label(marks)
+            return figure
+
+    def _draw_panels(self, figure: Figure, axes: dict[str, Axes]) -> None:
+        """Draw the columns along the stream, and lay the figure out."""
+        draw_panels(axes, self.seen, self.units)
+        if self.band:
+            draw_band(axes, self.band, self.units)
+        draw_columns(axes, self.cases, self.units)
+        for panel in PANELS:
+            limit(axes[panel])
+        draw_impacts(axes, self.seen, self.cases, self.units)
         lay_out(figure)
-    label_impacts(axes, seen, units)
-    side.label(marks)
-    return figure
+        mark_ends(axes, self.seen.traces, self.units)
+        if any(name.get_rotation() for name in axes[PANELS[0]].texts):  # upright names take room
+            lay_out(figure)
+        label_impacts(axes, self.seen, self.units)
 
 
 def _explain(axes: Axes, drawn: Mapping[str, Any], named: Mapping[str, Any], columns: int) -> None:
@@ -84,4 +124,5 @@ def _explain(axes: Axes, drawn: Mapping[str, Any], named: Mapping[str, Any], col
     if named:
         look = KEY | LONG
         axes.add_artist(axes.legend(named.values(), named.keys(), loc="lower left", ncols=columns, **look))
-    axes.legend(drawn.values(), drawn.keys(), loc="upper left", ncols=len(drawn), **KEY)
+    if drawn:
+        axes.legend(drawn.values(), drawn.keys(), loc="upper left", ncols=len(drawn), **KEY)
