@@ -66,7 +66,7 @@ class Part(SegmentContext):
     def end_time(self) -> Array:
         """Time from the inlet to the end of the part, s, shape (designs,); to its start where a design skips it."""
         with np.errstate(all="ignore"):
-            time = self.start_time + self._profile(np.ones(1)).time[0]
+            time = self.start_time + self.profile(np.ones(1)).time[0]
         return np.where(np.isfinite(time), time, self.start_time)
 
     def span(self) -> tuple[Array, Array]:
@@ -124,7 +124,7 @@ class Part(SegmentContext):
         Returns:
             Arrays of shape (designs,) by name.
         """
-        return limits_at_end(self, self._profile(np.ones(1)), self.solved.status == Status.CONTACT_LOST, names)
+        return limits_at_end(self, self.profile(np.ones(1)), self.solved.status == Status.CONTACT_LOST, names)
 
     def at(self, shares: Array, names: Iterable[str]) -> Numbers:
         """Return columns at shares of the length travelled.
@@ -136,14 +136,19 @@ class Part(SegmentContext):
         Returns:
             Arrays of shape (stations, designs) by name.
         """
-        at = self._profile(shares)
+        at = self.profile(shares)
         with np.errstate(all="ignore"):
             values = {name: ALL_COLUMNS[name].values(self, at) for name in names}
         shapes = {at.shape, *(column.shape for column in values.values())}
         shape = at.shape if len(shapes) == 1 else np.broadcast_shapes(*shapes)
         return {name: stretched(column, shape) for name, column in values.items()}
 
-    def _profile(self, shares: Array) -> FlightProfile | ContactProfile:
+    def profile(self, shares: Array) -> FlightProfile | ContactProfile:
+        """Return the stream at shares of the length travelled.
+
+        Args:
+            shares: dimensionless, 0 to 1, of shape (stations,) for all designs or (stations, designs).
+        """
         each = shares[:, None] if shares.ndim == 1 else shares
         solved = self.solved
         # Designs may differ in what the stream does not feel, such as slip at walls: then they are solved as one.
