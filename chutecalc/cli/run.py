@@ -52,6 +52,11 @@ def run(
     sensitivity: bool = typer.Option(
         False, "--sensitivity", help="Tell how much each number of the spec changes the exit velocity."
     ),
+    report: str | None = typer.Option(
+        None,
+        metavar="FILE",
+        help="Write a report to print and sign (.html, .pdf; extras report, pdf); of several specs a comparison.",
+    ),
     strict: bool = typer.Option(False, "--strict", help="Exit with status 1 on warnings too."),
     rtol: float = RTOL,
     outputs: RunOutputs,
@@ -67,7 +72,11 @@ def run(
 
     names = names_of(columns)
     check_columns(names, COLUMNS)
-    outputs.check(specs)
+    outputs.check(specs, report=report)
+    if report:
+        from chutecalc.output.html_report.write import check_report
+
+        check_report(report)
     chutes = read_chutes(specs, settings)
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
     tables = None
@@ -91,6 +100,10 @@ def run(
         from chutecalc.output.plots.run import draw_run
 
         outputs.draw(draw_run(cases, outputs.units, studies.bands[0] if studies.bands else None))
+    if report:
+        from chutecalc.cli.run_report import report_run
+
+        report_run(report, chutes, cases, settings, studies, outputs.units)
     _print(cases, tables, studies, names, outputs)
     return _status(cases, strict)
 

@@ -49,6 +49,19 @@ class RunStudies:
         chute, of = self._pairs[number]
         return solve_band(chute if of.main == DESIGN_POINT else chute.cases[of.main], self._rtol)
 
+    def band(self, number: int) -> Band | None:
+        """Return the band of a chute, asked for or not; None where steel cannot be drawn for every variant.
+
+        Args:
+            number: of the chute, from 0.
+        """
+        from chutecalc.errors import SpecError
+
+        try:
+            return self.bands[number] if self.bands else self._band(number)
+        except SpecError:  # steel that follows the stream
+            return None
+
     def band_line(self, number: int, units: str) -> str:
         """Return the band of the stream at the exit, in a line that every report has; empty where none gets there.
 
@@ -56,15 +69,12 @@ class RunStudies:
             number: of the chute, from 0.
             units: ``metric`` or ``us``.
         """
-        from chutecalc.errors import SpecError
         from chutecalc.output.band import exit_line
 
         if not self._pairs[number][1].main_solution.ok[0]:
             return ""
-        try:
-            return exit_line(self.bands[number] if self.bands else self._band(number), units)
-        except SpecError:  # steel that follows the stream cannot be drawn for every variant
-            return ""
+        band = self.band(number)
+        return exit_line(band, units) if band else ""
 
     def document(self, number: int) -> dict[str, Any]:
         """Return what a chute's document has of them.

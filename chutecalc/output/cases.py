@@ -24,8 +24,21 @@ def cases_table(cases: Cases, units: str) -> Grid:
         units: ``metric`` or ``us``.
     """
     moves = cases.main_solution.spec.model.steel == "follows_stream"
-    table = Grid("cases, each on steel that follows its stream" if moves else "cases, on the same steel")
-    table.column("case", left=True, label=True)
+    title = "cases, each on steel that follows its stream" if moves else "cases, on the same steel"
+    return measures_table(cases, units, "case", title)
+
+
+def measures_table(cases: Cases, units: str, label: str, title: str = "") -> Grid:
+    """Return a row for each of several solutions, and below them the name of the worst in each column.
+
+    Args:
+        cases: the solutions by name, of one design each.
+        units: ``metric`` or ``us``.
+        label: heading of the names.
+        title: of the table.
+    """
+    table = Grid(title)
+    table.column(label, left=True, label=True)
     table.column("status", left=True, label=True)
     for measure in cases.measures:
         table.column(f"{measure.column.heading}\n{measure.column.unit_text(units)}")

@@ -17,6 +17,8 @@ class Extra(NamedTuple):
 
 CHART = Extra("chart", "Plotille")
 PLOT = Extra("plot", "Matplotlib")
+REPORT = Extra("report", "Jinja2")
+PDF = Extra("pdf", "WeasyPrint")
 
 
 def require_extra(needed_by: str, extra: Extra) -> None:

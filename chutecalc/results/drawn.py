@@ -1,6 +1,6 @@
 """The steel as it is drawn: where each segment begins and ends, and the arc or the straight between."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -98,7 +98,7 @@ def letter(number: int) -> str:
     return (letter(number // 26 - 1) if number > 25 else "") + chr(ord("A") + number % 26)
 
 
-def letter_of(points: dict[str, Position], place: Position) -> str:
+def letter_of(points: Mapping[str, Position], place: Position) -> str:
     """Return the letter of a point.
 
     Args:

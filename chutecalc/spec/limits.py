@@ -122,10 +122,21 @@ class Limit(NamedTuple):
     @property
     def text(self) -> str:
         """The default with its unit, as people write it."""
-        if self.default is None:
+        return self.shown(self.default)
+
+    def shown(self, value: float | None) -> str:
+        """Return a limit with its unit, as people write it.
+
+        Args:
+            value: in the unit of the key; None for no limit.
+
+        >>> LIMITS["max_velocity_into_m_s"].shown(3.0)
+        '3 m/s'
+        """
+        if value is None:
             return "none"
         unit = first_unit(self.dimension)
-        return f"{self.default:g}" + ("°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip())
+        return f"{value:g}" + ("°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip())
 
     def of(self, limits: tuple[Array, ...]) -> Array:
         """Return the limit in force, in the unit of its key.

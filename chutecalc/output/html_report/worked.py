@@ -81,6 +81,6 @@ def with_subscripts(text: str) -> Iterator[tuple[str, bool]]:
     >>> [*with_subscripts("μ_e n")]
     [('μ', False), ('e', True), (' n', False)]
     """
-    for number, piece in enumerate(re.split(r"_(\w+)", text)):
+    for number, piece in enumerate(re.split(r"_([A-Za-z0-9]+)", text)):
         if piece:
             yield piece, number % 2 == 1

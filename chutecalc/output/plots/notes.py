@@ -29,16 +29,12 @@ def notes(solution: SolvedChute, seen: View, units: str, width: float) -> tuple[
         width: of the lines, inches.
     """
     findings = by_weight(solution.findings())
-    texts, marks = [outcome(solution, units, VISIBLE)], []
-    for number, alike in enumerate(_by_place(findings[:MOST_TOLD]), 1):
-        place = float(alike[0].s_m[0])
-        ahead = f"{number}  " if np.isfinite(place) else INDENT
-        for finding in alike:
-            where, message = finding.where(0, units), finding.message(0, units)
-            texts.append(f"{ahead}{finding.severity} {finding.code}: {where}: {message}")
-            ahead = INDENT
-        if np.isfinite(place):
-            marks.append(Mark(str(number), place))
+    texts = [outcome(solution, units, VISIBLE)]
+    numbered, marks = numbered_by_place(findings[:MOST_TOLD])
+    for number, finding in numbered:
+        ahead = f"{number}  " if number else INDENT
+        where, message = finding.where(0, units), finding.message(0, units)
+        texts.append(f"{ahead}{finding.severity} {finding.code}: {where}: {message}")
     if rest := Counter(finding.severity for finding in findings[MOST_TOLD:]):
         kinds = ", ".join(f"{count} {severity}{'s' if count > 1 else ''}" for severity, count in rest.items())
         texts.append(f"and {rest.total()} more without a number, {kinds}: see the report")
@@ -47,6 +43,21 @@ def notes(solution: SolvedChute, seen: View, units: str, width: float) -> tuple[
         depth = COLUMNS["depth_m"]
         texts.append(f"the stream is drawn to a depth of {depth.shown(seen.deepest, units)} {depth.unit_text(units)}")
     return [line for text in texts for line in fitted(text, width, indent=INDENT).split("\n")], marks
+
+
+def numbered_by_place(findings: Sequence[Finding]) -> tuple[list[tuple[str, Finding]], list[Mark]]:
+    """Return findings of one design by their place, the first at each place with its number, and marks of the numbers.
+
+    Args:
+        findings: in the order in which places are numbered.
+    """
+    told, marks = [], []
+    for number, alike in enumerate(_by_place(findings), 1):
+        place = float(alike[0].s_m[0])
+        if np.isfinite(place):
+            marks.append(Mark(str(number), place))
+        told += [(str(number) if np.isfinite(place) and not k else "", finding) for k, finding in enumerate(alike)]
+    return told, marks
 
 
 def by_weight(findings: Sequence[Finding]) -> list[Finding]:

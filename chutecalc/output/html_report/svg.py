@@ -1,0 +1,37 @@
+"""Pictures as SVG that stands in a page."""
+
+from __future__ import annotations
+
+import io
+import re
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+NOTHING_MORE = dict.fromkeys(("Creator", "Date", "Format", "Type"))
+"""Metadata that Matplotlib would add: what it is and where it comes from, which a page says itself."""
+
+
+def inline_svg(figure: Figure, name: str, description: str) -> str:
+    """Return a picture as an ``svg`` element, as wide as the page lets it be.
+
+    Args:
+        figure: the picture.
+        name: of the picture in the page; it begins its identifiers, so that several pictures do not mix theirs.
+        description: what it shows, for readers who do not see it; plain text.
+    """
+    from html import escape
+
+    from chutecalc.output.plots.style import styled
+
+    stream = io.BytesIO()
+    with styled():
+        figure.savefig(stream, format="svg", metadata=NOTHING_MORE)
+    text = stream.getvalue().decode()
+    text = text[text.index("<svg") :].strip()
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    text = re.sub(r'( id="|href="#|url\(#)', rf"\1{name}-", text)
+    text = re.sub(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"', r"\1", text, count=1)
+    label = escape(description, quote=True)
+    return text.replace("<svg", f'<svg role="img" aria-label="{label}"', 1)
