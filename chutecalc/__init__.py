@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from chutecalc.api.freeze import freeze
     from chutecalc.api.function import Function
     from chutecalc.api.load import load, parse
+    from chutecalc.api.report import write_report
     from chutecalc.api.solution import Solution
     from chutecalc.api.solve import solve
     from chutecalc.errors import ChutecalcError, ExtraMissingError, Fault, SpecError, UsageError
@@ -75,6 +76,7 @@ __all__ = [
     "solve_band",
     "solve_cases",
     "uncertain",
+    "write_report",
 ]
 __version__ = "0.1.0"
 
@@ -109,6 +111,7 @@ _MODULES = {
     "solve_band": "chutecalc.api.band",
     "solve_cases": "chutecalc.api.cases",
     "uncertain": "chutecalc.studies.uncertain.study",
+    "write_report": "chutecalc.api.report",
 }
 """Where each public name is defined."""
 

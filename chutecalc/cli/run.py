@@ -101,9 +101,10 @@ def run(
 
         outputs.draw(draw_run(cases, outputs.units, studies.bands[0] if studies.bands else None))
     if report:
-        from chutecalc.cli.run_report import report_run
+        from chutecalc.api.report import write_solved
 
-        report_run(report, chutes, cases, settings, studies, outputs.units)
+        bands = [studies.band(number) for number in range(len(chutes))]
+        write_solved(report, chutes, cases, bands, outputs.units, settings)
     _print(cases, tables, studies, names, outputs)
     return _status(cases, strict)
 

@@ -33,7 +33,9 @@ class RunStudies:
         self.bands: list[Band] = []
         self.sensitivities: list[Sensitivity | None] = []
         if band:
-            self.bands = [self._band(number) for number in range(len(pairs))]
+            from chutecalc.api.band import solve_band
+
+            self.bands = [solve_band(self._chute(number), rtol) for number in range(len(pairs))]
         if sensitivity:
             from chutecalc.studies.sensitivity.study import sensitivity as solve
 
@@ -41,13 +43,12 @@ class RunStudies:
                 solve(chute, case=of.main, rtol=rtol) if of.main_solution.ok[0] else None for chute, of in pairs
             ]
 
-    def _band(self, number: int) -> Band:
-        """Return the band of a chute, in the state that is shown in full."""
-        from chutecalc.api.band import solve_band
+    def _chute(self, number: int) -> Chute:
+        """Return a chute in the state that is shown in full."""
         from chutecalc.spec.operating import DESIGN_POINT
 
         chute, of = self._pairs[number]
-        return solve_band(chute if of.main == DESIGN_POINT else chute.cases[of.main], self._rtol)
+        return chute if of.main == DESIGN_POINT else chute.cases[of.main]
 
     def band(self, number: int) -> Band | None:
         """Return the band of a chute, asked for or not; None where steel cannot be drawn for every variant.
@@ -55,12 +56,9 @@ class RunStudies:
         Args:
             number: of the chute, from 0.
         """
-        from chutecalc.errors import SpecError
+        from chutecalc.api.report import band_or_none
 
-        try:
-            return self.bands[number] if self.bands else self._band(number)
-        except SpecError:  # steel that follows the stream
-            return None
+        return self.bands[number] if self.bands else band_or_none(self._chute(number), self._rtol)
 
     def band_line(self, number: int, units: str) -> str:
         """Return the band of the stream at the exit, in a line that every report has; empty where none gets there.

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from chutecalc.output.html_report.at_worst import number
-from chutecalc.output.html_report.worked import Worked, worked
+from chutecalc.output.html_report.worked import Number, Worked, worked
 from chutecalc.results.part import Part
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
@@ -45,8 +45,13 @@ def _impact(solution: SolvedChute, part: Part) -> Iterator[Worked]:
     angle, friction = number(numbers["incidence_deg"], "i", "°"), number(arrival.impact.friction, "μ_e")
     density, pressure = number(solution.design.density, "ρ", "kg/m³"), number(numbers["pressure_kpa"], "p", "kPa")
     meaning = "velocity after the impact; μ_e on the impulse, i the angle between stream and surface"
+    kept = "cos {i} − {mu} · sin {i}"
     if after.value > 0.0:
-        yield worked(after, meaning, "{v} · (cos {i} − {mu} · sin {i})", IMPACT, v=before, i=angle, mu=friction)
+        yield worked(after, meaning, f"{{v}} · ({kept})", IMPACT, v=before, i=angle, mu=friction)
+    else:
+        incidence = np.radians(angle.value)
+        share = Number("v_2/v_1", float(np.cos(incidence) - friction.value * np.sin(incidence)))
+        yield worked(share, f"{meaning}; where it is not above 0 the stream stops", kept, IMPACT, i=angle, mu=friction)
     footprint = number(numbers["footprint_m"], "L", "m")
     yield worked(
         pressure,

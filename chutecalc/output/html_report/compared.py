@@ -13,12 +13,12 @@ from chutecalc.output.grid import Grid
 from chutecalc.output.html_report.contents import head
 from chutecalc.output.html_report.reported import Reported
 from chutecalc.output.html_report.svg import inline_svg
-from chutecalc.output.html_report.tables import IN_TITLE_BLOCK
+from chutecalc.output.html_report.tables import NO_BREAK, given_inputs
 from chutecalc.output.plots.run import draw_run
 from chutecalc.output.told import told
 from chutecalc.results.cases import Cases
 from chutecalc.results.drawn import letter
-from chutecalc.spec.inputs import inputs
+from chutecalc.spec.inputs import Input
 
 ABREAST = 5
 """Chutes beside each other in a table of inputs; more take further tables."""
@@ -53,14 +53,10 @@ def differing_inputs(chutes: dict[str, Reported]) -> Iterator[Grid]:
     Args:
         chutes: by name.
     """
-    given = {
-        name: {each.path: each for each in inputs(chute.states.main_solution.spec, chute.states.main_solution.data)}
-        for name, chute in chutes.items()
-    }
-    paths = dict.fromkeys(path for of in given.values() for path in of if path.split(".")[0] not in IN_TITLE_BLOCK)
+    given = {name: given_inputs(chute.states.main_solution) for name, chute in chutes.items()}
     texts = {
-        path: [f"{of[path].text} {of[path].unit}".rstrip() if path in of else "–" for of in given.values()]
-        for path in paths
+        path: [_with_unit(of[path]) if path in of else "–" for of in given.values()]
+        for path in dict.fromkeys(path for of in given.values() for path in of)
     }
     differ = [path for path, each in texts.items() if len(set(each)) > 1]
     for first in range(0, len(chutes), ABREAST) if differ else ():
@@ -68,3 +64,8 @@ def differing_inputs(chutes: dict[str, Reported]) -> Iterator[Grid]:
         meanings = {path: next(of[path].meaning for of in given.values() if path in of) for path in differ}
         rows = ([path, *texts[path][some], meanings[path]] for path in differ)
         yield catalogue(["key", *[*chutes][some], "meaning"], rows)
+
+
+def _with_unit(given: Input) -> str:
+    """Return a value with its unit, as people write it."""
+    return f"{given.text}{'' if given.unit == '°' else NO_BREAK}{given.unit}" if given.unit else given.text

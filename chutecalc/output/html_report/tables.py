@@ -10,13 +10,29 @@ from chutecalc.output.grid import Grid
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.drawn import DrawnSegment, Position, letter_of
 from chutecalc.results.solved import SolvedChute
-from chutecalc.spec.inputs import inputs
+from chutecalc.spec.inputs import Input, inputs
 from chutecalc.spec.limits import LIMITS
 
 IN_TITLE_BLOCK = ("title", "project", "format")
 """Tables and keys at the top of a spec that the title block shows."""
+NO_BREAK = "\N{NO-BREAK SPACE}"
+"""Stands between a number and its unit."""
 NAMES = r"segments\.[^.]+\.name"
 """Keys that say nothing more than the paths of others."""
+
+
+def given_inputs(solution: SolvedChute) -> dict[str, Input]:
+    """Return what a spec gives beside its title block, by path.
+
+    Args:
+        solution: solution of one design.
+    """
+    found = {each.path: each for each in inputs(solution.spec, solution.data)}
+    return {
+        path: each
+        for path, each in found.items()
+        if path.split(".")[0] not in IN_TITLE_BLOCK and not re.fullmatch(NAMES, path)
+    }
 
 
 def inputs_table(solution: SolvedChute) -> Grid:
@@ -25,12 +41,7 @@ def inputs_table(solution: SolvedChute) -> Grid:
     Args:
         solution: solution of one design.
     """
-    given = [
-        each
-        for each in inputs(solution.spec, solution.data)
-        if each.path.split(".")[0] not in IN_TITLE_BLOCK and not re.fullmatch(NAMES, each.path)
-    ]
-    rows = ((each.path, each.text, each.unit, each.meaning) for each in given)
+    rows = ((each.path, each.text, each.unit, each.meaning) for each in given_inputs(solution).values())
     return catalogue(("key", "value", "unit", "meaning"), rows)
 
 
@@ -90,7 +101,7 @@ def limits_table(solution: SolvedChute, units: str) -> Grid:
     rows = []
     for limit in LIMITS.values():
         value = float(limit.of(solution.design.limits)[0])
-        shown = limit.shown(None if np.isinf(value) else value)
-        default = "" if shown == limit.text else f" (default {limit.text})"
+        shown = limit.shown(None if np.isinf(value) else value).replace(" ", NO_BREAK)
+        default = "" if shown == limit.text.replace(" ", NO_BREAK) else f" (default {limit.text})"
         rows.append((limit.key, shown + default, limit.finding, limit.source, limit.meaning))
     return catalogue(("limit", "in force", "finding", "source", "meaning"), rows)
