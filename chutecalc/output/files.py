@@ -101,6 +101,37 @@ def open_whole(target: str, mode: str = "w") -> Iterator[IO[Any]]:
         yield from _replacing(target, mode)
 
 
+@contextmanager
+def open_new(target: str) -> Iterator[IO[Any]]:
+    """Open a stream that becomes a new file when the block ends; a file that exists is never overwritten.
+
+    Args:
+        target: a path, or ``-`` for standard output.
+
+    Raises:
+        OutputError: it exists, or cannot be opened.
+        WriteError: it was opened, and then could not be written.
+    """
+    if target != STANDARD_STREAM:
+        path = _file(target)
+        try:
+            path.open("x").close()  # from now on the name is taken
+        except FileExistsError:
+            raise OutputError(f"{target} already exists and was not changed. Choose another name.") from None
+        except FileNotFoundError:
+            folder = Path(target).parent
+            raise OutputError(f"{target} cannot be written: there is no folder {folder}. Create it first.") from None
+        except OSError as error:
+            raise OutputError(f"{target} cannot be written: {error.strerror}") from None
+    try:
+        with open_whole(target) as stream:
+            yield stream
+    except BaseException:
+        if target != STANDARD_STREAM:
+            path.unlink(missing_ok=True)
+        raise
+
+
 def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:
     """Open a new file beside the target, and replace the target with it at the end."""
     path = _file(target)
