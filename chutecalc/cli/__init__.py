@@ -16,7 +16,7 @@ from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 COMMANDS = (
     *("new", "run", "sweep", "place", "aim", "optimise", "uncertain", "check", "freeze"),
-    *("schema", "columns", "limits", "dem"),
+    *("explain", "schema", "columns", "limits", "dem"),
 )
 HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
@@ -50,8 +50,16 @@ def _app(given: Sequence[str]) -> typer.Typer:
     for name in given[:1] if called else COMMANDS:
         module = import_module(f"chutecalc.cli.{name}")
         epilog = f"{_block('Examples:', module.EXAMPLES)}\n\n{documentation(module.PAGE)}"
-        app.command(name, cls=Command, epilog=epilog)(getattr(module, name))
+        settings = getattr(module, "SETTINGS", None)
+        app.command(name, cls=Command, epilog=epilog, context_settings=settings)(getattr(module, name))
     return app
+
+
+def command_line() -> typer.core.TyperGroup:
+    """Return all commands with their options, as Typer has them."""
+    group = typer.main.get_command(_app([]))
+    assert isinstance(group, typer.core.TyperGroup)
+    return group
 
 
 def documentation(page: str) -> str:
