@@ -6,7 +6,7 @@ from typing import Any
 
 from chutecalc.api.chute import Chute
 from chutecalc.errors import Fault, SpecError
-from chutecalc.spec.library import LIBRARY_NAME, Library, uses
+from chutecalc.spec.library import LIBRARY_NAME, Library, is_used
 from chutecalc.spec.parse import parse_text, read_text
 from chutecalc.spec.paths import with_values
 
@@ -92,7 +92,7 @@ def library_for(
     Raises:
         SpecError: the library has faults.
     """
-    beside = file.with_name(LIBRARY_NAME) if given is None and file and any(uses(data)) else None
+    beside = file.with_name(LIBRARY_NAME) if given is None and file and is_used(data) else None
     path = beside if beside and beside.exists() else given
     if path is None or isinstance(path, Library):
         return path

@@ -58,7 +58,7 @@ def aim(
 
     spec, given = spec_and_keys(arguments)
     wanted = read_targets(targets)
-    outputs.check([spec])
+    outputs.check([spec, library])
     check_writing(spec, write, take)
     chute = read_chute(spec, library=library)
     found = find_aim(chute, read_keys(given, chute), wanted, case or DESIGN_POINT, names_of(columns), jobs)

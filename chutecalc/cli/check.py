@@ -49,7 +49,7 @@ def check(
 
     designs = find_designs(paths or ["."], library)
     specs = [chute.source for chute in designs.chutes]
-    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
+    outputs.check([*specs, library, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
     verdicts = _verdicts(designs, rtol, update)
     written = [str(write_baseline(verdict.spec, verdict.document)) for verdict in verdicts if verdict.document]
     if junit:

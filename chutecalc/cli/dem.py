@@ -57,7 +57,7 @@ def dem(
     from chutecalc.dem.study import Study
 
     folders.check(outputs)
-    outputs.check([spec] if spec else [])
+    outputs.check([spec, library])
     how = pour.read()
     beds = _beds(spec, segment, trough, wall_friction, library)
     campaign = Campaign(groups(beds, how), Store(folders.folder))

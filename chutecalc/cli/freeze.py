@@ -24,7 +24,7 @@ def freeze(
     from chutecalc.cli.specs import read_with_content
     from chutecalc.spec.parse import encode
 
-    check_targets({"--output": output}, [spec])
+    check_targets({"--output": output}, [spec, library])
     check_openable(output)
     chute, content = read_with_content(spec, library=library)
     frozen_content = encode(frozen(chute), like=content)

@@ -68,7 +68,7 @@ def optimise(
 
     spec, given = spec_and_keys(arguments)
     wanted, limits = objectives_of(minimise, maximise), [read_limit(text) for text in subject]
-    outputs.check([spec])
+    outputs.check([spec, library])
     check_writing(spec, write, take)
     chute = read_chute(spec, library=library)
     keys = read_keys(given, chute)

@@ -49,7 +49,7 @@ def place(
 
     if write and (output or spec == STANDARD_STREAM):
         raise UsageError("--write changes the file of the spec: leave out --output, or name a file instead of -")
-    check_targets({"--output": output, "--json": json_file}, [spec])
+    check_targets({"--output": output, "--json": json_file}, [spec, library])
     for target in (spec if write else output, json_file):
         check_openable(target)
     text, content, source = read_source(spec)

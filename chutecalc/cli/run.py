@@ -69,7 +69,7 @@ def run(
 
     names = names_of(columns)
     check_columns(names, COLUMNS)
-    outputs.check(specs)
+    outputs.check([*specs, library])
     chutes = read_chutes(specs, settings, library)
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
     tables = None

@@ -77,7 +77,7 @@ def sweep(
     from chutecalc.studies.sweep.table import MOST_SHOWN
     from chutecalc.workers import pool_of
 
-    outputs.check(specs)
+    outputs.check([*specs, library])
     chute = read_chute(specs[0], library=library)
     parameters = read_parameters(given, chute)
     names = names_of(columns)

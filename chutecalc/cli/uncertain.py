@@ -60,7 +60,7 @@ def uncertain(
     The table [uncertainty] of the spec says how uncertain its numbers are. Data files have a row for each sample, JSON
     what they say.
     """
-    outputs.check([spec])
+    outputs.check([spec, library])
     chute = read_chute(spec, library=library)
     from chutecalc.output.printer import Printer
     from chutecalc.output.progress import progress

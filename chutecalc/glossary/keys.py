@@ -60,9 +60,9 @@ def key_entries() -> Iterator[Entry]:
 
 
 def _bounds(model: type[Table], key: str) -> str:
-    """Return the bounds of a key as text."""
+    """Return the bounds of a key and its usual range as text."""
     quantity = model.quantities().get(key)
-    return quantity.bounds_text(first_unit(quantity.dimension)) if quantity else ""
+    return f"{quantity.bounds_text(first_unit(quantity.dimension))} {quantity.plausible}" if quantity else ""
 
 
 def _spellings(key: str, found: list[tuple[SpecTable, str]]) -> Iterator[Entry]:

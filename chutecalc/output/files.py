@@ -13,12 +13,12 @@ from chutecalc.errors import OutputError, UsageError, WriteError
 STANDARD_STREAM = "-"
 
 
-def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str]) -> None:
+def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str | None]) -> None:
     """Check that no two outputs are the same, and that no output is an input.
 
     Args:
         outputs: files that are written, by option; None for an output that was not asked for.
-        inputs: files that are read.
+        inputs: files that are read; None for one that was not given.
 
     Raises:
         UsageError: the outputs that are the same, or the output that is an input.
@@ -37,7 +37,7 @@ def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str]) -> N
             raise UsageError(f"{files[file]} and {option} both write to {output}. Give one of them another name.")
         files[file] = option
     for file in files:
-        if file in {os.path.realpath(name) for name in inputs if name != STANDARD_STREAM}:
+        if file in {os.path.realpath(name) for name in inputs if name not in (None, STANDARD_STREAM)}:
             raise UsageError(f"{file} is an input, and the output would overwrite it: choose another name")
 
 

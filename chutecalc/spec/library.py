@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from chutecalc.errors import Fault, SpecError
 from chutecalc.fields.units import same_quantity
+from chutecalc.spec.operating import case_values
 from chutecalc.spec.parse import key_lines
 
 LIBRARY_NAME = "chute-library.toml"
@@ -37,6 +38,20 @@ def uses(data: Any) -> Iterator[tuple[tuple[str, ...], str]]:
     for location, table in tables.items():
         if isinstance(table, dict) and isinstance(table.get("use"), str):
             yield location, table["use"]
+
+
+def is_used(data: Any) -> bool:
+    """Return whether a spec, or one of its cases, uses an entry.
+
+    Args:
+        data: nested tables as the user wrote them.
+
+    >>> is_used({"cases": {"wet": {"material.use": "wet coal"}}}), is_used({"material": {"name": "coal"}})
+    (True, False)
+    """
+    cases = data.get("cases")
+    tables = [case for case in cases.values() if isinstance(case, dict)] if isinstance(cases, dict) else []
+    return any(uses(data)) or any(path.endswith(".use") for case in tables for path in case_values(case))
 
 
 def resolved(data: dict[str, Any], library: Library | None, source: str, text: str) -> dict[str, Any]:

@@ -157,6 +157,11 @@ def test_cases_and_sweeps_may_use_other_entries(folder, capsys):
         chutecalc.load("chute.toml")
 
 
+def test_a_case_alone_may_use_an_entry(folder):
+    Path("chute.toml").write_text(chutecalc.STARTER + '\n[cases.wet]\n"material.use" = "wet"\n', encoding="utf-8")
+    assert chutecalc.load("chute.toml").cases["wet"].spec.material.density_kg_m3 == 950.0
+
+
 def test_what_is_written_keeps_use_and_comments(folder, capsys):
     assert main(["freeze", "chute.toml", "-o", "frozen.toml"]) == 0
     frozen = Path("frozen.toml").read_text(encoding="utf-8")
@@ -191,6 +196,11 @@ def test_every_command_takes_a_library(folder, command, capsys):
     assert main(command) == 2
     assert "needs a library" in capsys.readouterr().err
     assert main([*command, "--library", "mine.toml"]) in (0, 1), capsys.readouterr().err
+
+
+def test_a_library_is_not_overwritten(folder, capsys):
+    assert main(["freeze", "chute.toml", "--library", "chute-library.toml", "-o", "chute-library.toml"]) == 2
+    assert "is an input" in capsys.readouterr().err
 
 
 def test_json_has_the_numbers_and_the_name(folder, capsys):
