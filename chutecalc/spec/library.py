@@ -68,7 +68,7 @@ def resolved(data: dict[str, Any], library: Library | None, source: str, text: s
 
     >>> library = Library("lib.toml", {"coal": {"density_kg_m3": 850, "pressure_ratio": 0.4}}, {})
     >>> resolved({"material": {"use": "coal", "density_t_m3": 0.8}}, library, "spec", "")
-    {'material': {'pressure_ratio': 0.4, 'name': 'coal', 'density_t_m3': 0.8}}
+    {'material': {'name': 'coal', 'pressure_ratio': 0.4, 'density_t_m3': 0.8}}
     """
     changed, faults = dict(data), []
     for location, name in uses(data):
