@@ -22,6 +22,7 @@ BIN = Path(".venv", "bin").absolute()
 BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep", "commands")
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
+EXAMPLES_SHIP = "from importlib.resources import files; assert (files('chutecalc') / 'examples' / 'vee.toml').is_file()"
 UNCOMPILED = ("tests/unit/test_solution.py", "tests/unit/test_function.py", "tests/regression")
 """What is tested with the core in plain Python, whose digits tests/verification/test_compiled.py compares."""
 
@@ -69,6 +70,7 @@ def package(session: nox.Session) -> None:
     session.install("--no-deps", "--force-reinstall", *(path for path in built if path.endswith(".whl")))
     with session.chdir(folder):
         session.run("python", "-c", "import chutecalc.core as core; assert core.compiled(), core")
+        session.run("python", "-c", EXAMPLES_SHIP)
 
 
 @nox.session(venv_backend="none")

@@ -13,10 +13,11 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
 
 from compiling import ZIG, compile_requested, has_headers, needs_zig
 
-CORE = Path("chutecalc", "core")
+CORE, SPECS = Path("chutecalc", "core"), Path("specs")
 # The digits are those of plain Python: a sum of a product stays two roundings.
 FLAGS = (
     []
@@ -54,6 +55,20 @@ class Build(build_ext):
             for folder in folders:
                 remove(folder)  # all or none: they share C records
             self.warn(f"chutecalc is installed uncompiled: {error}")
+
+
+class BuildPython(build_py):
+    """Build the Python files, and put the standard designs beside them, where `chutecalc new --example` finds them."""
+
+    def run(self) -> None:
+        super().run()
+        if self.editable_mode:
+            return  # they are in the source
+        for spec in SPECS.rglob("*.toml"):
+            if not spec.name.endswith(".baseline.toml"):
+                target = Path(self.build_lib, "chutecalc", "examples", spec.relative_to(SPECS))
+                self.mkpath(str(target.parent))
+                self.copy_file(str(spec), str(target))
 
 
 def remove(folder: Path) -> None:
@@ -106,4 +121,4 @@ def extensions() -> list[Extension]:
     return compiled
 
 
-setup(ext_modules=extensions(), cmdclass={"build_ext": Build})
+setup(ext_modules=extensions(), cmdclass={"build_ext": Build, "build_py": BuildPython})

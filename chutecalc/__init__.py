@@ -4,7 +4,7 @@
 >>> chute = chutecalc.parse(chutecalc.STARTER)
 >>> solution = chutecalc.solve(chute)
 >>> solution
-<Solution: ok, leaves spoon at 3.878 m/s, 0.1399 m deep>
+<Solution: ok, leaves spoon at 6.222 m/s, 0.09396 m deep>
 >>> round(float(solution.segments["spoon"].maximum["velocity_m_s"][0]), 3)
 6.607
 
@@ -12,7 +12,7 @@ Many variants are solved together:
 
 >>> variants = chute.vary({"segments.spoon.radius_m": [2.0, 3.0]})
 >>> chutecalc.solve(variants).exit_velocity.round(3)
-array([3.578, 3.878])
+array([5.603, 6.222])
 """
 
 from importlib import import_module

@@ -53,6 +53,8 @@ def pytest_make_collect_report(
 
 ROOT = Path(__file__).parent.parent
 REFERENCE = ROOT / "tests" / "reference"
+LEVEL = chutecalc.STARTER.replace("to_slope_deg = 40", "to_slope_deg = 0 ")
+"""The starting spec with a spoon that ends level, which draws a warning and a note."""
 STANDARD_DESIGNS = sorted(path for path in (ROOT / "specs").rglob("*.toml") if not path.name.endswith(BASELINE_SUFFIX))
 
 BASE: dict[str, Any] = {
@@ -94,7 +96,7 @@ def vee_friction(wall_deg: float, chamfer_deg: float, internal_deg: float) -> fl
 
 @pytest.fixture
 def starter(tmp_path: Path) -> Path:
-    """Write the starting spec to a file and return its path."""
+    """Write the starting spec, with a spoon that ends level and so draws findings, to a file and return its path."""
     path = tmp_path / "chute.toml"
-    path.write_text(chutecalc.STARTER, encoding="utf-8")
+    path.write_text(LEVEL, encoding="utf-8")
     return path

@@ -24,7 +24,7 @@ def solve_band(chute: Chute, rtol: float = 1e-10) -> Band:
     >>> import chutecalc
     >>> band = chutecalc.solve_band(chutecalc.parse(chutecalc.STARTER))
     >>> [round(number, 3) for number in band.exit["velocity_m_s"]]
-    [3.542, 3.878]
+    [5.734, 6.222]
     """
     if chute.count != 1:
         raise UsageError(f"a band is that of one design, and this chute has {chute.count}: take one with `chute.put`")

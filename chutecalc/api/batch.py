@@ -46,7 +46,7 @@ def exits(
     >>> import chutecalc
     >>> variants = chutecalc.parse(chutecalc.STARTER).vary({"segments.spoon.radius_m": [2.0, 3.0]})
     >>> chutecalc.exits(variants).exit["velocity_m_s"].round(3)
-    array([3.578, 3.878])
+    array([5.603, 6.222])
     """
     check_tolerance(rtol)
     names = column_names(columns)

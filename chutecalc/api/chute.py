@@ -15,6 +15,7 @@ from chutecalc.solver.steel import Steel, drawn_steel, enters_vertically, follow
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.faults import case_faults, faults_of, geometry_faults, value_text
+from chutecalc.spec.library import Library, resolved
 from chutecalc.spec.operating import case_values, drawing_faults, is_felt, is_operating
 from chutecalc.spec.paths import with_values
 
@@ -27,7 +28,12 @@ class Chute:
     """A chute, or n variants of it: the spec as written, checked, and as numbers."""
 
     data: dict[str, Any]
-    """The spec as written: nested tables as TOML gives them, with arrays of shape (designs,) where it is varied."""
+    """The spec: nested tables as TOML gives them, with arrays of shape (designs,) where it is varied, and with the keys
+    of a library's entries where it uses any."""
+    written: dict[str, Any]
+    """The same as written, with ``use`` in place of those keys."""
+    library: Library | None
+    """Materials and liners that the spec may use."""
     source: str
     """Name of the spec in messages and tables, usually its file."""
     text: str
@@ -42,7 +48,12 @@ class Chute:
     """The chute at its design point, where its steel is drawn; this chute itself unless operating keys were varied."""
 
     def __init__(
-        self, data: dict[str, Any], source: str = "spec", text: str = "", drawing: "Chute | None" = None
+        self,
+        data: dict[str, Any],
+        source: str = "spec",
+        text: str = "",
+        drawing: "Chute | None" = None,
+        library: Library | None = None,
     ) -> None:
         """Check a spec and turn it into numbers.
 
@@ -51,11 +62,14 @@ class Chute:
             source: name of the spec in messages.
             text: from which the data were read, for line numbers in messages.
             drawing: the chute at the design point, on whose steel this one runs; drawn anew if not given.
+            library: materials and liners that the spec may use.
 
         Raises:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
-        self.data, self.source, self.text, self.drawing = data, source, text, drawing or self
+        self.written, self.library, self.drawing = data, library, drawing or self
+        self.data = data = resolved(data, library, source, text)
+        self.source, self.text = source, text
         self.count = _count(data, source)
         try:
             self.spec = ChuteSpec.model_validate(data)
@@ -110,10 +124,13 @@ class Chute:
         drawn = {path: value for path, value in changes.items() if not is_operating(path)}
         fixed = self.spec.model.steel == "fixed"
         if drawing is self and fixed and not any(is_operating(path) and is_felt(path) for path in changes):
-            return Chute(with_values(self.data, changes, self.source), self.source, self.text)
-        if drawn:
-            drawing = Chute(with_values(drawing.data, drawn, self.source), self.source, self.text)
-        return Chute(with_values(self.data, changes, self.source), self.source, self.text, drawing)
+            return self._with(changes)
+        return self._with(changes, drawing._with(drawn) if drawn else drawing)
+
+    def _with(self, changes: dict[str, Any], drawing: "Chute | None" = None) -> "Chute":
+        """Return the chute with changes, on the steel of a drawing, or drawn anew."""
+        changed = with_values(self.written, changes, self.source)
+        return Chute(changed, self.source, self.text, drawing, self.library)
 
     @cached_property
     def cases(self) -> dict[str, "Chute"]:
@@ -182,9 +199,9 @@ class Chute:
         >>> import chutecalc
         >>> spoon = chutecalc.parse(chutecalc.STARTER).put({"segments.spoon.radius_m": 2.0})
         >>> chutecalc.solve(spoon).exit_velocity.round(3)
-        array([3.578])
+        array([5.603])
         """
-        return Chute(with_values(self.data, dict(changes), self.source), self.source, self.text)
+        return self._with(dict(changes))
 
     def function(
         self,
@@ -217,7 +234,7 @@ class Chute:
         >>> spoon = chutecalc.parse(chutecalc.STARTER)
         >>> velocity = spoon.function(["segments.spoon.radius_m"])
         >>> round(velocity(3.0), 3), velocity([2.0, 3.0]).round(3)
-        (3.878, array([3.578, 3.878]))
+        (6.222, array([5.603, 6.222]))
         """
         from chutecalc.api.function import Function  # what a run does not need
 

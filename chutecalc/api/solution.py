@@ -24,8 +24,9 @@ class Solution(SolvedChute):
     >>> import chutecalc
     >>> solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
     >>> solution.status.tolist(), solution.exit_velocity.round(3).tolist()
-    (['ok'], [3.878])
-    >>> [finding.code for finding in solution.findings()]
+    (['ok'], [6.222])
+    >>> level = chutecalc.parse(chutecalc.STARTER).put({"segments.spoon.to_slope_deg": 0})
+    >>> [finding.code for finding in chutecalc.solve(level).findings()]
     ['below_cut_off', 'will_not_clear']
     """
 
@@ -105,7 +106,7 @@ class Solution(SolvedChute):
 
         >>> import chutecalc
         >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
-        <Solution: ok, leaves spoon at 3.878 m/s, 0.1399 m deep>
+        <Solution: ok, leaves spoon at 6.222 m/s, 0.09396 m deep>
         """
         return f"<Solution{self._described()}>"
 

@@ -25,7 +25,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     >>> import chutecalc
     >>> solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
     >>> solution.status, solution.exit_velocity.round(3)
-    (array(['ok'], dtype='<U12'), array([3.878]))
+    (array(['ok'], dtype='<U12'), array([6.222]))
     """
     if not isinstance(chute, Chute):
         raise UsageError(f"solve takes a chute from chutecalc.load or chutecalc.parse, not {chute!r}")

@@ -16,7 +16,7 @@ def text_of(chute: Chute) -> str:
     Args:
         chute: a chute of one design.
     """
-    own = chute.text and parse_text(chute.text, chute.source) == chute.data
+    own = chute.text and parse_text(chute.text, chute.source) == chute.written
     return chute.text if own else tomli_w.dumps(chute.data)
 
 

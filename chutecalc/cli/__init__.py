@@ -10,13 +10,13 @@ from importlib import import_module
 import typer
 
 from chutecalc import __version__
-from chutecalc.cli.command import Command, explain
+from chutecalc.cli.command import Command, explained
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 
 COMMANDS = (
     *("new", "run", "sweep", "place", "aim", "optimise", "uncertain", "check", "freeze"),
-    *("schema", "columns", "limits", "dem"),
+    *("explain", "schema", "columns", "limits", "dem"),
 )
 HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
@@ -37,18 +37,41 @@ def _common(
 
 def _app(given: Sequence[str]) -> typer.Typer:
     """Return the commands, or only the one that is called: each takes some milliseconds to set up."""
+    called = bool(given) and given[0] in COMMANDS
     app = typer.Typer(
         name="chutecalc",
         rich_markup_mode=None,
         no_args_is_help=True,
-        add_completion=False,
+        add_completion=not called,  # the shell asks without a command
         context_settings={"help_option_names": ["-h", "--help"]},
     )
-    app.callback(help=HELP, epilog=_block("Exit status:", exit_statuses()))(_common)
-    for name in given[:1] if given and given[0] in COMMANDS else COMMANDS:
+    epilog = f"{_block('Exit status:', exit_statuses())}\n\n{documentation('README.md')}"
+    app.callback(help=HELP, epilog=epilog)(_common)
+    for name in given[:1] if called else COMMANDS:
         module = import_module(f"chutecalc.cli.{name}")
-        app.command(name, cls=Command, epilog=_block("Examples:", module.EXAMPLES))(getattr(module, name))
+        epilog = f"{_block('Examples:', module.EXAMPLES)}\n\n{documentation(module.PAGE)}"
+        settings = getattr(module, "SETTINGS", None)
+        app.command(name, cls=Command, epilog=epilog, context_settings=settings)(getattr(module, name))
     return app
+
+
+def command_line() -> typer.core.TyperGroup:
+    """Return all commands with their options, as Typer has them."""
+    group = typer.main.get_command(_app([]))
+    assert isinstance(group, typer.core.TyperGroup)
+    return group
+
+
+def documentation(page: str) -> str:
+    """Return where a help text continues.
+
+    Args:
+        page: of the documentation.
+    """
+    return _block(
+        "Documentation:",
+        [f"docs/{page} in the source of chutecalc", "chutecalc explain WORD: what a key, column or finding means"],
+    )
 
 
 def exit_statuses() -> list[str]:
@@ -113,7 +136,7 @@ def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
         return error.format_message()
     called = given[0] in COMMANDS
     examples = import_module(f"chutecalc.cli.{given[0]}").EXAMPLES if called else ()
-    return f"chutecalc: {explain(error, given, examples, COMMANDS)}"
+    return f"chutecalc: {explained(error, given, examples, COMMANDS)}"
 
 
 def _use_unicode() -> None:

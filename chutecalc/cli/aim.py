@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import typer
 
-from chutecalc.cli.options import JOBS, names_of, with_groups
+from chutecalc.cli.options import JOBS, LIBRARY, names_of, with_groups
 from chutecalc.cli.specs import read_chute
 from chutecalc.cli.study import (
     ARGUMENTS,
@@ -27,6 +27,7 @@ EXAMPLES = (
     "chutecalc aim chute.toml segments.hood.radius_m=1:3 segments.hood.to_slope_deg=60:85"
     " --target exit_velocity_m_s=6 --target segments.spoon.impact_incidence_deg=10 --write",
 )
+PAGE = "aiming.md"
 
 
 @with_groups
@@ -41,6 +42,7 @@ def aim(
     write: bool = WRITE,
     take: int | None = TAKE,
     jobs: int | None = JOBS,
+    library: str | None = LIBRARY,
     outputs: StudyOutputs,
 ) -> int:
     """Find the values of keys that give what is wanted.
@@ -56,9 +58,9 @@ def aim(
 
     spec, given = spec_and_keys(arguments)
     wanted = read_targets(targets)
-    outputs.check([spec])
+    outputs.check([spec, library])
     check_writing(spec, write, take)
-    chute = read_chute(spec)
+    chute = read_chute(spec, library=library)
     found = find_aim(chute, read_keys(given, chute), wanted, case or DESIGN_POINT, names_of(columns), jobs)
     outputs.write(found_dataset(found, {}))
     if not outputs.to_standard_output:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from chutecalc.cli.options import RTOL, with_groups
+from chutecalc.cli.options import LIBRARY, RTOL, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import AllSpecsError, ExitStatus, SpecError
 from chutecalc.output.files import STANDARD_STREAM, open_whole
@@ -20,6 +20,7 @@ EXAMPLES = (
     "chutecalc check specs --junit check.xml",
     "chutecalc check specs/spoon.toml --update",
 )
+PAGE = "checks.md"
 
 
 @with_groups
@@ -30,6 +31,7 @@ def check(
         None, metavar="FILE", help="Write the verdicts as JUnit XML, for CI; - for standard output."
     ),
     rtol: float = RTOL,
+    library: str | None = LIBRARY,
     *,
     outputs: Outputs,
 ) -> int:
@@ -45,9 +47,9 @@ def check(
     from chutecalc.studies.regression.verdict import OK
     from chutecalc.studies.regression.write import write_baseline
 
-    designs = find_designs(paths or ["."])
+    designs = find_designs(paths or ["."], library)
     specs = [chute.source for chute in designs.chutes]
-    outputs.check([*specs, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
+    outputs.check([*specs, library, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
     verdicts = _verdicts(designs, rtol, update)
     written = [str(write_baseline(verdict.spec, verdict.document)) for verdict in verdicts if verdict.document]
     if junit:

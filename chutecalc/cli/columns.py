@@ -1,6 +1,7 @@
 """``chutecalc columns``: the catalogue of columns."""
 
-EXAMPLES = ("chutecalc columns",)
+EXAMPLES = ("chutecalc columns", "chutecalc explain velocity_m_s")
+PAGE = "nomenclature.md#columns"
 
 
 def columns() -> int:

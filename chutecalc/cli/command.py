@@ -63,7 +63,9 @@ def _repeatable(option: Any) -> bool:
     return bool(option.multiple or option.is_flag or option.count)
 
 
-def explain(error: typer.TyperException, given: Sequence[str], examples: Sequence[str], commands: Sequence[str]) -> str:
+def explained(
+    error: typer.TyperException, given: Sequence[str], examples: Sequence[str], commands: Sequence[str]
+) -> str:
     """Return what is wrong with a command line, and what to do.
 
     Args:

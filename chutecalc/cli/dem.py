@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from chutecalc.cli.dem_options import CaseOptions, EngineOptions, PourOptions, TroughOptions
-from chutecalc.cli.options import with_groups
+from chutecalc.cli.options import LIBRARY, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus, UsageError
 
@@ -21,6 +21,7 @@ EXAMPLES = (
     "chutecalc dem --beta 45 --particle-friction 0.75",
     "chutecalc dem chute.toml --segment spoon --seeds 3 --plot spoon.svg",
 )
+PAGE = "dem.md"
 
 
 class DemOutputs(Outputs):
@@ -41,6 +42,7 @@ def dem(
     pour: PourOptions,
     folders: CaseOptions,
     engine: EngineOptions,
+    library: str | None = LIBRARY,
     outputs: DemOutputs,
 ) -> int:
     """Compare the friction law with beds of particles in LAMMPS.
@@ -55,9 +57,9 @@ def dem(
     from chutecalc.dem.study import Study
 
     folders.check(outputs)
-    outputs.check([spec] if spec else [])
+    outputs.check([spec, library])
     how = pour.read()
-    beds = _beds(spec, segment, trough, wall_friction)
+    beds = _beds(spec, segment, trough, wall_friction, library)
     campaign = Campaign(groups(beds, how), Store(folders.folder))
     if folders.write is not None:
         return _write(campaign)
@@ -73,7 +75,9 @@ def dem(
     return ExitStatus.OK if study.sound else ExitStatus.FAILS
 
 
-def _beds(spec: str | None, segment: str | None, trough: TroughOptions, wall_friction: float) -> Beds:
+def _beds(
+    spec: str | None, segment: str | None, trough: TroughOptions, wall_friction: float, library: str | None
+) -> Beds:
     """Return the beds of a chute's section or, without a spec, of troughs between two chamfers.
 
     Raises:
@@ -90,7 +94,7 @@ def _beds(spec: str | None, segment: str | None, trough: TroughOptions, wall_fri
     from chutecalc.api.load import load
     from chutecalc.dem.chute_section import section_of
 
-    return section_of(load(spec), segment)
+    return section_of(load(spec, library=library), segment)
 
 
 def _write(campaign: Campaign) -> int:

@@ -2,14 +2,17 @@
 
 import typer
 
+from chutecalc.cli.options import LIBRARY
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 
 EXAMPLES = ("chutecalc freeze chute.toml -o frozen.toml", "chutecalc freeze chute.toml")
+PAGE = "spec.md#steel"
 
 
 def freeze(
     spec: str = typer.Argument(..., metavar="SPEC", help="TOML file; - for standard input."),
     output: str = typer.Option(STANDARD_STREAM, "--output", "-o", metavar="FILE", help="File to write. Default: -."),
+    library: str | None = LIBRARY,
 ) -> int:
     """Write a spec in which the steel no longer depends on the stream.
 
@@ -21,9 +24,9 @@ def freeze(
     from chutecalc.cli.specs import read_with_content
     from chutecalc.spec.parse import encode
 
-    check_targets({"--output": output}, [spec])
+    check_targets({"--output": output}, [spec, library])
     check_openable(output)
-    chute, content = read_with_content(spec)
+    chute, content = read_with_content(spec, library=library)
     frozen_content = encode(frozen(chute), like=content)
     with open_whole(output, "wb") as stream:
         stream.write(frozen_content)

@@ -1,6 +1,7 @@
 """``chutecalc limits``: from where on findings appear, and why there."""
 
-EXAMPLES = ("chutecalc limits",)
+EXAMPLES = ("chutecalc limits", "chutecalc explain max_impact_angle_deg")
+PAGE = "spec.md#limits"
 
 
 def limits() -> int:

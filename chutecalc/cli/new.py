@@ -4,34 +4,73 @@ from pathlib import Path
 
 import typer
 
-from chutecalc.errors import OutputError
+from chutecalc.errors import UsageError
+from chutecalc.output.files import STANDARD_STREAM, open_new
 
-EXAMPLES = ("chutecalc new", "chutecalc new spoon.toml")
+EXAMPLES = (
+    "chutecalc new",
+    "chutecalc new --list",
+    "chutecalc new --example belt_hood_spoon transfer.toml",
+)
+PAGE = "spec.md"
+
+
+def _names() -> list[str]:
+    """Return the names of the examples, for completion."""
+    from chutecalc.spec.examples import examples
+
+    return list(examples())
 
 
 def new(
-    file: str = typer.Argument("chute.toml", metavar="FILE", help="File to write; - for standard output."),
+    file: str | None = typer.Argument(
+        None, metavar="FILE", help="File to write; - for standard output. Default: chute.toml, or NAME.toml."
+    ),
+    example: str | None = typer.Option(
+        None, "--example", metavar="NAME", help="Write this standard design.", autocompletion=_names
+    ),
+    list_them: bool = typer.Option(False, "--list", help="List the standard designs with their titles."),
 ) -> int:
-    """Write a commented spec to start from. It lists all shapes of section and kinds of segment.
+    """Write a spec to start from: a commented chute with all shapes of section and kinds of segment, or an example.
 
-    An existing file is never overwritten.
+    A file is never overwritten. The first line of the spec names chute.schema.json, which is written beside it if it is
+    not there: editors that know JSON Schema for TOML complete keys and check values with it.
     """
+    from chutecalc.spec.examples import SCHEMA_FILE, SCHEMA_LINE, example_text
     from chutecalc.spec.starter import STARTER
 
-    if file == "-":
-        typer.echo(STARTER, nl=False)
+    if list_them:
+        if file or example:
+            raise UsageError("--list lists the examples and writes nothing: give it alone")
+        return _list()
+    text = STARTER if example is None else example_text(example)
+    target = file or f"{(example or 'chute').rpartition('/')[2]}.toml"
+    if target == STANDARD_STREAM:
+        typer.echo(text, nl=False)  # without the line: nobody knows where the schema would have to be
         return 0
-    try:
-        with open(file, "x", encoding="utf-8") as stream:
-            stream.write(STARTER)
-    except FileExistsError:
-        if Path(file).is_dir():
-            raise OutputError(f"{file} is a folder. Name a file in it.") from None
-        raise OutputError(f"{file} already exists and was not changed. Choose another name.") from None
-    except FileNotFoundError:
-        folder = Path(file).parent
-        raise OutputError(f"{file} cannot be written: there is no folder {folder}. Create it first.") from None
-    except OSError as error:
-        raise OutputError(f"{file} cannot be written: {error.strerror}") from None
-    typer.echo(f"wrote {file}. To run it: chutecalc run {file}")
+    with open_new(target) as stream:
+        stream.write(SCHEMA_LINE + text)
+    schema = Path(target).with_name(SCHEMA_FILE)
+    beside = "" if schema.exists() else f", and {schema} for editors"
+    if beside:
+        _write_schema(str(schema))
+    typer.echo(f"wrote {target}{beside}. To run it: chutecalc run {target}")
     return 0
+
+
+def _list() -> int:
+    """List the examples."""
+    from chutecalc.output.catalogue import catalogue
+    from chutecalc.output.printer import Printer
+    from chutecalc.spec.examples import example_titles
+
+    Printer().table(catalogue(("example", "title"), example_titles().items()))
+    return 0
+
+
+def _write_schema(target: str) -> None:
+    """Write the JSON Schema of a spec."""
+    from chutecalc.spec.schema import schema_text
+
+    with open_new(target) as stream:
+        stream.write(schema_text())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from chutecalc.cli.options import JOBS, names_of, with_groups
+from chutecalc.cli.options import JOBS, LIBRARY, names_of, with_groups
 from chutecalc.cli.specs import read_chute
 from chutecalc.cli.study import (
     ARGUMENTS,
@@ -23,6 +23,7 @@ EXAMPLES = (
     "chutecalc optimise chute.toml radius=1:4 segments.spoon.liner=ceramic,steel --maximise exit_velocity_m_s"
     " --subject 'max_depth_m<=0.3' --write",
 )
+PAGE = "aiming.md"
 
 
 class OptimiseOutputs(StudyOutputs):
@@ -50,6 +51,7 @@ def optimise(
     write: bool = WRITE,
     take: int | None = TAKE,
     jobs: int | None = JOBS,
+    library: str | None = LIBRARY,
     outputs: OptimiseOutputs,
 ) -> int:
     """Find the best values of keys, in the worst of all cases.
@@ -66,9 +68,9 @@ def optimise(
 
     spec, given = spec_and_keys(arguments)
     wanted, limits = objectives_of(minimise, maximise), [read_limit(text) for text in subject]
-    outputs.check([spec])
+    outputs.check([spec, library])
     check_writing(spec, write, take)
-    chute = read_chute(spec)
+    chute = read_chute(spec, library=library)
     keys = read_keys(given, chute)
     found = find_optimum(chute, keys, wanted, limits, case, no_warnings, names_of(columns), points, seed, jobs)
     outputs.write(found_dataset(found, {}))

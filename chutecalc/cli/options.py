@@ -18,6 +18,12 @@ RTOL = typer.Option(1e-10, min=1e-13, max=1e-3, metavar="R", help="Relative tole
 DASK = typer.Option(
     None, metavar="ADDRESS", help="Solve on the workers of a Dask scheduler, such as tcp://10.0.0.1:8786 (extra dask)."
 )
+LIBRARY = typer.Option(
+    None,
+    "--library",
+    metavar="FILE",
+    help="Materials and liners that specs use by name. Default: chute-library.toml beside the spec.",
+)
 JOBS = typer.Option(None, min=1, metavar="N", help="Number of jobs at once. Default: one for each processor.")
 
 

@@ -81,11 +81,11 @@ class Outputs(OptionGroup):
         names = (name for name, file in self.files.items() if file == STANDARD_STREAM)
         return next((output_formats()[name] for name in names), None)
 
-    def check(self, inputs: Sequence[str] = (), **others: str | None) -> None:
+    def check(self, inputs: Sequence[str | None] = (), **others: str | None) -> None:
         """Check that all outputs can be written. Call it before anything is solved.
 
         Args:
-            inputs: files that the command reads.
+            inputs: files that the command reads; None for one that was not given.
             **others: further files that it writes, by option.
 
         Raises:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
+from chutecalc.cli.options import LIBRARY
 from chutecalc.errors import UsageError
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 
@@ -16,6 +17,7 @@ EXAMPLES = (
     "chutecalc place chute.toml hood incidence=10 x=1.2 spoon incidence=8 z=-4.5",
     "chutecalc place chute.toml hood incidence=10 x=1.2 share=edges --write",
 )
+PAGE = "designing.md"
 
 
 def place(
@@ -29,6 +31,7 @@ def place(
     write: bool = typer.Option(False, "--write", help="Write start_m and slope into the spec, comments kept."),
     output: str | None = typer.Option(None, "--output", "-o", metavar="FILE", help="Write the placed spec to a file."),
     json_file: str | None = typer.Option(None, "--json", metavar="FILE", help="Write a JSON document; - for stdout."),
+    library: str | None = LIBRARY,
 ) -> int:
     """Find where segments must be drawn so that the stream strikes them as wanted.
 
@@ -36,20 +39,22 @@ def place(
     slope stays as the spec has it. A segment needs a fall before it, and neither a start nor a slope yet. share=edges
     is the least share with which all edges of the stream strike the segment, in all cases.
     """
-    from chutecalc.cli.specs import read_source
+    from chutecalc.api.load import library_for
+    from chutecalc.cli.specs import file_of, read_source
     from chutecalc.output.formats.json import write_document
-    from chutecalc.spec.parse import encode
+    from chutecalc.spec.parse import encode, parse_text
     from chutecalc.studies.place.placement import place as placed
     from chutecalc.studies.place.report import placement_document
     from chutecalc.studies.place.wish import read_wishes
 
     if write and (output or spec == STANDARD_STREAM):
         raise UsageError("--write changes the file of the spec: leave out --output, or name a file instead of -")
-    check_targets({"--output": output, "--json": json_file}, [spec])
+    check_targets({"--output": output, "--json": json_file}, [spec, library])
     for target in (spec if write else output, json_file):
         check_openable(target)
     text, content, source = read_source(spec)
-    placement = placed(text, read_wishes(arguments), source)
+    known = library_for(parse_text(text, source), library, file_of(spec))
+    placement = placed(text, read_wishes(arguments), source, known)
     if (target := spec if write else output) is not None:
         with open_whole(target, "wb") as stream:
             stream.write(encode(placement.text, like=content))

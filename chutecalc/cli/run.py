@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.options import RTOL, StationOptions, names_of, with_groups
+from chutecalc.cli.options import LIBRARY, RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.run_studies import RunStudies
 from chutecalc.cli.specs import read_chutes
@@ -22,6 +22,7 @@ EXAMPLES = (
     "chutecalc run chute.toml --band --plot chute.svg",
     "chutecalc run chute.toml --set flow.rate_t_h=800 --points 21 --csv stations.csv",
 )
+PAGE = "running.md"
 
 
 class RunOutputs(Outputs):
@@ -59,6 +60,7 @@ def run(
     ),
     strict: bool = typer.Option(False, "--strict", help="Exit with status 1 on warnings too."),
     rtol: float = RTOL,
+    library: str | None = LIBRARY,
     outputs: RunOutputs,
 ) -> int:
     """Solve chutes and report the stream along each segment.
@@ -72,12 +74,12 @@ def run(
 
     names = names_of(columns)
     check_columns(names, COLUMNS)
-    outputs.check(specs, report=report)
+    outputs.check([*specs, library], report=report)
     if report:
         from chutecalc.output.html_report.write import check_report
 
         check_report(report)
-    chutes = read_chutes(specs, settings)
+    chutes = read_chutes(specs, settings, library)
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
     tables = None
     if stations.given:

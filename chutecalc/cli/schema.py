@@ -2,7 +2,8 @@
 
 import typer
 
-EXAMPLES = ("chutecalc schema > chute.schema.json",)
+EXAMPLES = ("chutecalc schema > chute.schema.json", "chutecalc schema | less")
+PAGE = "installing.md"
 
 
 def schema() -> int:
@@ -10,9 +11,7 @@ def schema() -> int:
 
     With it, they complete keys and check values.
     """
-    import json
+    from chutecalc.spec.schema import schema_text
 
-    from chutecalc.spec.schema import json_schema
-
-    typer.echo(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+    typer.echo(schema_text(), nl=False)
     return 0

@@ -17,33 +17,46 @@ if TYPE_CHECKING:
 STANDARD_INPUT = "standard input"
 
 
-def read_chute(spec: str, changes: dict[str, Any] | None = None) -> Chute:
+def read_chute(spec: str, changes: dict[str, Any] | None = None, library: str | None = None) -> Chute:
     """Return the chute of a spec.
 
     Args:
         spec: path of its file, or ``-`` for standard input.
         changes: values by key path that replace those of the spec.
+        library: file of the materials and liners that it may use; None for the one beside it, if there is one.
 
     Raises:
         UsageError: the file is a baseline.
     """
-    return read_with_content(spec, changes)[0]
+    return read_with_content(spec, changes, library)[0]
 
 
-def read_with_content(spec: str, changes: dict[str, Any] | None = None) -> tuple[Chute, bytes]:
+def read_with_content(
+    spec: str, changes: dict[str, Any] | None = None, library: str | None = None
+) -> tuple[Chute, bytes]:
     """Return the chute of a spec, and the content of its file.
 
     Args:
         spec: path of its file, or ``-`` for standard input.
         changes: values by key path that replace those of the spec.
+        library: file of the materials and liners that it may use; None for the one beside it, if there is one.
 
     Raises:
         UsageError: the file is a baseline.
     """
-    from chutecalc.api.load import parse
+    from chutecalc.api.load import read
 
     text, content, source = read_source(spec)
-    return parse(text, source, changes), content
+    return read(text, source, changes, library, file_of(spec)), content
+
+
+def file_of(spec: str) -> Path | None:
+    """Return the path of a spec's file; None for standard input.
+
+    Args:
+        spec: path of its file, or ``-`` for standard input.
+    """
+    return None if spec == "-" else Path(spec)
 
 
 def read_source(spec: str) -> tuple[str, bytes, str]:
@@ -67,13 +80,14 @@ def read_source(spec: str) -> tuple[str, bytes, str]:
     return decode(content, source), content, source
 
 
-def read_chutes(specs: Sequence[str], settings: Sequence[str]) -> list[Chute]:
+def read_chutes(specs: Sequence[str], settings: Sequence[str], library: str | None = None) -> list[Chute]:
     """Return the chutes of several specs.
 
     Args:
         specs: paths of their files. Baselines among them are left out, since a glob such as ``specs/*.toml`` matches
             them too.
         settings: changes in all of them, as ``PATH=VALUE``.
+        library: file of the materials and liners that they may use; None for the one beside each.
 
     Raises:
         AllSpecsError: the faults of all specs.
@@ -86,7 +100,7 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str]) -> list[Chute]:
     errors: list[SpecError] = []
     for spec in [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs:
         try:
-            chutes.append(read_chute(spec, changes))
+            chutes.append(read_chute(spec, changes, library))
         except SpecError as error:
             errors.append(error)
     if errors:

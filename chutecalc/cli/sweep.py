@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from chutecalc.cli.options import DASK, JOBS, RTOL, StationOptions, names_of, with_groups
+from chutecalc.cli.options import DASK, JOBS, LIBRARY, RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.specs import read_chute
 from chutecalc.cli.sweep_options import BestOptions, Keep, StudyOptions, SweepOutputs
 from chutecalc.errors import UsageError
@@ -21,6 +21,7 @@ EXAMPLES = (
     "chutecalc sweep radius=2:4:0.5 phi=20:30:5 chute.toml --csv designs.csv",
     "chutecalc sweep beta delta=30,40,50 --keep width --plot friction.svg",
 )
+PAGE = "sweeps.md"
 
 
 @with_groups
@@ -49,6 +50,7 @@ def sweep(
     jobs: int | None = JOBS,
     dask: str | None = DASK,
     rtol: float = RTOL,
+    library: str | None = LIBRARY,
     outputs: SweepOutputs,
 ) -> int:
     """Vary parameters of a chute and report a row for each design.
@@ -75,8 +77,8 @@ def sweep(
     from chutecalc.studies.sweep.table import MOST_SHOWN
     from chutecalc.workers import pool_of
 
-    outputs.check(specs)
-    chute = read_chute(specs[0])
+    outputs.check([*specs, library])
+    chute = read_chute(specs[0], library=library)
     parameters = read_parameters(given, chute)
     names = names_of(columns)
     task = Sweep(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from chutecalc.cli.options import DASK, JOBS, RTOL, names_of, with_groups
+from chutecalc.cli.options import DASK, JOBS, LIBRARY, RTOL, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.specs import read_chute
 from chutecalc.errors import ExitStatus
@@ -14,6 +14,7 @@ EXAMPLES = (
     "chutecalc uncertain chute.toml --margins --limit 'max_depth_m<=0.3' --warnings",
     "chutecalc uncertain chute.toml --samples 1000000 --case wet --csv samples.csv",
 )
+PAGE = "uncertainty.md"
 
 
 class UncertainOutputs(Outputs):
@@ -51,6 +52,7 @@ def uncertain(
     jobs: int | None = JOBS,
     dask: str | None = DASK,
     rtol: float = RTOL,
+    library: str | None = LIBRARY,
     outputs: UncertainOutputs,
 ) -> int:
     """Report how sure the exit of a chute is, how likely it fails or exceeds a limit, and which numbers matter.
@@ -58,8 +60,8 @@ def uncertain(
     The table [uncertainty] of the spec says how uncertain its numbers are. Data files have a row for each sample, JSON
     what they say.
     """
-    outputs.check([spec])
-    chute = read_chute(spec)
+    outputs.check([spec, library])
+    chute = read_chute(spec, library=library)
     from chutecalc.output.printer import Printer
     from chutecalc.output.progress import progress
     from chutecalc.spec.operating import DESIGN_POINT

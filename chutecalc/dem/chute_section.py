@@ -26,7 +26,7 @@ def section_of(chute: Chute, name: str | None) -> Beds:
     >>> import chutecalc
     >>> found = section_of(chutecalc.parse(chutecalc.STARTER), "spoon")
     >>> [wall.name for wall in found.troughs[0].walls[::2]], round(found.areas[0], 4)
-    (['floor', 'chamfer'], 0.0895)
+    (['floor', 'chamfer'], 0.0558)
     """
     design = chute.design
     guides = [segment for segment in design.segments if isinstance(segment, Contact)]

@@ -141,13 +141,25 @@ class Quantity:
         'greater than 0 mm and at most 90,000 mm'
         """
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
-        shown = "°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip()
-        return " and ".join(f"{names[name]} {_plain(limit)}{shown}" for name, limit in self.bounds_in(unit).items())
+        return " and ".join(f"{names[name]} {with_unit(limit, unit)}" for name, limit in self.bounds_in(unit).items())
 
 
 def _fault(problem: str, remedy: str) -> PydanticCustomError:
     """Return a fault of a quantity; its bounds follow in the message."""
     return PydanticCustomError("quantity", problem, {"remedy": remedy})
+
+
+def with_unit(number: float, unit: str) -> str:
+    """Return a number as people write it, with its unit.
+
+    Args:
+        number: in that unit.
+        unit: its suffix.
+
+    >>> with_unit(90.0, "deg"), with_unit(1e5, "m")
+    ('90°', '100,000 m')
+    """
+    return _plain(number) + ("°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip())
 
 
 def _plain(number: float) -> str:

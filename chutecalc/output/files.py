@@ -13,12 +13,12 @@ from chutecalc.errors import OutputError, UsageError, WriteError
 STANDARD_STREAM = "-"
 
 
-def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str]) -> None:
+def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str | None]) -> None:
     """Check that no two outputs are the same, and that no output is an input.
 
     Args:
         outputs: files that are written, by option; None for an output that was not asked for.
-        inputs: files that are read.
+        inputs: files that are read; None for one that was not given.
 
     Raises:
         UsageError: the outputs that are the same, or the output that is an input.
@@ -37,7 +37,7 @@ def check_targets(outputs: Mapping[str, str | None], inputs: Sequence[str]) -> N
             raise UsageError(f"{files[file]} and {option} both write to {output}. Give one of them another name.")
         files[file] = option
     for file in files:
-        if file in {os.path.realpath(name) for name in inputs if name != STANDARD_STREAM}:
+        if file in {os.path.realpath(name) for name in inputs if name not in (None, STANDARD_STREAM)}:
             raise UsageError(f"{file} is an input, and the output would overwrite it: choose another name")
 
 
@@ -99,6 +99,37 @@ def open_whole(target: str, mode: str = "w") -> Iterator[IO[Any]]:
             yield stream
     else:
         yield from _replacing(target, mode)
+
+
+@contextmanager
+def open_new(target: str) -> Iterator[IO[Any]]:
+    """Open a stream that becomes a new file when the block ends; a file that exists is never overwritten.
+
+    Args:
+        target: a path, or ``-`` for standard output.
+
+    Raises:
+        OutputError: it exists, or cannot be opened.
+        WriteError: it was opened, and then could not be written.
+    """
+    if target != STANDARD_STREAM:
+        path = _file(target)
+        try:
+            path.open("x").close()  # from now on the name is taken
+        except FileExistsError:
+            raise OutputError(f"{target} already exists and was not changed. Choose another name.") from None
+        except FileNotFoundError:
+            folder = Path(target).parent
+            raise OutputError(f"{target} cannot be written: there is no folder {folder}. Create it first.") from None
+        except OSError as error:
+            raise OutputError(f"{target} cannot be written: {error.strerror}") from None
+    try:
+        with open_whole(target) as stream:
+            yield stream
+    except BaseException:
+        if target != STANDARD_STREAM:
+            path.unlink(missing_ok=True)
+        raise
 
 
 def _replacing(target: str, mode: str) -> Iterator[IO[Any]]:

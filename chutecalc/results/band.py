@@ -76,7 +76,7 @@ class Band:
     >>> import chutecalc
     >>> band = chutecalc.solve_band(chutecalc.parse(chutecalc.STARTER))
     >>> band
-    <Band of 9 variants: exit velocity 3.542 to 3.878 m/s>
+    <Band of 9 variants: exit velocity 5.734 to 6.222 m/s>
     >>> [round(number, 3) for number in band.segments["spoon"]["maximum"]["velocity_m_s"]]
     [6.309, 6.607]
     """

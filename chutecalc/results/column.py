@@ -44,6 +44,10 @@ class Column:
     us_digits: int = 1
     source: str = ""
     """Publication that defines it, with the equation; empty where it follows from the model."""
+    equation: str = ""
+    """How it follows, in the symbols of docs/nomenclature.md; empty where the meaning says it."""
+    page: str = ""
+    """Heading of docs/physics.md that derives it, as its links name it."""
 
     def shown(self, value: float, units: str) -> str:
         """Format a number for tables.

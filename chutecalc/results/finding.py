@@ -78,7 +78,8 @@ class Finding:
             units: ``metric`` or ``us``.
 
         >>> import chutecalc
-        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).findings()[0].where()
+        >>> level = chutecalc.parse(chutecalc.STARTER).put({"segments.spoon.to_slope_deg": 0})
+        >>> chutecalc.solve(level).findings()[0].where()
         'spoon, s = 6.712 m'
         """
         s, column = float(self.s_m[design]), COLUMNS["s_m"]
@@ -102,7 +103,8 @@ class Finding:
         """Return code, position and message of the first design concerned.
 
         >>> import chutecalc
-        >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).findings()[0]  # doctest: +ELLIPSIS
+        >>> level = chutecalc.parse(chutecalc.STARTER).put({"segments.spoon.to_slope_deg": 0})
+        >>> chutecalc.solve(level).findings()[0]  # doctest: +ELLIPSIS
         <warning below_cut_off: spoon, s = ... m: the spoon ends at ...>
         """
         concerned = np.flatnonzero(self.mask)

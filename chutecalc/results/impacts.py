@@ -16,13 +16,19 @@ IMPACT_COLUMNS = {
         FormulaColumn("velocity_before_m_s", "before", "", "velocity before the impact",
                       "velocity", "m_s", 3, "fpm", 1, formula=lambda arrival, slip: arrival.velocity),
         FormulaColumn("velocity_after_m_s", "after", "", "velocity along the surface after the impact",
-                      "velocity", "m_s", 3, "fpm", 1, formula=lambda arrival, slip: arrival.impact.velocity_after),
+                      "velocity", "m_s", 3, "fpm", 1, formula=lambda arrival, slip: arrival.impact.velocity_after,
+                      equation="v (cos i − μ_e sin i)", page="flight-and-impact"),
         FormulaColumn("pressure_kpa", "pressure", "p", "impact pressure on the surface",
-                      "pressure", "kpa", 3, "psf", 1, formula=lambda arrival, slip: arrival.impact.pressure / 1000.0),
+                      "pressure", "kpa", 3, "psf", 1, formula=lambda arrival, slip: arrival.impact.pressure / 1000.0,
+                      equation="ρ v² sin² i, or ρ v² sin i · H/length on a shorter segment",
+                      page="flight-and-impact"),
         FormulaColumn("footprint_m", "footprint", "", "length of surface that is struck",
-                      "length", "m", 3, "ft", 2, formula=lambda arrival, slip: arrival.impact.footprint),
+                      "length", "m", 3, "ft", 2, formula=lambda arrival, slip: arrival.impact.footprint,
+                      equation="H/sin i, at most the length of the segment", page="flight-and-impact"),
         FormulaColumn("wear_w_m2", "wear", "", "friction power per area of the footprint",
-                      "power", "w_m2", 1, formula=lambda arrival, slip: arrival.impact.wear * slip),
+                      "power", "w_m2", 1, formula=lambda arrival, slip: arrival.impact.wear * slip,
+                      equation="μ p times the mean of the velocities along the surface, times slip_ratio",
+                      page="flight-and-impact"),
     )
 }
 # fmt: on

@@ -49,7 +49,7 @@ class SegmentResult:
 
         >>> import chutecalc
         >>> chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).segments["spoon"]
-        <SegmentResult spoon: ok, 6.263 to 3.878 m/s, depth 0.09342 to 0.1399 m>
+        <SegmentResult spoon: ok, 6.263 to 6.222 m/s, depth 0.09342 to 0.09396 m>
         """
         designs = f" of {len(self.status)} designs" if len(self.status) > 1 else ""
         depth = self._ends("depth_m", "m")

@@ -15,7 +15,7 @@ class Curve(Arc):
     example: ClassVar = """\
 kind = "curve"                  # a curved floor; one that steepens is a crest
 radius_m = 3.0
-to_slope_deg = 0                # turns from the slope before it to this one
+to_slope_deg = 40               # turns from the slope before it to this one
 """
 
     def build(self, context: Context) -> Contact:

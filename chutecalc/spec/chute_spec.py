@@ -37,6 +37,9 @@ _TURNS = Plausible(1.0, 180.0, "no angle to speak of", "more than half a turn")
 _RUNS = Plausible(0.01, 40.0, "hardly a motion", "faster than a stream in any chute")
 
 
+Density = Annotated[Number, Quantity("density", gt=0, le=1e5, plausible=_DENSE)]
+
+
 class Flow(Table):
     """How much material flows."""
 
@@ -48,13 +51,16 @@ class Flow(Table):
     )
 
 
+USE = "name of the entry of the library that gives the keys which are not given here"
+SOURCE = "where the numbers come from, such as a test report"
+
+
 class Material(Table):
     """The bulk material."""
 
+    use: str | None = Field(None, description=USE)
     name: str | None = Field(None, description="name of the material, shown in reports")
-    density_kg_m3: Annotated[Number, Quantity("density", gt=0, le=1e5, plausible=_DENSE)] = Field(
-        description="bulk density in the stream"
-    )
+    density_kg_m3: Density = Field(description="bulk density in the stream")
     internal_friction_deg: InternalFrictionAngle = Field(None, description="effective angle of internal friction, δ")
     lump_m: Annotated[Number, Quantity("length", gt=0, le=1e5, plausible=_COARSE)] = Field(
         None, description="size of the largest lump"
@@ -62,12 +68,15 @@ class Material(Table):
     pressure_ratio: Annotated[Number, Quantity("number", gt=0, le=1, plausible=_RATIO)] = Field(
         None, description="K_v, pressure on a vertical wall over that on the centre section; without it δ sets K_v"
     )
+    source: str | None = Field(None, description=SOURCE)
     rules: ClassVar = (some_friction,)
 
 
 class Liner(Table):
     """A wall that the stream slides on: one of a friction angle, a yield locus and the material itself."""
 
+    use: str | None = Field(None, description=USE)
+    name: str | None = Field(None, description="name of the liner, for people")
     friction_deg: FrictionAngle = Field(None, description="wall friction angle")
     yield_locus_kpa: Annotated[Any, Quantity("pressure", ge=0, le=1e6, shape=(None, 2), plausible=_PRESSES)] = Field(
         None,
@@ -85,6 +94,7 @@ class Liner(Table):
     wear_mm3_per_j: Annotated[Number, Quantity("wear rate", gt=0, le=1e9, plausible=_WEARS)] = Field(
         None, description="volume lost per frictional work, measured with the material, for the life of the liner"
     )
+    source: str | None = Field(None, description=SOURCE)
     rules: ClassVar = (one_of("friction_deg", "yield_locus_kpa", "own_material"), locus_rows)
 
 

@@ -18,7 +18,7 @@ def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> d
     Args:
         data: nested tables as the user wrote them.
         changes: key path to value: a number, text, or an array with an entry for each design. The same quantity in
-            another unit is replaced.
+            another unit is replaced. An entry of a library replaces all keys of the table that uses it.
         source: what messages call the spec.
 
     Raises:
@@ -29,7 +29,8 @@ def with_values(data: dict[str, Any], changes: dict[str, Any], source: str) -> d
     """
     changed: dict[str, Any] = _copied(data)
     done: dict[tuple[int, str], str] = {}
-    faults = [fault for path, value in changes.items() if (fault := _put(changed, path, value, done))]
+    in_order = sorted(changes.items(), key=lambda change: not change[0].endswith(".use"))
+    faults = [fault for path, value in in_order if (fault := _put(changed, path, value, done))]
     if faults:
         raise SpecError(faults, source)
     return changed
@@ -82,7 +83,7 @@ def _put(data: dict[str, Any], path: str, value: Any, put: dict[tuple[int, str],
         return Fault(path, problem, remedy, value_text(value))
     if not isinstance(here, dict) or not key:
         return Fault(path, "does not end in a key", "use a path such as segments.1.drop_m", value_text(value))
-    for name in same_quantity(key):
+    for name in [*here] if key == "use" else same_quantity(key):
         here.pop(name, None)
     here[key] = value
     return None

@@ -1,5 +1,6 @@
 """The JSON Schema of a spec: pydantic's own, with every key in each of its units."""
 
+import json
 from typing import Any
 
 from chutecalc.fields.quantity import Quantity
@@ -16,6 +17,11 @@ def json_schema() -> dict[str, Any]:
         if name in tables:
             _add_twins(definition, tables[name].quantities())
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+
+
+def schema_text() -> str:
+    """Return the JSON Schema of a chute spec as the text of a file."""
+    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
 
 
 def _all(table: type[Table]) -> list[type[Table]]:
@@ -37,7 +43,9 @@ def _add_twins(definition: dict[str, Any], quantities: dict[str, Quantity]) -> N
         one = [{"required": [name]} for name in names]
         if key in required:
             required.discard(key)
-            choices.append({"oneOf": one} if len(one) > 1 else one[0])
+            needed = {"oneOf": one} if len(one) > 1 else one[0]
+            in_library = "use" in definition["properties"]
+            choices.append({"anyOf": [{"required": ["use"]}, needed]} if in_library else needed)
         elif len(one) > 1:
             none = {"not": {"anyOf": one}}
             choices.append({"oneOf": [none, *one]})

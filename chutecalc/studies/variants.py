@@ -26,7 +26,7 @@ class Variants:
     >>> chute = chutecalc.parse(chutecalc.STARTER)
     >>> variants = Variants(chute, read_parameters(["radius=1:4:1"], chute), ["exit_velocity_m_s"])
     >>> variants([np.array([2.0, 3.0])])["exit_velocity_m_s"].round(3).tolist()
-    [[3.578, 3.878]]
+    [[5.603, 6.222]]
     """
 
     def __init__(

@@ -19,14 +19,14 @@ from chutecalc.studies.regression.check import check
 from chutecalc.studies.regression.compare import compare
 from chutecalc.studies.regression.designs import find_designs
 from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
-from tests.conftest import ROOT, STANDARD_DESIGNS
+from tests.conftest import LEVEL, ROOT, STANDARD_DESIGNS
 
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch, capsys):
     """Return a folder with one design, spoon.toml, and its baseline."""
     monkeypatch.chdir(tmp_path)
-    Path("spoon.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    Path("spoon.toml").write_text(LEVEL, encoding="utf-8")
     assert main(["check", "--update"]) == 0
     assert capsys.readouterr().out == "wrote spoon.baseline.toml\n1 design: 1 written\n"
     return tmp_path
@@ -64,7 +64,7 @@ def test_what_is_as_it_was_passes_and_is_left_alone(folder, capsys):
 
 
 def test_comments_layout_and_line_ends_are_no_edit(folder, capsys):
-    text = chutecalc.STARTER.replace("\n", "   # as before\r\n").replace("rate_t_h = 1000", "rate_t_h   =  1000")
+    text = LEVEL.replace("\n", "   # as before\r\n").replace("rate_t_h = 1000", "rate_t_h   =  1000")
     Path("spoon.toml").write_bytes(text.encode())
     assert main(["check"]) == 0
 
@@ -78,7 +78,7 @@ def test_a_changed_liner_is_an_edited_spec_and_all_that_drifted_is_told_with_its
         "  the spec has been edited since its baseline was written; if that is intended, run check --update",
     ]
     numbers, places = (line.split() for line in lines if line.split()[:1] == ["velocity_m_s"])  # two tables: 80 columns
-    before = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).exit_velocity[0]
+    before = chutecalc.solve(chutecalc.parse(LEVEL)).exit_velocity[0]
     after = chutecalc.solve(chutecalc.load("spoon.toml")).exit_velocity[0]
     # it is right at the start of the spoon, off at the first station behind it, and most at its end
     places = [*numbers[4:], *places[1:]]
@@ -235,7 +235,7 @@ def test_a_removed_segment(folder, capsys):
     document["segments"] = [kept[0], kept[1] | {"kind": "straight"}]
     rewrite(document)
     assert outcome(capsys) == (1, "changed", ["segment spoon is a curve; in the baseline it is a straight"])
-    edit("spoon.toml", chutecalc.STARTER[chutecalc.STARTER.index('[[segments]]\nname = "spoon"') :], "")
+    edit("spoon.toml", LEVEL[LEVEL.index('[[segments]]\nname = "spoon"') :], "")
     status, word, messages = outcome(capsys)
     assert (status, word) == (1, "edited")
     assert "segment spoon is in the baseline only" in messages
@@ -325,7 +325,7 @@ def test_a_broken_baseline(folder, capsys, old, new, message):
 
 
 def test_a_bad_spec_ends_with_2_and_nothing_is_written(folder, capsys):
-    Path("other.toml").write_text(chutecalc.STARTER.replace("radius_m = 3.0", "radius_m = -3.0"), encoding="utf-8")
+    Path("other.toml").write_text(LEVEL.replace("radius_m = 3.0", "radius_m = -3.0"), encoding="utf-8")
     assert main(["check", "--update", "--junit", "check.xml"]) == 2
     line = 1 + Path("other.toml").read_text(encoding="utf-8").splitlines().index("radius_m = -3.0")
     assert f"other.toml:{line}: segments.2.radius_m = -3.0 must be greater than 0 m" in capsys.readouterr().err
@@ -333,9 +333,7 @@ def test_a_bad_spec_ends_with_2_and_nothing_is_written(folder, capsys):
 
 
 def test_a_fault_that_shows_only_in_solving_is_told_too(folder, capsys):
-    text = chutecalc.STARTER.replace('kind = "curve" ', 'kind = "hood" ').replace(
-        "to_slope_deg = 0", "to_slope_deg = 80"
-    )
+    text = LEVEL.replace('kind = "curve" ', 'kind = "hood" ').replace("to_slope_deg = 0", "to_slope_deg = 80")
     text = text.replace("velocity_m_s = 0.0", "velocity_m_s = 1.0").replace("slope_deg = 90", "slope_deg = 60")
     Path("hood.toml").write_text(text, encoding="utf-8")
     with pytest.raises(SpecError) as raised:
@@ -347,8 +345,8 @@ def test_a_fault_that_shows_only_in_solving_is_told_too(folder, capsys):
 def test_what_a_folder_holds(folder, capsys):
     Path("deep/er").mkdir(parents=True)
     Path(".hidden").mkdir()
-    Path("deep/er/one.toml").write_text(chutecalc.STARTER, encoding="utf-8")
-    Path(".hidden/two.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    Path("deep/er/one.toml").write_text(LEVEL, encoding="utf-8")
+    Path(".hidden/two.toml").write_text(LEVEL, encoding="utf-8")
     Path("settings.toml").write_text("[tool]\nline = 1\n", encoding="utf-8")
     found = find_designs(["deep", ".", "spoon.baseline.toml", "spoon.toml"])
     assert [chute.source for chute in found.chutes] == [os.path.join("deep", "er", "one.toml"), "spoon.toml"]
@@ -380,7 +378,7 @@ def test_wrong_commands_end_with_2_and_change_nothing(folder, capsys, arguments,
 
 
 def test_junit_tells_each_design_and_each_failure(folder, capsys):
-    Path("other.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    Path("other.toml").write_text(LEVEL, encoding="utf-8")
     edit("spoon.baseline.toml", "velocity_m_s = 6.", "velocity_m_s = 6.1")
     assert main(["check", "--junit", "check.xml"]) == 1
     (suite,) = ElementTree.parse("check.xml").getroot()
@@ -447,7 +445,7 @@ def test_no_more_digits_than_the_tolerance_needs():
 
 def test_many_designs_are_solved_by_several_processes_with_the_same_verdicts(folder):
     for number in range(6):
-        text = chutecalc.STARTER.replace("rate_t_h = 1000", f"rate_t_h = {1000 + number}")
+        text = LEVEL.replace("rate_t_h = 1000", f"rate_t_h = {1000 + number}")
         Path(f"design_{number}.toml").write_text(text, encoding="utf-8")
     chutes = find_designs(["."]).chutes
     alone = [item._replace(seconds=0.0) for item in check(chutes, update=True, processes=1)]

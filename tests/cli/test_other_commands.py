@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
 import jsonschema
 import pytest
@@ -16,8 +17,9 @@ from chutecalc.design import Status
 from chutecalc.results.columns import COLUMNS
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
+from chutecalc.spec.examples import examples
 from chutecalc.spec.limits import LIMITS
-from tests.conftest import STANDARD_DESIGNS
+from tests.conftest import ROOT, STANDARD_DESIGNS
 
 
 def test_new_writes_a_spec_that_runs_and_never_overwrites(capsys, tmp_path, monkeypatch):
@@ -31,8 +33,47 @@ def test_new_writes_a_spec_that_runs_and_never_overwrites(capsys, tmp_path, monk
     assert "chute.toml already exists" in capsys.readouterr().err
     assert (tmp_path / "chute.toml").read_text(encoding="utf-8") == "mine"
     assert main(["new", "no/such/folder.toml"]) == 2
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["chute.schema.json", "chute.toml"]
     assert main(["new", "-"]) == 0
     assert capsys.readouterr().out == chutecalc.STARTER
+    monkeypatch.setattr("chutecalc.spec.starter.STARTER", chutecalc.STARTER + "\ud800")  # cannot be encoded
+    assert main(["new", "other.toml"]) == 70
+    assert not (tmp_path / "other.toml").exists()
+
+
+def test_the_first_line_of_a_new_spec_leads_editors_to_a_schema_that_it_satisfies(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "sub").mkdir()
+    assert main(["new", "sub/chute.toml"]) == 0
+    schema = Path("sub", "chute.schema.json")
+    assert capsys.readouterr().out.startswith(f"wrote sub/chute.toml, and {schema} for editors")
+    first, _, rest = Path("sub/chute.toml").read_text(encoding="utf-8").partition("\n")
+    assert rest == chutecalc.STARTER
+    assert Path("sub", first.removeprefix("#:schema ")) == schema
+    assert main(["schema"]) == 0
+    assert capsys.readouterr().out == schema.read_text(encoding="utf-8")
+    jsonschema.validate(tomllib.loads(rest), json.loads(schema.read_text(encoding="utf-8")))
+    schema.write_text("mine", encoding="utf-8")
+    assert main(["new", "sub/other.toml"]) == 0
+    assert capsys.readouterr().out.startswith("wrote sub/other.toml. To run it")
+    assert schema.read_text(encoding="utf-8") == "mine"
+
+
+def test_new_writes_and_lists_every_standard_design(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names = {path.relative_to(ROOT / "specs").with_suffix("").as_posix(): path for path in STANDARD_DESIGNS}
+    assert set(examples()) == set(names)
+    assert main(["new", "--list"]) == 0
+    out = capsys.readouterr().out
+    for name, path in names.items():
+        title = tomllib.loads(path.read_text(encoding="utf-8"))["title"]
+        assert re.search(rf"^{name} +{re.escape(title[:30])}", out, re.MULTILINE)
+    assert main(["new", "--example", "paper/r1_d30_square"]) == 0
+    written = Path("r1_d30_square.toml").read_text(encoding="utf-8")
+    assert written.partition("\n")[2] == names["paper/r1_d30_square"].read_text(encoding="utf-8")
+    assert main(["new", "--example", "belt_hood_spon"]) == 2
+    assert "Did you mean belt_hood_spoon?" in capsys.readouterr().err
+    assert main(["new", "--list", "chute.toml"]) == 2
 
 
 def uncommented(text):
@@ -56,10 +97,10 @@ def test_the_starter_names_every_shape_and_kind_and_its_comments_are_toml():
     assert {"inlet", "receiver"} <= {key for block in blocks for key in block}
 
 
-def test_the_starter_runs_and_draws_what_its_level_end_does_alone(capsys, tmp_path):
+def test_the_starter_runs_and_has_no_findings():
     solution = chutecalc.solve(chutecalc.parse(chutecalc.STARTER))
     assert solution.status.tolist() == ["ok"]
-    assert [finding.code for finding in solution.findings()] == ["below_cut_off", "will_not_clear"]
+    assert solution.findings() == []
 
 
 def test_limits_are_listed_with_their_defaults_and_sources(capsys):
@@ -111,10 +152,8 @@ def test_version_and_help(capsys):
     assert capsys.readouterr().out == f"chutecalc {chutecalc.__version__}{form}\n"
     assert main(["--help"]) == 0
     listed = capsys.readouterr().out
-    for command in ("run", "sweep", "aim", "optimise", "check", "dem", "new", "schema", "columns"):
-        assert command in listed
-    for later in ("uncertainty", "explain"):
-        assert later not in listed
+    commands = listed[listed.index("Commands:") : listed.index("Exit status:")]
+    assert re.findall(r"^  ([a-z]+) ", commands, re.MULTILINE) == list(COMMANDS)
     assert main(["run", "-h"]) == 0
     assert "--stations" in capsys.readouterr().out
 
@@ -146,7 +185,7 @@ def test_version_and_help(capsys):
             "--set flow.rate_t_h=2,5: 2,5 is not a number. Write a decimal point: 2.5",
         ),
         ("new no/such/a.toml", "no/such/a.toml cannot be written: there is no folder no/such. Create it first.\n"),
-        ("new .", ". is a folder. Name a file in it.\n"),
+        ("new .", ". is a folder: name a file in it\n"),
         ("new a b", "b is more than the command takes. For example: chutecalc new\n"),
     ],
 )

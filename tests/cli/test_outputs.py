@@ -158,14 +158,6 @@ def test_help_says_what_each_exit_status_means(capsys):
     assert all(len(line) <= 80 for line in shown.splitlines())
 
 
-@pytest.mark.parametrize("command", ["run", "sweep", "check", "dem", "new", "schema", "columns"])
-def test_help_has_examples(command, capsys):
-    assert main([command, "--help"]) == 0
-    examples = capsys.readouterr().out.partition("Examples:")[2].strip().splitlines()
-    assert all(line.strip().startswith(f"chutecalc {command}") for line in examples)
-    assert examples
-
-
 def test_a_name_too_long_for_the_file_that_is_written_first_is_found_before_the_work(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.api.solve.solve", lambda *_: pytest.fail("solved"))
     assert main(["run", SPOON, "--csv", str(tmp_path / ("x" * 250))]) == ExitStatus.USAGE

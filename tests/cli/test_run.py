@@ -13,9 +13,9 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.results.columns import COLUMNS
-from tests.conftest import ROOT
+from tests.conftest import LEVEL, ROOT
 
-STALLS = chutecalc.STARTER.replace("friction_deg = 25 ", "friction_deg = 40 ").replace("drop_m = 2.0", "drop_m = 0.2")
+STALLS = LEVEL.replace("friction_deg = 25 ", "friction_deg = 40 ").replace("drop_m = 2.0", "drop_m = 0.2")
 
 
 @pytest.fixture
@@ -110,9 +110,7 @@ def test_json_of_one_and_of_several(capsys, starter, stalling):
 
 
 def test_a_flight_that_is_no_segment_stands_under_the_segment_it_leads_to(capsys, tmp_path):
-    text = chutecalc.STARTER.replace('kind = "curve" ', 'kind = "straight" ').replace(
-        "radius_m = 3.0", "length_m = 3.0"
-    )
+    text = LEVEL.replace('kind = "curve" ', 'kind = "straight" ').replace("radius_m = 3.0", "length_m = 3.0")
     text = text.replace("to_slope_deg = 0", "slope_deg = 50").replace("velocity_m_s = 0.0", "velocity_m_s = 3.0")
     path = tmp_path / "edge.toml"
     path.write_text(
@@ -185,7 +183,7 @@ def test_strict_makes_warnings_count(capsys, starter):
 
 
 def test_a_spec_from_standard_input(capsys, monkeypatch):
-    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(chutecalc.STARTER.encode()), encoding="utf-8"))
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(LEVEL.encode()), encoding="utf-8"))
     assert main(["run", "-"]) == 0
     assert "standard input" in capsys.readouterr().out
 
@@ -212,7 +210,7 @@ def test_a_spec_from_standard_input(capsys, monkeypatch):
 )
 def test_wrong_commands_end_with_2_say_why_and_leave_nothing(arguments, words, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "a.toml").write_text(chutecalc.STARTER, encoding="utf-8")
+    (tmp_path / "a.toml").write_text(LEVEL, encoding="utf-8")
     (tmp_path / "folder").mkdir()
     assert main(arguments) == 2
     shown = capsys.readouterr()
@@ -223,7 +221,7 @@ def test_wrong_commands_end_with_2_say_why_and_leave_nothing(arguments, words, c
 
 def test_all_faults_of_all_specs_and_nothing_solved(capsys, tmp_path, starter):
     for name in ("one", "two"):
-        text = chutecalc.STARTER.replace("rate_t_h = 1000", "rate = 1000").replace("radius_m = 3.0", "radius_m = -3.0")
+        text = LEVEL.replace("rate_t_h = 1000", "rate = 1000").replace("radius_m = 3.0", "radius_m = -3.0")
         (tmp_path / f"{name}.toml").write_text(text, encoding="utf-8")
     assert main(["run", str(starter), str(tmp_path / "one.toml"), str(tmp_path / "two.toml")]) == 2
     shown = capsys.readouterr()

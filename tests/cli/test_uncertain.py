@@ -10,7 +10,7 @@ import pytest
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.output.printer import PIPE_WIDTH
-from tests.conftest import ROOT
+from tests.conftest import LEVEL, ROOT
 
 HOOD = str(ROOT / "specs/coal_hood_spoon.toml")
 TABLE = """
@@ -27,7 +27,7 @@ TABLE = """
 @pytest.fixture
 def spoon(tmp_path):
     path = tmp_path / "spoon.toml"
-    path.write_text(chutecalc.STARTER + TABLE, encoding="utf-8")
+    path.write_text(LEVEL + TABLE, encoding="utf-8")
     return str(path)
 
 
@@ -164,7 +164,7 @@ def test_limits_margins_and_warnings(capsys, spoon, tmp_path):
 def test_a_chute_that_ends_in_a_fall_has_no_row_of_depth(capsys, tmp_path):
     file = tmp_path / "fall.toml"
     fall = '\n[[segments]]\nname = "end"\nkind = "fall"\ndrop_m = 1.0\n'
-    file.write_text(chutecalc.STARTER + fall + '\n[uncertainty]\n"flow.rate_t_h" = 100\n', encoding="utf-8")
+    file.write_text(LEVEL + fall + '\n[uncertainty]\n"flow.rate_t_h" = 100\n', encoding="utf-8")
     lines = told(capsys, "uncertain", str(file), "--samples", "256").splitlines()
     assert not any(line.startswith("exit depth") for line in lines)
     assert "no sample has: exit depth" in lines
@@ -172,7 +172,7 @@ def test_a_chute_that_ends_in_a_fall_has_no_row_of_depth(capsys, tmp_path):
 
 def test_where_every_sample_fails_that_is_said(capsys, tmp_path):
     file = tmp_path / "stalls.toml"
-    text = chutecalc.STARTER.replace("friction_deg = 25 ", "friction_deg = 70 ")
+    text = LEVEL.replace("friction_deg = 25 ", "friction_deg = 70 ")
     file.write_text(text + '\n[uncertainty]\n"flow.rate_t_h" = 100\n', encoding="utf-8")
     lines = told(capsys, "uncertain", str(file), "--samples", "256", "--limit", "max_depth_m<=0.2").splitlines()
     assert "nothing comes out: every sample fails" in lines
@@ -194,7 +194,7 @@ def test_what_is_infinite_is_no_value(capsys, tmp_path):
 def test_what_is_cut_off_is_told(capsys, tmp_path):
     file = tmp_path / "cut.toml"
     table = '\n[uncertainty]\n"liners.ceramic.friction_deg" = { normal = 12 }\n"flow.rate_t_h" = 100\n'
-    file.write_text(chutecalc.STARTER + table, encoding="utf-8")
+    file.write_text(LEVEL + table, encoding="utf-8")
     document = str(tmp_path / "cut.json")
     out = " ".join(told(capsys, "uncertain", str(file), "--samples", "256", "--json", document).split())
     path = "liners.ceramic.friction_deg"

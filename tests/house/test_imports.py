@@ -20,6 +20,7 @@ LEVELS = [
     {"api"},
     {"studies"},
     {"dem"},
+    {"glossary"},
     {"cli"},
 ]
 LEVEL = {room: level for level, rooms in enumerate(LEVELS) for room in rooms}

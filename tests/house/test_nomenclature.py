@@ -3,13 +3,15 @@
 import re
 
 from chutecalc.fields.table import Table
+from chutecalc.glossary.columns import CATALOGUES, ROW_PREFIXES
+from chutecalc.glossary.symbols import OF_KEYS
 from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.findings import CRITERIA
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
 from chutecalc.spec import chute_spec as model
 from chutecalc.studies.sweep.columns import row_columns
-from tests.nomenclature import CATALOGUES, PAGE, ROW_PREFIXES, SYMBOLS, renewed
+from tests.nomenclature import PAGE, renewed
 
 TEXT = PAGE.read_text(encoding="utf-8")
 
@@ -24,7 +26,7 @@ def test_every_column_and_every_symbol_stands_there():
         assert f"| `{column.name}` | {column.words} |" in TEXT
         assert not column.symbol or {*column.symbol.split("/")} <= symbols, column.symbol
         assert re.fullmatch(r"(Paper Eq \d+|Roberts \(2003\))?", column.source), column.source
-    assert {*SYMBOLS.values()} - {""} <= symbols
+    assert {*OF_KEYS.values()} - {""} <= symbols
 
 
 def test_every_column_of_a_sweep_stands_there():

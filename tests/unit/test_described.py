@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 import chutecalc
-from tests.conftest import ROOT, chute
+from tests.conftest import LEVEL, ROOT, chute
 
 
 @pytest.fixture(scope="module")
 def spoon():
-    return chutecalc.parse(chutecalc.STARTER)
+    return chutecalc.parse(LEVEL)
 
 
 def test_public_names_are_listed():

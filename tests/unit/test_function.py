@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 import chutecalc
 from tests import seeds
-from tests.conftest import chute
+from tests.conftest import LEVEL, chute
 from tests.robustness.chutes import random_specs
 
 OUTPUTS = ("exit_velocity_m_s", "exit_depth_m", "exit_wear_w_m2", "exit_x_m", "error_estimate")
@@ -18,7 +18,7 @@ SPOON = "segments.spoon.radius_m"
 
 
 def starter():
-    return chutecalc.parse(chutecalc.STARTER)
+    return chutecalc.parse(LEVEL)
 
 
 def numbers(table, path=""):

@@ -11,7 +11,7 @@ import numpy as np
 from chutecalc.design import Status
 from chutecalc.physics.arrays import Array, Mask, Numbers
 from chutecalc.registry import load_modules
-from chutecalc.results.criterion import CRITERIA
+from chutecalc.results.criterion import CRITERIA as CRITERIA
 from chutecalc.results.edges import Edge
 from chutecalc.results.finding import Finding, Severity
 from chutecalc.results.part import Part, leaving

@@ -76,9 +76,9 @@ def aim(
 
     >>> import chutecalc
     >>> spoon = chutecalc.parse(chutecalc.STARTER)
-    >>> found = chutecalc.aim(spoon, {"segments.spoon.radius_m": (1, 4)}, {"exit_velocity_m_s": 4.0})
+    >>> found = chutecalc.aim(spoon, {"segments.spoon.radius_m": (1, 4)}, {"exit_velocity_m_s": 6.0})
     >>> found, found.values["segments.spoon.radius_m"].round(4)
-    (<Aim at exit_velocity_m_s = 4: 1 solution>, array([3.4265]))
+    (<Aim at exit_velocity_m_s = 6: 1 solution>, array([2.6297]))
     """
     return find_aim(chute, read_keys(key_arguments(keys), chute), targets, case, columns, jobs)
 

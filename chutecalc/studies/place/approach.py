@@ -12,6 +12,7 @@ from chutecalc.errors import UsageError
 from chutecalc.fields.units import same_quantity
 from chutecalc.segments.registry import KINDS
 from chutecalc.spec.frozen import FALL
+from chutecalc.spec.library import Library
 from chutecalc.spec.operating import case_values
 from chutecalc.spec.paths import item_names
 from chutecalc.studies.place.strike import Launch
@@ -41,7 +42,9 @@ def lacks_place(tables: list[dict[str, Any]], number: int) -> bool:
     return guides and before.get("onto_next") is True and not tables[number].keys() & {*START}
 
 
-def chute_up_to(data: dict[str, Any], number: int, table: dict[str, Any], source: str) -> Chute:
+def chute_up_to(
+    data: dict[str, Any], number: int, table: dict[str, Any], source: str, library: Library | None
+) -> Chute:
     """Return the chute up to a segment, which lies after a flight.
 
     Args:
@@ -49,20 +52,22 @@ def chute_up_to(data: dict[str, Any], number: int, table: dict[str, Any], source
         number: of the segment, from 0.
         table: of the segment, with its place.
         source: name of the spec in messages.
+        library: that the spec may use.
 
     Raises:
         SpecError: the spec has faults.
     """
-    return chute_of(data, [*data["segments"][: max(number - 1, 0)], ONTO_NEXT, table], source)
+    return chute_of(data, [*data["segments"][: max(number - 1, 0)], ONTO_NEXT, table], source, library)
 
 
-def chute_of(data: dict[str, Any], segments: list[dict[str, Any]], source: str) -> Chute:
+def chute_of(data: dict[str, Any], segments: list[dict[str, Any]], source: str, library: Library | None) -> Chute:
     """Return a chute of other segments, without what need not be there yet.
 
     Args:
         data: tables of the spec.
         segments: tables of its segments.
         source: name of the spec in messages.
+        library: that the spec may use.
 
     Raises:
         SpecError: the spec has faults.
@@ -71,7 +76,7 @@ def chute_of(data: dict[str, Any], segments: list[dict[str, Any]], source: str) 
     if isinstance(cases := own.get("cases"), dict):
         names = item_names(segments)
         own["cases"] = {name: _known(case, names) if isinstance(case, dict) else case for name, case in cases.items()}
-    return Chute(own | {"segments": segments}, source)
+    return Chute(own | {"segments": segments}, source, library=library)
 
 
 def _known(case: Mapping[str, Any], names: list[str]) -> dict[str, Any]:
@@ -84,24 +89,25 @@ def _known(case: Mapping[str, Any], names: list[str]) -> dict[str, Any]:
     return known
 
 
-def launch_to(data: dict[str, Any], number: int, source: str) -> Launch:
+def launch_to(data: dict[str, Any], number: int, source: str, library: Library | None) -> Launch:
     """Return the stream where the flight to a segment begins: at the inlet, or where it leaves what comes before.
 
     Args:
         data: tables of the spec.
         number: of the segment, from 0.
         source: name of the spec in messages.
+        library: that the spec may use.
 
     Raises:
         UsageError: it does not get that far.
         SpecError: the spec has faults.
     """
     if number < 2:
-        design = chute_of(data, [A_FALL], source).design
+        design = chute_of(data, [A_FALL], source, library).design
         start, velocity = design.inlet_position, design.inlet_velocity.item()
         slope = design.inlet_slope.item() if velocity else np.pi / 2
         return Launch(start[0].item(), start[1].item(), slope, velocity, design.gravity.item())
-    solution = solve(chute_of(data, data["segments"][: number - 1], source), RTOL)
+    solution = solve(chute_of(data, data["segments"][: number - 1], source, library), RTOL)
     status, ends = str(solution.status[0]), solution.trajectory.ends
     if status == "ok":
         at = ends.x, ends.z, ends.slope, ends.velocity

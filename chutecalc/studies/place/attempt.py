@@ -9,6 +9,7 @@ from chutecalc.api.chute import Chute
 from chutecalc.api.solve import solve
 from chutecalc.design import Contact
 from chutecalc.fields.units import same_quantity
+from chutecalc.spec.library import Library
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.place.approach import RTOL, chute_up_to
 from chutecalc.studies.place.stand import length_of, stand_for, start_of
@@ -50,6 +51,8 @@ class Attempt(NamedTuple):
     """Where the flight to it begins."""
     wish: Wish
     source: str
+    library: Library | None = None
+    """That the spec may use."""
 
     def drawn(self) -> Drawn:
         """Return the segment where it is struck as wanted.
@@ -94,7 +97,7 @@ class Attempt(NamedTuple):
         own = {"start_m": list(start)} | slopes
         replaced = {other for key in own for other in same_quantity(key)}
         table = {key: value for key, value in self.data["segments"][self.number].items() if key not in replaced}
-        return chute_up_to(self.data, self.number, table | own, self.source)
+        return chute_up_to(self.data, self.number, table | own, self.source, self.library)
 
     def _at(self, share: float) -> Drawn | None:
         """Return the segment with a share before the strike; None if that cannot be."""

@@ -3,18 +3,20 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
+from pathlib import Path
 from typing import Any
 
 import tomli_w
 
 from chutecalc.api.cases import solve_cases
 from chutecalc.api.chute import Chute
-from chutecalc.api.load import checked
+from chutecalc.api.load import checked, library_for
 from chutecalc.api.written import text_of
 from chutecalc.errors import UsageError
 from chutecalc.results.cases import Cases
 from chutecalc.segments.registry import KINDS
 from chutecalc.spec.frozen import FALL, Drawn, frozen_text
+from chutecalc.spec.library import Library
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.spec.parse import parse_text
 from chutecalc.spec.paths import is_number, item_names
@@ -67,7 +69,10 @@ class Placement:
 
 
 def place(
-    spec: str | Mapping[str, Any] | Chute, wishes: Mapping[str, Mapping[str, float | str]], source: str = "spec"
+    spec: str | Mapping[str, Any] | Chute,
+    wishes: Mapping[str, Mapping[str, float | str]],
+    source: str = "spec",
+    library: str | Path | Library | None = None,
 ) -> Placement:
     """Place segments so that the stream strikes them as wanted.
 
@@ -82,6 +87,7 @@ def place(
             stays as it is. The share ``"edges"`` is the least with which all edges of the stream strike the segment, at
             the design point and in each case; ``"edges+0.05"`` is that with a margin.
         source: name of the spec in messages.
+        library: of materials and liners that the spec may use, or its file; a chute has its own.
 
     Raises:
         UsageError: a wish cannot be had. The message says what is the nearest that can.
@@ -95,13 +101,14 @@ def place(
     ({'from_slope_deg': 80.0}, 10.0)
     """
     text, source = _text_of(spec, source)
+    given = library_for(parse_text(text, source), spec.library if isinstance(spec, Chute) else library)
     original, placed = text, []
-    for name, given in _in_order(parse_text(text, source), wishes, source):
+    for name, wanted in _in_order(parse_text(text, source), wishes, source):
         data = parse_text(text, source)
-        number, wish = item_names(data["segments"]).index(name), read_wish(name, given)
+        number, wish = item_names(data["segments"]).index(name), read_wish(name, wanted)
         _check_before(data["segments"], number, name, source)
         try:
-            drawn = Attempt(data, number, launch_to(data, number, source), wish, source).drawn()
+            drawn = Attempt(data, number, launch_to(data, number, source, given), wish, source, given).drawn()
         except (NotReachedError, UsageError) as error:
             raise UsageError(f"{source}: {name} cannot be placed so: {error}") from None
         text = frozen_text(text, {number: Drawn(drawn.start, drawn.slopes)})
@@ -113,7 +120,7 @@ def place(
     names = item_names(data["segments"])
     if any(lacks_place(data["segments"], number) for number in range(len(names))):
         return Placement(text, tuple(placed), None)
-    cases = solve_cases(checked(Chute(data, source, original)))
+    cases = solve_cases(checked(Chute(data, source, original, library=given)))
     for each in placed:
         for state, solution in cases.solutions.items():
             each.strikes.setdefault(state, struck_by(solution, names.index(each.name)))

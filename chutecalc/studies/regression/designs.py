@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from chutecalc.api.chute import Chute
+from chutecalc.api.load import library_for
 from chutecalc.errors import AllSpecsError, Fault, SpecError, UsageError
 from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
 from chutecalc.studies.regression.record import baseline_path, spec_path
@@ -23,7 +24,7 @@ class Designs(NamedTuple):
     """Baselines without a spec."""
 
 
-def find_designs(paths: Iterable[str]) -> Designs:
+def find_designs(paths: Iterable[str], library: str | None = None) -> Designs:
     """Read and check the designs in files and folders, each once, in the order given.
 
     In a folder these are all TOML files at any depth that have a baseline beside them, or a table ``flow`` or
@@ -31,6 +32,7 @@ def find_designs(paths: Iterable[str]) -> Designs:
 
     Args:
         paths: Specs, baselines and folders.
+        library: File of the materials and liners that specs may use; else the one beside each.
 
     Raises:
         AllSpecsError: All faults of all specs.
@@ -52,7 +54,7 @@ def find_designs(paths: Iterable[str]) -> Designs:
             orphaned.append(file)
             continue
         try:
-            chute = _read(file, named or baseline_path(file).exists())
+            chute = _read(file, named or baseline_path(file).exists(), library)
         except SpecError as error:
             errors.append(error)
         else:
@@ -84,10 +86,12 @@ def _below(folder: Path) -> Iterator[Path]:
         yield from (Path(here, name) for name in sorted(files) if name.endswith(".toml"))
 
 
-def _read(file: Path, sure: bool) -> Chute | None:
+def _read(file: Path, sure: bool, library: str | None) -> Chute | None:
     """Read a design, or None from TOML that need not be a spec and is not."""
     if not file.exists() and file.suffix != ".toml":
         raise SpecError([Fault("", "there is no such file or folder", "check the name")], str(file))
     text = read_text(file)
     data = parse_text(text, str(file))
-    return Chute(data, str(file), text) if sure or MARKS & data.keys() else None
+    if not (sure or MARKS & data.keys()):
+        return None
+    return Chute(data, str(file), text, library=library_for(data, library, file))

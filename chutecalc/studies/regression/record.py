@@ -88,7 +88,7 @@ def baseline_of(
     >>> import chutecalc
     >>> spoon = chutecalc.parse(chutecalc.STARTER)
     >>> baseline_of(spoon, chutecalc.solve(spoon), []).segments[1].stations[4]["velocity_m_s"].__round__(3)
-    3.878
+    6.222
     """
     return Baseline(
         format=1,

@@ -55,7 +55,7 @@ class Sensitivity:
 
         >>> import chutecalc
         >>> chutecalc.sensitivity(chutecalc.parse(chutecalc.STARTER))
-        <Sensitivity of exit_velocity_m_s to 11 keys: liners.ceramic.friction_deg, segments.fall.drop_m, ...>
+        <Sensitivity of exit_velocity_m_s to 11 keys: liners.ceramic.friction_deg, segments.spoon.radius_m, ...>
         """
         return f"<{self._described()}: {', '.join(self.paths[:2])}, ...>"
 
@@ -89,7 +89,7 @@ def sensitivity(
     >>> import chutecalc
     >>> found = chutecalc.sensitivity(chutecalc.parse(chutecalc.STARTER))
     >>> dict(zip(found.paths, found.per_unit.round(2).tolist()))["liners.ceramic.friction_deg"]
-    -6.59
+    -1.87
     """
     check_tolerance(rtol)
     if chute.count != 1:

@@ -41,7 +41,7 @@ def design_rows(
     >>> import chutecalc
     >>> chute = chutecalc.parse(chutecalc.STARTER)
     >>> design_rows(chute, 1, ["exit_velocity_m_s"], 1e-10)["exit_velocity_m_s"].round(3).tolist()
-    [3.878]
+    [6.222]
     """
     impacts = [name for name in columns if name.startswith(f"{IMPACT}_")]
     along = [name for name in columns if name not in impacts]

@@ -38,7 +38,7 @@ class Uncertainty(Outcome):
 
         >>> import chutecalc
         >>> chutecalc.uncertain(chutecalc.parse(chutecalc.STARTER + '[uncertainty]\n"flow.rate_t_h" = 100'))
-        <Uncertainty of 16384 samples: exit_velocity_m_s 3.878 (5 to 95 %: 3.866 to 3.891), 0 % fail>
+        <Uncertainty of 16384 samples: exit_velocity_m_s 6.222 (5 to 95 %: 6.217 to 6.227), 0 % fail>
         """
         return f"<{self._described()}>"
 
