@@ -1,6 +1,6 @@
 """The quantities that a spec gives, with their keys and numbers as written."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,6 +9,7 @@ from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.table import Table
 from chutecalc.fields.units import convert, first_unit, unit_keys
 from chutecalc.physics.arrays import Array
+from chutecalc.spec.inputs import given_keys
 
 
 class Given(NamedTuple):
@@ -45,41 +46,21 @@ class Given(NamedTuple):
         return {unit: key for key, unit in unit_keys(self.key, self.quantity.dimension).items()}
 
 
-def given_quantities(table: Table, data: Any, path: str = "") -> Iterator[Given]:
-    """Yield the quantities of a table and of the tables in it that are given, in the order of its keys.
+def given_quantities(table: Table, data: Mapping[str, Any]) -> Iterator[Given]:
+    """Yield the quantities of a table and of the tables in it that are given, in the order in which they are written.
 
     Args:
         table: a checked table.
         data: the same as written.
-        path: of the table, with a dot behind, or empty.
 
     >>> from chutecalc.spec.chute_spec import Flow
     >>> [(one.path, one.unit, one.written) for one in given_quantities(Flow(rate_kg_s=250.0), {"rate_kg_s": 250.0})]
     [('rate_kg_s', 'kg_s', 250.0)]
     """
-    for name in type(table).model_fields:
-        if name not in table.model_fields_set:
-            continue
-        quantity = table.quantities().get(name)
-        if quantity is not None:
-            key, unit = next(item for item in unit_keys(name, quantity.dimension).items() if item[0] in data)
-            yield Given(f"{path}{key}", name, unit, quantity, data[key])
-            continue
-        below = getattr(table, name)
-        entries: Any = [("", below)]
-        if isinstance(below, dict):
-            entries = below.items()
-        elif isinstance(below, list):
-            entries = enumerate(below)
-        for item, entry in entries:
-            if isinstance(entry, Table):
-                inner, step = (data[name], "") if item == "" else (data[name][item], f"{_step(item)}.")
-                yield from given_quantities(entry, inner, f"{path}{name}.{step}")
-
-
-def _step(item: Any) -> str:
-    """Return a part of a path: a name, or the number of a list item from 1."""
-    return str(item + 1) if isinstance(item, int) else str(item)
+    for key in given_keys(table, data):
+        if key.quantity is not None:
+            path = ".".join(str(item + 1) if isinstance(item, int) else item for item in key.location)
+            yield Given(path, key.name, key.unit, key.quantity, key.written)
 
 
 def _flat(written: Any) -> Iterator[Any]:
