@@ -12,6 +12,7 @@ import typer
 from chutecalc.cli.options import OptionGroup, option
 from chutecalc.errors import UsageError
 from chutecalc.output.dataset import without_negative_zeros
+from chutecalc.output.dxf import check_drawing
 from chutecalc.output.extras import CHART, require_extra
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
@@ -31,6 +32,8 @@ class Outputs(OptionGroup):
 
     picture: ClassVar[str] = ""
     """What ``--plot`` draws. Without it there is no such option."""
+    drawing: ClassVar[str] = ""
+    """What ``--dxf`` draws. Without it there is no such option."""
     charted: ClassVar[str] = ""
     """What ``--chart`` shows. Without it there is no such option."""
     has_units: ClassVar[bool] = False
@@ -39,6 +42,7 @@ class Outputs(OptionGroup):
     def __init__(
         self,
         plot: str | None = None,
+        dxf: str | None = None,
         chart: bool = False,
         units: str = Units.METRIC,
         debug: bool = False,
@@ -48,12 +52,13 @@ class Outputs(OptionGroup):
 
         Args:
             plot: file of the picture.
+            dxf: file of the drawing.
             chart: whether to show a chart.
             units: units of tables, charts and pictures, ``metric`` or ``us``.
             debug: read from the command line by ``main`` alone.
             **files: data file by name of its format, ``-`` for standard output.
         """
-        self.plot, self.chart, self.units = plot, chart, units
+        self.plot, self.dxf, self.chart, self.units = plot, dxf, chart, units
         self.files = {name: file for name, file in files.items() if file is not None}
 
     @classmethod
@@ -66,6 +71,9 @@ class Outputs(OptionGroup):
         if cls.picture:
             text = f"Draw {cls.picture} ({ENDINGS}; extra plot)."
             found.append(option("plot", str | None, typer.Option(None, metavar="FILE", help=text)))
+        if cls.drawing:
+            text = f"Draw {cls.drawing} in mm, for CAD (.dxf; extra dxf)."
+            found.append(option("dxf", str | None, typer.Option(None, metavar="FILE", help=text)))
         if cls.charted:
             text = f"Show {cls.charted} as a small chart (extra chart)."
             found.append(option("chart", bool, typer.Option(False, "--chart", help=text)))
@@ -93,12 +101,16 @@ class Outputs(OptionGroup):
             ExtraMissingError: an optional library is not installed.
             OutputError: a file cannot be opened.
         """
-        targets = {f"--{name}": file for name, file in {**self.files, "plot": self.plot, **others}.items()}
+        targets = {
+            f"--{name}": file for name, file in {**self.files, "plot": self.plot, "dxf": self.dxf, **others}.items()
+        }
         check_targets(targets, inputs)
         for name, file in self.files.items():
             _check_format(output_formats()[name], file)
         if self.plot is not None:
             picture_format(self.plot)
+        if self.dxf is not None:
+            check_drawing(self.dxf)
         if self.chart:
             require_extra("--chart", CHART)
         for target in targets.values():

@@ -12,7 +12,8 @@ from chutecalc.cli.options import RTOL, StationOptions, names_of, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.run_studies import RunStudies
 from chutecalc.cli.specs import read_chutes
-from chutecalc.errors import ExitStatus
+from chutecalc.errors import ExitStatus, UsageError
+from chutecalc.output.files import open_whole
 
 if TYPE_CHECKING:
     from chutecalc.results.cases import Cases
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "chutecalc run chute.toml --plot chute.svg",
     "chutecalc run chute.toml --band --plot chute.svg",
+    "chutecalc run chute.toml --dxf chute.dxf",
     "chutecalc run chute.toml --set flow.rate_t_h=800 --points 21 --csv stations.csv",
 )
 
@@ -28,6 +30,7 @@ class RunOutputs(Outputs):
     """Outputs of a run."""
 
     picture = "the chute with its stream, or several chutes as lines"
+    drawing = "one chute with its sections"
     charted = "velocity and depth"
     has_units = True
 
@@ -69,6 +72,8 @@ def run(
     check_columns(names, COLUMNS)
     outputs.check(specs)
     chutes = read_chutes(specs, settings)
+    if outputs.dxf and len(chutes) > 1:
+        raise UsageError(f"--dxf draws one chute, not {len(chutes)}: give one spec")
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
     tables = None
     if stations.given:
@@ -91,6 +96,11 @@ def run(
         from chutecalc.output.plots.run import draw_run
 
         outputs.draw(draw_run(cases, outputs.units, studies.bands[0] if studies.bands else None))
+    if outputs.dxf:
+        from chutecalc.output.dxf.drawing import draw, save
+
+        with open_whole(outputs.dxf, "wb") as stream:
+            save(draw(cases[0]), stream)
     _print(cases, tables, studies, names, outputs)
     return _status(cases, strict)
 

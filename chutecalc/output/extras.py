@@ -17,6 +17,7 @@ class Extra(NamedTuple):
 
 CHART = Extra("chart", "Plotille")
 PLOT = Extra("plot", "Matplotlib")
+DXF = Extra("dxf", "ezdxf")
 
 
 def require_extra(needed_by: str, extra: Extra) -> None:

@@ -77,7 +77,7 @@ class Steel(NamedTuple):
 
     @property
     def side(self) -> float:
-        """1 for a floor, -1 for a roof."""
+        """Sign of its side: 1 for a floor, -1 for a roof."""
         return self.segment.side
 
     @property
