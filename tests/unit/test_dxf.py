@@ -12,7 +12,7 @@ from tests.conftest import ROOT, STANDARD_DESIGNS, chute
 ezdxf = pytest.importorskip("ezdxf")
 pytest.importorskip("ezdxf.units")
 from chutecalc.output.dxf.drawing import draw, save  # noqa: E402
-from chutecalc.output.dxf.layers import LAYERS  # noqa: E402
+from chutecalc.output.dxf.layers import LAYERS, case_layer  # noqa: E402
 
 ROUNDING = 1e-9
 """mm: a few times the rounding of a place of 10 m."""
@@ -73,6 +73,13 @@ def test_every_standard_design_is_drawn(path):
     for each in guides:
         assert {each.name, f"{each.name}, inlet", f"{each.name}, outlet"} <= names
     assert made.spec.title in names
+
+
+def test_the_docs_list_every_layer():
+    page = (ROOT / "docs/running.md").read_text(encoding="utf-8").partition("| layer | what is on it |")[2]
+    rows = [row.strip("| ").split(" | ") for row in page.strip().partition("\n\n")[0].splitlines()[1:]]
+    assert rows[:-1] == [[f"`{layer.name}`", layer.holds] for layer in LAYERS]
+    assert rows[-1] == ["`STREAM_NAME`", f"{case_layer('NAME').holds}; frozen"]
 
 
 def test_a_spoon_is_a_true_arc():

@@ -27,16 +27,16 @@ LINETYPES = {
 """Meaning and pattern of line types, mm on paper: dashes, and gaps as negative lengths."""
 
 STEEL = Layer("STEEL", 7, "CONTINUOUS", 50, "surfaces that the stream slides on: inner face of the liner")
-ROOFS = Layer("ROOFS", 7, "CONTINUOUS", 35, "the opposite wall of pipes and boxes")
+ROOFS = Layer("ROOFS", 7, "CONTINUOUS", 35, "the opposite wall of pipes and boxes, and their ends")
 WALLS = Layer("WALLS", 8, "CONTINUOUS", 25, "tops of walls whose height is given, and their ends")
 FOLDS = Layer("FOLDS", 8, "HIDDEN", 18, "edges of facets, such as the tops of chamfers")
-SECTIONS = Layer("SECTIONS", 7, "CONTINUOUS", 35, "sections at both ends of each segment")
-STREAM = Layer("STREAM", 30, "CONTINUOUS", 18, "the stream on its surfaces: the surface under it and its free surface")
+SECTIONS = Layer("SECTIONS", 7, "CONTINUOUS", 35, "sections at both ends of each segment, looking along the stream")
+STREAM = Layer("STREAM", 30, "CONTINUOUS", 18, "the stream on its surfaces and on the belt, and its level in sections")
 FLIGHT = Layer("FLIGHT", 30, "HIDDEN", 18, "edges of the stream in flight")
 LOST = Layer("LOST", 1, "DOT", 18, "how a stream flies on that misses or leaves the chute; not solved")
-BELTS = Layer("BELTS", 5, "CONTINUOUS", 35, "the belts, and the head pulley with its axes")
-DIMENSIONS = Layer("DIMENSIONS", 3, "CONTINUOUS", 18, "dimensions")
-TEXT = Layer("TEXT", 7, "CONTINUOUS", 18, "title, names, table of setting-out points")
+BELTS = Layer("BELTS", 5, "CONTINUOUS", 35, "both belts, and the head pulley with its axes")
+DIMENSIONS = Layer("DIMENSIONS", 3, "CONTINUOUS", 18, "coordinates, lengths, radii, and slopes from the horizontal")
+TEXT = Layer("TEXT", 7, "CONTINUOUS", 18, "title, names, and the table of setting-out points")
 LAYERS = (STEEL, ROOFS, WALLS, FOLDS, SECTIONS, STREAM, FLIGHT, LOST, BELTS, DIMENSIONS, TEXT)
 """All layers of a chute; each of its cases adds one."""
 
