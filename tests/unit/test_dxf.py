@@ -239,7 +239,7 @@ def test_titles_are_text_whatever_they_say():
     made = chute(title=title, project={"client": "C\nD", "number": "7^I", "notes": "one\ntwo"})
     texts = {text.plain_text() for text in on(drawn(made), "TEXT", "TEXT")}
     assert title in texts
-    assert {"client C D, number 7^I", "one", "two"} <= texts
+    assert {"client: C D, number: 7^I", "one", "two"} <= texts
 
 
 def test_a_drawing_is_the_same_bytes_each_time():

@@ -148,7 +148,7 @@ def _render(dimension: DimStyleOverride) -> None:
 
 
 def spread(places: Sequence[float], apart: float) -> list[float]:
-    """Return places moved apart, as little as a few rounds find.
+    """Return places moved apart, by the least squares of how far each moves.
 
     Args:
         places: ascending, in any unit of length.
@@ -157,7 +157,7 @@ def spread(places: Sequence[float], apart: float) -> list[float]:
     >>> spread([0.0, 1.0, 10.0], 3.0)
     [-1.0, 2.0, 10.0]
     """
-    groups: list[tuple[list[float], float]] = []  # places that touch, and the first one's own after moving
+    groups: list[tuple[list[float], float]] = []  # places that touch, and where the first of them goes
     for place in places:
         members, start = [place], place
         while groups and groups[-1][1] + apart * len(groups[-1][0]) > start:

@@ -8,7 +8,10 @@ from chutecalc.output.dxf.points import Point
 from chutecalc.output.plots.flights import Line
 
 NEARBY = [
-    (away, sign * turn) for away in (3.0, 5.0, 9.0, 14.0, 20.0) for turn in (0.0, 0.5, 1.0, 1.5) for sign in (1, -1)
+    (away, sign * turn)
+    for away in (3.0, 5.0, 9.0, 14.0, 20.0)
+    for turn in (0.0, 0.5, 1.0, 1.5, 2.6)
+    for sign in (1, -1)
 ]
 """Distances and turns at which notes are tried, mm on paper and rad."""
 

@@ -40,10 +40,7 @@ def title_lines(states: Cases, seen: View, scale: float) -> list[tuple[str, floa
     solution = states.main_solution
     state = "" if states.main == DESIGN_POINT else f", case {states.main}"
     project = solution.spec.project
-    named = {"client": project.client, "project": project.project, "number": project.number}
-    named |= {"revision": project.revision, "prepared": project.prepared, "checked": project.checked}
-    named |= {"date": project.date}
-    entries = [f"{name} {value}" for name, value in named.items() if value]
+    entries = [f"{name}: {value}" for name, value in project if value and name != "notes"]
     lines = [(f"{solution.spec.title or solution.source}{state}", LARGE)]
     lines += [(", ".join(entries), NORMAL)] if entries else []
     lines += [(line, SMALL) for line in (project.notes or "").splitlines()]
