@@ -12,9 +12,11 @@ import typer
 from chutecalc.cli.options import OptionGroup, option
 from chutecalc.errors import UsageError
 from chutecalc.output.dataset import without_negative_zeros
+from chutecalc.output.dxf import check_drawing
 from chutecalc.output.extras import CHART, require_extra
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
+from chutecalc.output.html_report.write import check_report
 from chutecalc.output.plots.save import PICTURE_FORMATS, picture_format, save
 from chutecalc.results.column import Units
 
@@ -31,6 +33,10 @@ class Outputs(OptionGroup):
 
     picture: ClassVar[str] = ""
     """What ``--plot`` draws. Without it there is no such option."""
+    drawing: ClassVar[str] = ""
+    """What ``--dxf`` draws. Without it there is no such option."""
+    reported: ClassVar[str] = ""
+    """What ``--report`` is about. Without it there is no such option."""
     charted: ClassVar[str] = ""
     """What ``--chart`` shows. Without it there is no such option."""
     has_units: ClassVar[bool] = False
@@ -39,6 +45,8 @@ class Outputs(OptionGroup):
     def __init__(
         self,
         plot: str | None = None,
+        dxf: str | None = None,
+        report: str | None = None,
         chart: bool = False,
         units: str = Units.METRIC,
         debug: bool = False,
@@ -48,12 +56,14 @@ class Outputs(OptionGroup):
 
         Args:
             plot: file of the picture.
+            dxf: file of the drawing.
+            report: file of the report.
             chart: whether to show a chart.
             units: units of tables, charts and pictures, ``metric`` or ``us``.
             debug: read from the command line by ``main`` alone.
             **files: data file by name of its format, ``-`` for standard output.
         """
-        self.plot, self.chart, self.units = plot, chart, units
+        self.plot, self.dxf, self.report, self.chart, self.units = plot, dxf, report, chart, units
         self.files = {name: file for name, file in files.items() if file is not None}
 
     @classmethod
@@ -66,6 +76,12 @@ class Outputs(OptionGroup):
         if cls.picture:
             text = f"Draw {cls.picture} ({ENDINGS}; extra plot)."
             found.append(option("plot", str | None, typer.Option(None, metavar="FILE", help=text)))
+        if cls.drawing:
+            text = f"Draw {cls.drawing} in mm, for CAD (.dxf; extra dxf)."
+            found.append(option("dxf", str | None, typer.Option(None, metavar="FILE", help=text)))
+        if cls.reported:
+            text = f"Write a report to print and sign of {cls.reported} (.html, .pdf; extras report, pdf)."
+            found.append(option("report", str | None, typer.Option(None, metavar="FILE", help=text)))
         if cls.charted:
             text = f"Show {cls.charted} as a small chart (extra chart)."
             found.append(option("chart", bool, typer.Option(False, "--chart", help=text)))
@@ -93,12 +109,17 @@ class Outputs(OptionGroup):
             ExtraMissingError: an optional library is not installed.
             OutputError: a file cannot be opened.
         """
-        targets = {f"--{name}": file for name, file in {**self.files, "plot": self.plot, **others}.items()}
+        own = {"plot": self.plot, "dxf": self.dxf, "report": self.report}
+        targets = {f"--{name}": file for name, file in {**self.files, **own, **others}.items()}
         check_targets(targets, inputs)
         for name, file in self.files.items():
             _check_format(output_formats()[name], file)
         if self.plot is not None:
             picture_format(self.plot)
+        if self.dxf is not None:
+            check_drawing(self.dxf)
+        if self.report is not None:
+            check_report(self.report)
         if self.chart:
             require_extra("--chart", CHART)
         for target in targets.values():

@@ -12,7 +12,8 @@ from chutecalc.cli.options import LIBRARY, RTOL, StationOptions, names_of, with_
 from chutecalc.cli.outputs import Outputs
 from chutecalc.cli.run_studies import RunStudies
 from chutecalc.cli.specs import read_chutes
-from chutecalc.errors import ExitStatus
+from chutecalc.errors import ExitStatus, UsageError
+from chutecalc.output.files import open_whole
 
 if TYPE_CHECKING:
     from chutecalc.results.cases import Cases
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 EXAMPLES = (
     "chutecalc run chute.toml --plot chute.svg",
     "chutecalc run chute.toml --band --plot chute.svg",
+    "chutecalc run chute.toml --report chute.html --dxf chute.dxf",
     "chutecalc run chute.toml --set flow.rate_t_h=800 --points 21 --csv stations.csv",
 )
 PAGE = "running.md"
@@ -29,6 +31,8 @@ class RunOutputs(Outputs):
     """Outputs of a run."""
 
     picture = "the chute with its stream, or several chutes as lines"
+    drawing = "one chute with its sections"
+    reported = "one chute, or of several a comparison"
     charted = "velocity and depth"
     has_units = True
 
@@ -53,11 +57,6 @@ def run(
     sensitivity: bool = typer.Option(
         False, "--sensitivity", help="Tell how much each number of the spec changes the exit velocity."
     ),
-    report: str | None = typer.Option(
-        None,
-        metavar="FILE",
-        help="Write a report to print and sign (.html, .pdf; extras report, pdf); of several specs a comparison.",
-    ),
     strict: bool = typer.Option(False, "--strict", help="Exit with status 1 on warnings too."),
     rtol: float = RTOL,
     library: str | None = LIBRARY,
@@ -74,12 +73,10 @@ def run(
 
     names = names_of(columns)
     check_columns(names, COLUMNS)
-    outputs.check([*specs, library], report=report)
-    if report:
-        from chutecalc.output.html_report.write import check_report
-
-        check_report(report)
+    outputs.check([*specs, library])
     chutes = read_chutes(specs, settings, library)
+    if outputs.dxf and len(chutes) > 1:
+        raise UsageError(f"--dxf draws one chute, not {len(chutes)}: give one spec")
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
     tables = None
     if stations.given:
@@ -102,11 +99,16 @@ def run(
         from chutecalc.output.plots.run import draw_run
 
         outputs.draw(draw_run(cases, outputs.units, studies.bands[0] if studies.bands else None))
-    if report:
+    if outputs.dxf:
+        from chutecalc.output.dxf.drawing import draw, save
+
+        with open_whole(outputs.dxf, "wb") as stream:
+            save(draw(cases[0]), stream)
+    if outputs.report:
         from chutecalc.api.report import write_solved
 
         bands = [studies.band(number) for number in range(len(chutes))]
-        write_solved(report, chutes, cases, bands, outputs.units, settings)
+        write_solved(outputs.report, chutes, cases, bands, outputs.units, settings)
     _print(cases, tables, studies, names, outputs)
     return _status(cases, strict)
 

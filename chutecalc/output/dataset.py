@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from chutecalc import __version__
 from chutecalc.results.column import Column
@@ -14,6 +14,17 @@ DOCUMENT_FORMAT = 1
 """Version of the layout of JSON documents."""
 
 
+class Table(NamedTuple):
+    """A table beside the rows of a dataset."""
+
+    name: str
+    """What it holds, in a word."""
+    columns: Mapping[str, type]
+    """Type of each column by its heading, in order: ``str``, ``float``, or ``object`` for numbers and text together."""
+    block: Block
+    """All its rows."""
+
+
 @dataclass(frozen=True, eq=False)
 class Dataset:
     """The results of a command.
@@ -22,6 +33,8 @@ class Dataset:
         columns: type of each column by name, in order: ``str``, ``float`` or ``int``.
         blocks: the rows, a block at a time. They are iterated over at most once, and only if a format takes rows.
         head: what was asked for, for formats that write it before the rows.
+        name: what the rows are, for formats that name them.
+        tables: returns further tables, for formats that hold several.
         document: returns the results as nested mappings and lists, for formats that write those instead of rows.
     """
 
@@ -29,6 +42,8 @@ class Dataset:
     blocks: Iterable[Block]
     head: Mapping[str, Any] = field(default_factory=dict)
     document: Callable[[], Any] | None = None
+    name: str = "rows"
+    tables: Callable[[], Sequence[Table]] = tuple
 
 
 def column_types(columns: Iterable[Column]) -> dict[str, type]:
@@ -52,13 +67,24 @@ def block_of(rows: Sequence[Mapping[str, Any]], columns: Mapping[str, type]) -> 
     """
     import numpy as np  # not before: --help loads this module
 
-    missing = {str: "", float: math.nan, int: 0}
+    missing = {str: "", float: math.nan, int: 0, object: ""}
 
     def values(name: str, kind: type) -> list[Any]:
         given = (row.get(name) for row in rows)
         return [missing[kind] if value is None else value for value in given]
 
     return {name: np.array(values(name, kind), dtype=kind) for name, kind in columns.items()}
+
+
+def table_of(name: str, rows: Sequence[Mapping[str, Any]], columns: Mapping[str, type]) -> Table:
+    """Return rows as a table.
+
+    Args:
+        name: what it holds, in a word.
+        rows: values by heading, as for :func:`block_of`.
+        columns: types of the columns.
+    """
+    return Table(name, columns, without_negative_zeros(block_of(rows, columns)))
 
 
 def without_negative_zeros(block: Block) -> Block:

@@ -19,6 +19,7 @@ CHART = Extra("chart", "Plotille")
 PLOT = Extra("plot", "Matplotlib")
 REPORT = Extra("report", "Jinja2")
 PDF = Extra("pdf", "WeasyPrint")
+DXF = Extra("dxf", "ezdxf")
 
 
 def require_extra(needed_by: str, extra: Extra) -> None:

@@ -1,12 +1,14 @@
 """The results of a run as rows, a station each, and as a document."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from chutecalc.output.cases import cases_document
 from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
+from chutecalc.output.workbook import run_tables
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import AT_STATION, COLUMNS
 from chutecalc.results.segments import SegmentResult
@@ -43,7 +45,8 @@ def run_dataset(
         ]
         return documents[0] if len(documents) == 1 else documents
 
-    return Dataset(column_types(COLUMNS[name] for name in columns), blocks(), document=document)
+    types = column_types(COLUMNS[name] for name in columns)
+    return Dataset(types, blocks(), document=document, name="stations", tables=partial(run_tables, chutes, columns))
 
 
 def needed(columns: Sequence[str]) -> list[str]:

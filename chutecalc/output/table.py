@@ -31,14 +31,25 @@ class StreamTables:
             results: of one design, in order.
         """
         table = self._table(["segment", "kind", ""])
+        named = None
+        for result, label, numbers in self.ends(results):
+            names = ("", "") if result is named else (result.name, result.kind)
+            table.row([*names, label, *(self._cells(numbers) if numbers else ())])
+            named = result
+        return table
+
+    def ends(self, results: Sequence[SegmentResult]) -> Iterator[tuple[SegmentResult, str, dict[str, float]]]:
+        """Yield the ends of each segment, and the extremes that lie beyond those: what it is called, and the numbers.
+
+        Args:
+            results: of one design, in order. One that the stream does not reach has its status and no numbers.
+        """
         for result in results:
             if result.entry["s_m"][0] != result.entry["s_m"][0]:
-                table.row([result.name, result.kind, status_words(result.status[0])])
+                yield result, status_words(result.status[0]), {}
                 continue
             for label, numbers in self._ends(result):
-                names = (result.name, result.kind) if label == "in" else ("", "")
-                table.row([*names, label, *self._cells({name: values[0] for name, values in numbers.items()})])
-        return table
+                yield result, label, {name: float(values[0]) for name, values in numbers.items()}
 
     def stations(self, stations: Mapping[str, Any]) -> Grid:
         """Return a row for each station along the stream.

@@ -57,6 +57,46 @@ def point(surface: Surface, share: Array) -> tuple[Array, Array, Array]:
     return surface.x + chord * np.cos(middle), surface.z - chord * np.sin(middle), surface.slope + turned
 
 
+def parallel(surface: Surface, height: Array) -> Surface:
+    """Return the surface parallel to another on the side of the stream, as a roof or the top of walls is to a floor.
+
+    Args:
+        surface: The surface. An arc has the same centre; its length changes by the height times its turn.
+        height: Distance between the two, m, shape (1,) or (designs,).
+
+    >>> one = np.ones(1)
+    >>> spoon = Surface(side=1.0, x=0 * one, z=0 * one, slope=np.pi / 2 * one, turn=-np.pi / 2 * one, length=3 * one)
+    >>> top = parallel(spoon, 0.5 * one)
+    >>> float(top.x[0]), float(top.length[0].round(3))
+    (0.5, 2.215)
+    """
+    above = surface.side * height
+    x, z = surface.x + above * np.sin(surface.slope), surface.z + above * np.cos(surface.slope)
+    return surface._replace(x=x, z=z, length=surface.length + above * surface.turn)
+
+
+def centre(surface: Surface) -> tuple[Array, Array, Array]:
+    """Return the centre and the radius of an arc.
+
+    The centre is on the normal at the start, above an arc that flattens and below one that steepens.
+
+    Args:
+        surface: an arc.
+
+    Returns:
+        x and z of the centre, m, and radius, m, each of shape (designs,); infinite or NaN for a straight.
+
+    >>> one = np.ones(1)
+    >>> down, turn, length = np.pi / 2 * one, -np.pi / 2 * one, 1.5 * np.pi * one
+    >>> [float(each[0].round(12)) for each in centre(Surface(1.0, 0 * one, -2 * one, down, turn, length))]
+    [3.0, -2.0, 3.0]
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        reach = -surface.length / surface.turn
+        x, z = surface.x + reach * np.sin(surface.slope), surface.z + reach * np.cos(surface.slope)
+    return x, z, np.abs(reach)
+
+
 def least_height(surface: Surface, x: Array, z: Array, slope: Array) -> tuple[Array, Array]:
     """Return the least height of a surface above a line, normal to the line, and where on the surface that is.
 

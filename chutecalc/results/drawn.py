@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.surface import point
+from chutecalc.physics.surface import centre, point
 from chutecalc.results.solved import SolvedChute
 from chutecalc.solver.steel import drawn_surface
 
@@ -37,9 +37,6 @@ class DrawnSegment(NamedTuple):
 def drawn_segments(solution: SolvedChute) -> list[DrawnSegment]:
     """Return the segments that have a place, in the order of the spec, whether the stream reaches them or not.
 
-    The centre of an arc of curvature κ, positive where the surface flattens, is (sin a, cos a)/κ from its start, whose
-    slope is a.
-
     Args:
         solution: solution of one design.
     """
@@ -52,10 +49,8 @@ def drawn_segments(solution: SolvedChute) -> list[DrawnSegment]:
         x, z, slope = (values[:, 0].tolist() for values in point(surface, np.array([[0.0], [1.0]])))
         if not np.isfinite([*x, *z, *slope]).all():
             continue
-        curvature = float(surface.curvature[0])
-        centre = None
-        if curvature:
-            centre = float(x[0] + np.sin(slope[0]) / curvature), float(z[0] + np.cos(slope[0]) / curvature)
+        cx, cz, radius = (float(each[0]) for each in centre(surface))
+        bent = bool(np.isfinite(radius))
         found.append(
             DrawnSegment(
                 segment.name,
@@ -65,8 +60,8 @@ def drawn_segments(solution: SolvedChute) -> list[DrawnSegment]:
                 (x[1], z[1]),
                 (slope[0], slope[1]),
                 float(surface.length[0]),
-                1.0 / abs(curvature) if curvature else None,
-                centre,
+                radius if bent else None,
+                (cx, cz) if bent else None,
             )
         )
     return found

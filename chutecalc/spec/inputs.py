@@ -72,7 +72,9 @@ def inputs(spec: ChuteSpec, data: Mapping[str, Any]) -> Iterator[Input]:
     for key in given_keys(spec, data):
         name = str(key.location[0])
         if name not in OF_PATHS:
-            yield Input(_path(data, key.location), key.meaning, key.written, _unit_text(key.unit))
+            single = getattr(key.written, "size", 0) == 1  # of a case, whose values are arrays
+            written = key.written.item() if single else key.written
+            yield Input(_path(data, key.location), key.meaning, written, _unit_text(key.unit))
             continue
         for path, value in case_values(key.written).items():
             meaning, unit = _described(spec, path.split(".")[OF_PATHS[name] :])

@@ -56,7 +56,7 @@ def test_csv_and_excel_have_the_same_rows(command, tmp_path, capsys):
     assert main([*command, "--csv", files[0], "--xlsx", files[1]]) == 0
     with open(files[0], encoding="utf-8", newline="") as stream:
         names, *rows = csv.reader(stream)
-    sheet = openpyxl.load_workbook(files[1]).active
+    sheet = openpyxl.load_workbook(files[1]).worksheets[-1]
     heading, *typed = sheet.iter_rows(values_only=True)
     assert list(heading) == names
     assert len(rows) == len(typed) > 0
@@ -81,6 +81,77 @@ def test_excel_files_are_the_same_bytes_each_time_and_keep_text_text(tmp_path):
     openpyxl = pytest.importorskip("openpyxl")
     cells = list(openpyxl.load_workbook(io.BytesIO(written[0])).active.iter_rows())[1]
     assert [(cell.value, cell.data_type) for cell in cells] == [(formula, "s"), ("inf", "s")]
+
+
+def workbook(arguments, tmp_path):
+    """Return the sheets of a run by name, each as a list of rows."""
+    openpyxl = pytest.importorskip("openpyxl")
+    file = tmp_path / "run.xlsx"
+    assert main(["run", *arguments, "--xlsx", str(file)]) in (0, 1)
+    return {sheet.title: list(sheet.iter_rows(values_only=True)) for sheet in openpyxl.load_workbook(file).worksheets}
+
+
+def records(rows):
+    heading, *below = rows
+    return [dict(zip(heading, row, strict=True)) for row in below]
+
+
+def test_a_run_is_a_workbook(tmp_path, capsys):
+    sheets = workbook([SPOON, "--columns", "s_m,velocity_m_s,depth_m"], tmp_path)
+    assert list(sheets) == ["inputs", "segments", "findings", "stations"]
+    given = {row["key"]: row for row in records(sheets["inputs"])}
+    assert given["segments.spoon.radius_m"]["value"] == 3
+    assert given["segments.spoon.radius_m"]["unit"] == "m"
+    assert given["segments.fall.kind"]["value"] == "fall"
+    assert all(row["meaning"] for row in given.values())
+    assert sheets["segments"][0] == ("segment", "kind", "at", "s, m", "velocity, m/s", "depth, m")
+    spoon = [row for row in records(sheets["segments"]) if row["segment"] == "spoon"]
+    assert [row["at"] for row in spoon] == ["in", "out", "min", "max"]
+    solution = chutecalc.solve(chutecalc.load(SPOON))
+    result = solution.segments["spoon"]
+    for row, numbers in zip(spoon, (result.entry, result.exit, result.minimum, result.maximum), strict=True):
+        assert row["velocity, m/s"] == pytest.approx(numbers["velocity_m_s"][0], rel=1e-15)
+    found = records(sheets["findings"])
+    assert [row["message"] for row in found] == [finding.message() for finding in solution.findings()]
+    (cut_off,) = (row for row in found if row["code"] == "below_cut_off")
+    assert (cut_off["severity"], cut_off["segment"], cut_off["case"]) == ("warning", "spoon", "design")
+    assert cut_off["s, m"] == pytest.approx(result.exit["s_m"][0])
+    numbers = next(finding.numbers for finding in solution.findings() if finding.code == "below_cut_off")
+    assert {name: cut_off[name] for name in numbers} == {name: pytest.approx(numbers[name][0]) for name in numbers}
+    assert len(sheets["stations"]) == 1 + 2 * 101
+
+
+def test_cases_have_a_sheet_and_tell_their_findings(tmp_path, capsys):
+    sheets = workbook([str(ROOT / "specs/transfer_90.toml")], tmp_path)
+    cases = records(sheets["cases"])
+    assert [row["case"] for row in cases] == ["design", "dry", "wet", "surge", "slow_belt", "worst"]
+    states = chutecalc.solve_cases(chutecalc.load(ROOT / "specs/transfer_90.toml"))
+    assert [row["max depth, m"] for row in cases[:-1]] == pytest.approx(list(states.numbers["max_depth_m"][:, 0]))
+    assert cases[-1]["max depth, m"] == states.worst["max_depth_m"][0]
+    assert {row["case"] for row in records(sheets["findings"])} > {"design", "surge"}
+    given = {row["key"]: row["value"] for row in records(sheets["inputs"])}
+    assert given["cases.surge.flow.rate_t_h"] == 2200
+    assert given["inlet.belt.velocity_m_s"] == 3.5
+    assert given["segments.hood.start_m"] == "0.22, 0.69"
+    assert given["segments.drop.onto_next"] is True
+    alone = workbook([str(ROOT / "specs/transfer_90.toml"), "--case", "surge"], tmp_path)
+    assert {row["key"]: row["value"] for row in records(alone["inputs"])}["flow.rate_t_h"] == 2200
+
+
+def test_rows_of_several_specs_say_which(tmp_path, capsys):
+    sheets = workbook([SPOON, STALL, str(ROOT / "specs/transfer_90.toml")], tmp_path)
+    for name in ("inputs", "segments", "findings"):
+        assert list(dict.fromkeys(row[0] for row in sheets[name]))[:3] == ["spec", SPOON, STALL]
+    assert {row["spec"] for row in records(sheets["cases"])} == {str(ROOT / "specs/transfer_90.toml")}
+    for name, rows in sheets.items():
+        assert len(set(rows[0])) == len(rows[0]), name
+
+
+def test_other_commands_have_one_sheet(tmp_path, capsys):
+    openpyxl = pytest.importorskip("openpyxl")
+    file = tmp_path / "sweep.xlsx"
+    assert main(["sweep", "phi=20,25", SPOON, "--xlsx", str(file)]) == 0
+    assert openpyxl.load_workbook(file).sheetnames == ["rows"]
 
 
 def test_a_sheet_has_an_end(monkeypatch):

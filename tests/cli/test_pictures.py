@@ -66,6 +66,33 @@ def test_what_cannot_be_written_is_told_before_solving(target, words, tmp_path, 
     assert [path.name for path in tmp_path.iterdir()] == ["folder.svg"]
 
 
+def test_a_drawing_is_written_whole(tmp_path, capsys):
+    pytest.importorskip("ezdxf")
+    file = tmp_path / "chute.dxf"
+    assert main(["run", SPOON, "--dxf", str(file)]) == 0
+    assert file.read_bytes().endswith(b"EOF\n")
+    assert "exit velocity 3.878" in capsys.readouterr().out
+    assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([SPOON, "--dxf", "chute.dwg"], "--dxf cannot draw chute.dwg: the name must end in .dxf"),
+        ([SPOON, "--dxf", "-"], "the name must end in .dxf"),
+        ([SPOON, SQUARE, "--dxf", "chute.dxf"], "--dxf draws one chute, not 2: give one spec"),
+        ([SPOON, "--dxf", "no/such/chute.dxf"], "cannot be written"),
+    ],
+)
+def test_what_cannot_be_drawn_for_cad_is_told_before_solving(
+    arguments, words, tmp_path, monkeypatch, capsys, nothing_solved
+):
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", *arguments]) == 2
+    assert words in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_two_outputs_to_one_file(tmp_path, capsys):
     file = str(tmp_path / "same.svg")
     assert main(["run", SPOON, "--plot", file, "--csv", file]) == 2
@@ -77,6 +104,7 @@ def test_two_outputs_to_one_file(tmp_path, capsys):
     [
         (["--plot", "picture.svg"], "matplotlib", "pip install 'chutecalc[plot]'"),
         (["--chart"], "plotille", "pip install 'chutecalc[chart]'"),
+        (["--dxf", "chute.dxf"], "ezdxf", "pip install 'chutecalc[dxf]'"),
     ],
 )
 def test_a_missing_extra_ends_with_3_before_solving(

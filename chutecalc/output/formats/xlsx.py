@@ -1,8 +1,9 @@
-"""Excel workbooks: a sheet of rows, numbers as numbers, empty cells where a quantity does not exist."""
+"""Excel workbooks: a sheet of rows and one for each further table, numbers as numbers, empty where there is none."""
 
 import math
+from collections.abc import Iterable
 from datetime import datetime
-from typing import IO
+from typing import IO, Any
 
 from chutecalc.errors import UsageError
 from chutecalc.output.dataset import Block, Dataset
@@ -17,25 +18,61 @@ OPTIONS = {"constant_memory": True, "strings_to_formulas": False, "strings_to_ur
 """Rows go to disk as they come; text stays text, whatever it begins with."""
 
 
+class Sheet:
+    """A sheet of rows under a heading that stays in view.
+
+    Args:
+        workbook: a workbook of XlsxWriter.
+        name: of the sheet.
+        columns: headings.
+    """
+
+    def __init__(self, workbook: Any, name: str, columns: Iterable[str]) -> None:
+        self._names, self._row = list(columns), 0
+        self._sheet = workbook.add_worksheet(name)
+        for number, heading in enumerate(self._names):
+            self._sheet.set_column(number, number, max(len(heading) + 1, 10))
+        self._sheet.freeze_panes(1, 0)
+        self._sheet.write_row(0, 0, self._names, workbook.add_format({"bold": True}))
+
+    def write(self, block: Block) -> None:
+        """Write the next block.
+
+        Args:
+            block: the block, with all columns of the sheet.
+
+        Raises:
+            UsageError: there are more rows than a sheet holds.
+        """
+        for values in zip(*(block[name].tolist() for name in self._names), strict=True):
+            self._row += 1
+            if self._row >= ROWS_OF_A_SHEET:
+                raise UsageError(f"a sheet of Excel holds {ROWS_OF_A_SHEET:,} rows: use --csv or --parquet")
+            for number, value in enumerate(values):
+                if isinstance(value, bool):
+                    self._sheet.write_boolean(self._row, number, value)
+                elif isinstance(value, str) or not math.isfinite(value):
+                    self._sheet.write_string(self._row, number, "" if value != value else str(value))
+                else:
+                    self._sheet.write_number(self._row, number, value)
+
+
 class XlsxRows:
-    """Writes rows under a heading that stays in view.
+    """Writes rows as the last sheet of a workbook, behind a sheet for each further table.
 
     Args:
         stream: where to write.
-        dataset: the dataset, for its columns.
+        dataset: the dataset, for its columns and its further tables.
     """
 
     def __init__(self, stream: IO[bytes], dataset: Dataset) -> None:
         from xlsxwriter import Workbook
 
-        self._names, self._row = list(dataset.columns), 0
         self._workbook = Workbook(stream, OPTIONS)
         self._workbook.set_properties({"created": CREATED})
-        self._sheet = self._workbook.add_worksheet("rows")
-        for number, name in enumerate(self._names):
-            self._sheet.set_column(number, number, max(len(name) + 1, 10))
-        self._sheet.freeze_panes(1, 0)
-        self._sheet.write_row(0, 0, self._names, self._workbook.add_format({"bold": True}))
+        for table in dataset.tables():
+            Sheet(self._workbook, table.name, table.columns).write(table.block)
+        self._sheet = Sheet(self._workbook, dataset.name, dataset.columns)
 
     def write(self, block: Block) -> None:
         """Write the next block.
@@ -46,16 +83,11 @@ class XlsxRows:
         Raises:
             UsageError: there are more rows than a sheet holds.
         """
-        for values in zip(*(block[name].tolist() for name in self._names), strict=True):
-            self._row += 1
-            if self._row >= ROWS_OF_A_SHEET:
-                self.close()  # its temporary files go
-                raise UsageError(f"a sheet of Excel holds {ROWS_OF_A_SHEET:,} rows: use --csv or --parquet")
-            for number, value in enumerate(values):
-                if isinstance(value, str) or not math.isfinite(value):
-                    self._sheet.write_string(self._row, number, "" if value != value else str(value))
-                else:
-                    self._sheet.write_number(self._row, number, value)
+        try:
+            self._sheet.write(block)
+        except UsageError:
+            self.close()  # its temporary files go
+            raise
 
     def close(self) -> None:
         """Write the workbook."""

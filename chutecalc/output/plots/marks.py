@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from chutecalc.design import Receiver
-from chutecalc.output.plots.belts import is_end_on
+from chutecalc.output.plots.belt_lines import is_end_on
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.labels import Label
 from chutecalc.output.plots.traces import Trace, View

@@ -5,8 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from chutecalc.design import Contact
 from chutecalc.output.plots.flights import Line
 from chutecalc.physics.arrays import Array
+from chutecalc.physics.surface import Surface
 from chutecalc.results.columns import COLUMNS
 
 DEEPEST = 0.25
@@ -60,14 +62,28 @@ class Trace(NamedTuple):
 class Steel(NamedTuple):
     """The surface of a segment, whether the stream reaches it or not."""
 
-    name: str
-    side: float
-    """1 for a floor, -1 for a roof."""
+    segment: Contact
+    surface: Surface
+    """Its surface where it is drawn."""
     path: Line
+    """The same as a line."""
     top: Line
     """Where its walls end, or its roof; NaN where no height is given."""
-    closed: bool
-    """Whether it has a roof there."""
+
+    @property
+    def name(self) -> str:
+        """Name of the segment."""
+        return self.segment.name
+
+    @property
+    def side(self) -> float:
+        """Sign of its side: 1 for a floor, -1 for a roof."""
+        return self.segment.side
+
+    @property
+    def closed(self) -> bool:
+        """Whether it has a roof where its walls end."""
+        return self.segment.closed
 
 
 class View(NamedTuple):
@@ -79,7 +95,7 @@ class View(NamedTuple):
     """Where the stream ends before the chute does, of one station; None where it does not."""
     surfaces: list[Steel]
     feed: list[Line]
-    """The belt that the stream comes from, see :func:`chutecalc.output.plots.belts.feed_lines`."""
+    """The belt that the stream comes from, see :func:`chutecalc.output.plots.belt_lines.feed_lines`."""
     received: list[Line]
     """The belt that it goes to, as one line."""
     impacts: Lines

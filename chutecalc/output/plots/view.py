@@ -5,7 +5,7 @@ from itertools import zip_longest
 
 import numpy as np
 
-from chutecalc.output.plots.belts import feed_lines, receiver_lines
+from chutecalc.output.plots.belt_lines import feed_lines, receiver_lines
 from chutecalc.output.plots.flights import SHARES, STATIONS, Line, Throw, belt_throws, flown, surface_line, thrown
 from chutecalc.output.plots.onwards import failing_end, flight_to_exit, lost_stream
 from chutecalc.output.plots.traces import DEEPEST, STRUCK, Lines, Steel, Trace, View, extent
@@ -74,7 +74,7 @@ def _surfaces(solution: SolvedChute) -> list[Steel]:
             segment, surface = solved.contact.segment, drawn_surface(solved.contact)
             high = np.broadcast_to(segment.wall_height(SHARES), SHARES.shape)
             top = surface_line(surface, np.where(np.isfinite(high), high, np.nan))
-            steel = Steel(segment.name, segment.side, surface_line(surface), top, segment.closed)
+            steel = Steel(segment, surface, surface_line(surface), top)
             found += [steel] if np.isfinite(steel.path).all() else []
     return found
 
