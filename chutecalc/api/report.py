@@ -9,6 +9,7 @@ from chutecalc.errors import SpecError, UsageError
 from chutecalc.results.band import Band
 from chutecalc.results.cases import Cases
 from chutecalc.results.column import Units
+from chutecalc.spec.library import is_used
 
 
 def write_report(file: str, *chutes: Chute, units: str = "metric", rtol: float = 1e-10) -> None:
@@ -70,7 +71,13 @@ def write_solved(
     from chutecalc.output.html_report.write import write_report
 
     reported = [
-        Reported(states, sha256(chute.text.encode()).hexdigest() if chute.text else "", tuple(settings), band)
+        Reported(
+            states,
+            sha256(chute.text.encode()).hexdigest() if chute.text else "",
+            chute.library.source if chute.library and is_used(chute.written) else "",
+            tuple(settings),
+            band,
+        )
         for chute, states, band in zip(chutes, cases, bands, strict=True)
     ]
     write_report(file, reported, units)

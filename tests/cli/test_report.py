@@ -137,6 +137,17 @@ def test_changed_keys_are_in_the_title_block(tmp_path, capsys):
     assert "flow.rate_t_h 900 t/h" in page.text
 
 
+def test_entries_of_a_library_are_shown_as_solved(tmp_path, capsys):
+    library = tmp_path / "chute-library.toml"
+    library.write_text('[materials."wet coal"]\ndensity_kg_m3 = 950\ninternal_friction_deg = 58\nsource = "test 7"\n')
+    file = tmp_path / "spoon.toml"
+    text = Path(PAPER[0]).read_text(encoding="utf-8")
+    file.write_text(re.sub(r"\[material\]\n(.+\n)+", '[material]\nuse = "wet coal"\n', text), encoding="utf-8")
+    page = page_of(tmp_path, file)
+    assert f"Library {library}" in page.text
+    assert "material.density_kg_m3 950 kg/m³" in page.text
+
+
 def test_several_specs_are_compared(tmp_path, capsys):
     page = page_of(tmp_path, *PAPER)
     assert "Comparison of 2 chutes" in page.text

@@ -91,6 +91,7 @@ def head(chute: Reported, units: str) -> dict[str, Any]:
         "project": solution.spec.project,
         "source": solution.source,
         "digest": chute.digest,
+        "library": chute.library,
         "settings": chute.settings,
         "tolerance": f"{solution.rtol:g}",
         "outcome": outcome(solution, units),

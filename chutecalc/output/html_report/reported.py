@@ -13,6 +13,8 @@ class Reported(NamedTuple):
     """Its solutions, of one design each, that at the design point first."""
     digest: str
     """SHA-256 of the text of its spec; empty where it was not given as text."""
+    library: str
+    """File of the library whose entries the spec uses; empty where it uses none."""
     settings: tuple[str, ...]
     """Keys that were changed for this run, as ``PATH=VALUE``."""
     band: Band | None
