@@ -46,11 +46,12 @@ def api() -> str:
     lines = [API]
     for heading, members in groups.items():
         lines += [f"## {heading}", ""]
-        lines += [f"::: chutecalc.{name}\n    options:\n      heading_level: 3\n" for name in members]
+        for name in members:
+            lines += [f"::: chutecalc.{name}", "    options:", "      heading_level: 3", ""]
     return "\n".join(lines)
 
 
 def formulas() -> str:
     """Return the page of the formulas, as Markdown for mkdocstrings."""
     modules = sorted(module.name for module in iter_modules(chutecalc.physics.__path__, "chutecalc.physics."))
-    return "\n".join([FORMULAS, *(f"::: {name}\n" for name in modules)])
+    return "\n\n".join([FORMULAS, *(f"::: {name}" for name in modules)])

@@ -115,10 +115,10 @@ def page(design: Design, drawn: Drawn) -> str:
         design: the design.
         drawn: the same, run.
     """
-    name = design.path.stem
+    name, gallery = design.path.stem, "../index.md" if design.group else "index.md"
     return f"""# {design.title}
 
-{design.shows[0].upper()}{design.shows[1:]}.
+{design.shows[0].upper()}{design.shows[1:]}. One of the [gallery]({gallery}).
 
 [![The chute to scale, with the stream along it]({name}.svg)]({name}.svg)
 

@@ -4,6 +4,7 @@ A page keeps the links that work where its file is read. Here each is resolved t
 anew as the way from page to page.
 """
 
+import logging
 import posixpath
 import re
 from functools import cache
@@ -30,6 +31,9 @@ ELSEWHERE = {
     "specs/paper": "specs/index.md",
 }
 """Where files and folders of the project are on the site, if not in docs or specs."""
+LOG = logging.getLogger("mkdocs.hooks.website")
+LOADED = re.compile(r"""<(?:script|img|iframe)[^>]* src=["']https?:[^>]*>|<link[^>]* href=["']https?:[^>]*>""")
+"""What a browser would load from elsewhere."""
 LINK = re.compile(r"(\]\()(?![a-z]+:|#)([^)\s#]+)")
 FENCE = re.compile(r"^(```.*?^```)$", re.DOTALL | re.MULTILINE)
 
@@ -101,3 +105,16 @@ def linked(link: str, source: str, here: str) -> str:
     else:
         there = ELSEWHERE.get(target, target.removeprefix("docs/"))
     return posixpath.relpath(there, posixpath.dirname(here) or ".")
+
+
+def on_post_page(output: str, page: Page, config: MkDocsConfig) -> str:
+    """Warn of what a page would load from elsewhere.
+
+    Args:
+        output: the page, as HTML.
+        page: which it is.
+        config: of the site.
+    """
+    for found in LOADED.findall(output):
+        LOG.warning("%s loads from elsewhere: %s", page.file.src_uri, found)
+    return output

@@ -80,9 +80,9 @@ def loaded_width(area: Array, roll: Array, trough: Array, surcharge: Array) -> A
 
     Args:
         area: Cross-section A of the load, m², shape (1,) or (designs,), as for all arguments.
-        roll: As for :func:`load_area`.
-        trough: The same; trough and surcharge must not both be 0.
-        surcharge: The same.
+        roll: Length of the middle roll, m.
+        trough: Trough angle of the side rolls, rad; trough and surcharge must not both be 0.
+        surcharge: Surcharge angle of the load, rad.
 
     Returns:
         The width b, m.
@@ -113,9 +113,9 @@ def belt_load(
         volume_rate: Q, m³/s, shape (1,) or (designs,), as for all arguments.
         velocity: Belt velocity V, m/s, positive.
         width: Width of the belt, m.
-        roll: As for :func:`loaded_width`.
-        trough: The same.
-        surcharge: The same.
+        roll: Length of the middle roll, m.
+        trough: Trough angle of the side rolls, rad; trough and surcharge must not both be 0.
+        surcharge: Surcharge angle of the load, rad.
 
     Returns:
         The load.
