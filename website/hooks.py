@@ -1,11 +1,6 @@
-"""Hooks of MkDocs: pages that are not in docs, and links as a code host has them, turned into those of the site.
-
-A page keeps the links that work where its file is read. Here each is resolved to a file of the project, and written
-anew as the way from page to page.
-"""
+"""Hooks of MkDocs: pages that are not in docs, links of the site, and nothing from elsewhere."""
 
 import logging
-import posixpath
 import re
 from functools import cache
 
@@ -16,26 +11,11 @@ from mkdocs.structure.pages import Page
 from website import gallery
 from website.api import api, formulas
 from website.gallery import ROOT
+from website.links import ELSEWHERE, on_the_site
 
-ELSEWHERE = {
-    "README.md": "index.md",
-    "docs/README.md": "contents.md",
-    "CHANGELOG.md": "changelog.md",
-    "CONTRIBUTING.md": "contributing.md",
-    "ARCHITECTURE.md": "architecture.md",
-    "LICENSE": "licence.md",
-    "CITATION.cff": "CITATION.cff",
-    "specs": "specs/index.md",
-    "specs/README.md": "specs/index.md",
-    "specs/fails": "specs/index.md",
-    "specs/paper": "specs/index.md",
-}
-"""Where files and folders of the project are on the site, if not in docs or specs."""
 LOG = logging.getLogger("mkdocs.hooks.website")
 LOADED = re.compile(r"""<(?:script|img|iframe)[^>]* src=["']https?:[^>]*>|<link[^>]* href=["']https?:[^>]*>""")
 """What a browser would load from elsewhere."""
-LINK = re.compile(r"(\]\()(?![a-z]+:|#)([^)\s#]+)")
-FENCE = re.compile(r"^(```.*?^```)$", re.DOTALL | re.MULTILINE)
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -79,32 +59,7 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
         files: of the site.
     """
     here = page.file.src_uri
-    sources = {there: name for name, there in ELSEWHERE.items() if (ROOT / name).is_file()}
-    source = sources.get(here, here if page.file.generated_by else f"docs/{here}")
-    parts = FENCE.split(markdown)  # every other one is a block of code
-    parts[::2] = [LINK.sub(lambda link: link[1] + linked(link[2], source, here), part) for part in parts[::2]]
-    return "".join(parts)
-
-
-def linked(link: str, source: str, here: str) -> str:
-    """Return a link of the site.
-
-    >>> linked("../specs/vee.toml", "docs/spec.md", "spec.md")
-    'specs/vee.md'
-    >>> linked("docs/spec.md", "README.md", "index.md")
-    'spec.md'
-
-    Args:
-        link: as the page of the project has it, without anchor.
-        source: path of that page in the project.
-        here: path of the page on the site.
-    """
-    target = posixpath.normpath(posixpath.join(posixpath.dirname(source), link))
-    if target.startswith("specs/") and target.endswith(".toml"):
-        there = target.removesuffix(".toml") + ".md"
-    else:
-        there = ELSEWHERE.get(target, target.removeprefix("docs/"))
-    return posixpath.relpath(there, posixpath.dirname(here) or ".")
+    return on_the_site(markdown, here, here if page.file.generated_by else f"docs/{here}")
 
 
 def on_post_page(output: str, page: Page, config: MkDocsConfig) -> str:

@@ -10,6 +10,7 @@ import pytest
 
 import chutecalc
 from chutecalc.cli import COMMANDS
+from chutecalc.design.status import Status
 from chutecalc.errors import ExitStatus
 from chutecalc.output.formats import output_formats
 from chutecalc.results.findings import CRITERIA
@@ -194,6 +195,12 @@ def test_every_exit_status_is_described():
     table = page[page.index("| status | meaning |") :].split("\n\n")[0]
     shown = re.findall(r"^\| (\d+) \| (.*) \|$", table, re.MULTILINE)
     assert shown == [(str(int(status)), status.meaning) for status in ExitStatus]
+
+
+def test_every_status_of_a_design_is_described():
+    rows = [status for status, _ in first_words("running.md", "| status | meaning |\n| --- | --- |\n| `ok`")]
+    assert rows == [*Status.LABELS[:5], "passed", "not_reached", Status.IMPOSSIBLE_LABEL]
+    assert {*rows} == {*Status.LABELS, Status.IMPOSSIBLE_LABEL}
 
 
 def test_architecture_lists_every_room():

@@ -7,7 +7,8 @@ import pytest
 
 from tests.conftest import ROOT
 from website.api import markdown
-from website.gallery import Design, Drawn, designs, draw, index, page, status
+from website.gallery import Drawn, designs, draw, index, page, status
+from website.links import on_the_site
 
 NAV = re.findall(r"^ +- .*?([\w/]+\.md)$", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"), re.MULTILINE)
 
@@ -41,7 +42,24 @@ def test_a_design_is_shown_with_its_picture_its_report_and_its_file():
     for part in (one.title, "(choke.svg)", "$ chutecalc run specs/fails/choke.toml\n", "failure choke", "[flow]\n"):
         assert part in text
     assert "Status choke." in index([one], {one.name: drawn})
-    assert isinstance(one, Design)
+
+
+@pytest.mark.parametrize(
+    ("link", "source", "here", "shown"),
+    [
+        ("docs/spec.md#steel", "README.md", "index.md", "spec.md#steel"),
+        ("../CONTRIBUTING.md#set-up", "docs/verification.md", "verification.md", "contributing.md#set-up"),
+        ("../specs/vee.toml", "docs/spec.md", "spec.md", "specs/vee.md"),
+        ("../../specs/README.md", "docs/howto/ci.md", "howto/ci.md", "../specs/index.md"),
+        ("../aiming.md#optima", "docs/howto/ci.md", "howto/ci.md", "../aiming.md#optima"),
+        ("fails/stall.svg", "specs/index.md", "specs/index.md", "fails/stall.svg"),
+        ("#below", "docs/spec.md", "spec.md", "#below"),
+        ("mailto:x", "docs/spec.md", "spec.md", "mailto:x"),
+    ],
+)
+def test_links_of_a_code_host_become_links_of_the_site(link, source, here, shown):
+    fenced = f"\n```text\n[code]({link})\n```\n"
+    assert on_the_site(f"See [this]({link}).{fenced}", here, source) == f"See [this]({shown}).{fenced}"
 
 
 @pytest.mark.parametrize(
