@@ -11,7 +11,7 @@ from mkdocs.structure.pages import Page
 from website import gallery
 from website.api import api, formulas
 from website.gallery import ROOT
-from website.links import ELSEWHERE, on_the_site
+from website.links import ELSEWHERE, with_site_links
 
 LOG = logging.getLogger("mkdocs.hooks.website")
 LOADED = re.compile(r"""<(?:script|img|iframe)[^>]* src=["']https?:[^>]*>|<link[^>]* href=["']https?:[^>]*>""")
@@ -59,7 +59,7 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
         files: of the site.
     """
     here = page.file.src_uri
-    return on_the_site(markdown, here, here if page.file.generated_by else f"docs/{here}")
+    return with_site_links(markdown, here, here if page.file.generated_by else f"docs/{here}")
 
 
 def on_post_page(output: str, page: Page, config: MkDocsConfig) -> str:

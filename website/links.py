@@ -25,7 +25,7 @@ LINK = re.compile(r"(\]\()(?![a-z]+:|#)([^)\s#]+)")
 FENCE = re.compile(r"^(```.*?^```)$", re.DOTALL | re.MULTILINE)
 
 
-def on_the_site(markdown: str, here: str, source: str) -> str:
+def with_site_links(markdown: str, here: str, source: str) -> str:
     """Return the text of a page with links of the site.
 
     Args:

@@ -8,7 +8,7 @@ import pytest
 from tests.conftest import ROOT
 from website.api import markdown
 from website.gallery import Drawn, designs, draw, index, page, status
-from website.links import on_the_site
+from website.links import with_site_links
 
 NAV = re.findall(r"^ +- .*?([\w/]+\.md)$", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"), re.MULTILINE)
 
@@ -59,7 +59,7 @@ def test_a_design_is_shown_with_its_picture_its_report_and_its_file():
 )
 def test_links_of_a_code_host_become_links_of_the_site(link, source, here, shown):
     fenced = f"\n```text\n[code]({link})\n```\n"
-    assert on_the_site(f"See [this]({link}).{fenced}", here, source) == f"See [this]({shown}).{fenced}"
+    assert with_site_links(f"See [this]({link}).{fenced}", here, source) == f"See [this]({shown}).{fenced}"
 
 
 @pytest.mark.parametrize(
