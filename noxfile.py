@@ -1,7 +1,7 @@
 """All checks of this project. `nox` runs what CI runs; `nox -l` lists the sessions, `nox -s style` runs one.
 
-`tests` installs the project into `.venv` with the command that README.md gives, and `style`, `designs` and `benchmarks`
-use that environment. `package` and `oldest` have environments of their own.
+`tests` installs the project into `.venv` with the command that README.md gives, and `style`, `designs`, `docs` and
+`benchmarks` use that environment. `package` and `oldest` have environments of their own.
 """
 
 import os
@@ -54,6 +54,15 @@ def style(session: nox.Session) -> None:
 def designs(session: nox.Session) -> None:
     """Compare the standard designs with their baselines."""
     project_tool(session, "chutecalc", "check", "specs")
+
+
+@nox.session(venv_backend="none")
+def docs(session: nox.Session) -> None:
+    """Build the documentation site into `site`; a warning, such as a link that leads nowhere, is an error."""
+    project_tool(session, "pip", "install", "--quiet", *PROJECT["optional-dependencies"]["docs"])
+    session.run(
+        str(BIN / "python"), "-m", "mkdocs", "build", "--strict", external=True, env={"NO_MKDOCS_2_WARNING": "1"}
+    )
 
 
 @nox.session

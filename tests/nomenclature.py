@@ -9,6 +9,7 @@ from pathlib import Path
 
 from chutecalc.fields.units import TEXT, first_unit
 from chutecalc.glossary.columns import CATALOGUES
+from chutecalc.glossary.keys import NO_DEFAULT, allowed_text, default_text
 from chutecalc.glossary.symbols import SYMBOLS
 from chutecalc.glossary.tables import spec_tables
 from chutecalc.results.column import Column
@@ -60,9 +61,13 @@ def keys() -> str:
         quantities = each.model.quantities()
         for key, symbol in each.described():
             unit = first_unit(quantities[key].dimension) if key in quantities else ""
-            meaning = each.model.model_fields[key].description or ""
-            rows.append((each.name, f"`{key}`", symbol, TEXT.get(unit, unit), meaning))
-    return table(("table", "key", "symbol", "unit", "meaning"), sorted(rows, key=lambda row: row[0]))
+            field = each.model.model_fields[key]
+            allowed = allowed_text(field, quantities.get(key), unit)
+            default = "required" if field.is_required() else default_text(field, quantities.get(key), unit)
+            told = allowed, default.removesuffix(NO_DEFAULT), field.description or ""
+            rows.append((each.name, f"`{key}`", symbol, TEXT.get(unit, unit), *told))
+    headings = ("table", "key", "symbol", "unit", "allowed", "default", "meaning")
+    return table(headings, sorted(rows, key=lambda row: row[0]))
 
 
 def symbols() -> str:

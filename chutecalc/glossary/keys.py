@@ -14,6 +14,7 @@ from chutecalc.glossary.tables import FLAVOURS, SpecTable, spec_tables
 from chutecalc.spec.limits import LIMITS
 
 KEYS, TABLES, LIMITED = "keys of a spec", "tables, kinds and shapes of a spec", "limits of findings"
+NO_DEFAULT = "none: it may be left out"
 HEADINGS = {
     "project": "project",
     "flow": "flow-and-material",
@@ -79,9 +80,9 @@ def _spellings(key: str, found: list[tuple[SpecTable, str]]) -> Iterator[Entry]:
             stands_in=listed([each.name for each, _ in found]),
             symbol=listed(list(symbols)),
             unit=f"{shown} (also {others})" if quantity and others else shown,
-            must_be=quantity.bounds_text(unit) if quantity else " or ".join(_choices(field.annotation)),
+            must_be=allowed_text(field, quantity, unit),
             usual=_usual(quantity, unit) if quantity else "",
-            default=_default(field, quantity, unit),
+            default=default_text(field, quantity, unit),
             finding=limit.finding if limit else "",
             source=limit.source if limit else listed([each.source for each in SYMBOLS if each.symbol in symbols]),
             docs=page_of(key if not table.path and key in HEADINGS else table.path),
@@ -111,13 +112,30 @@ def _usual(quantity: Quantity, unit: str) -> str:
     return f"{low} to {high}; less is {usual.below}, more is {usual.above}"
 
 
-def _default(field: Any, quantity: Quantity | None, unit: str) -> str:
-    """Return the default of a key, in a unit; that it has to be given, or may be left out."""
+def allowed_text(field: Any, quantity: Quantity | None, unit: str) -> str:
+    """Return which values a key may have: its bounds in a unit, or the choices.
+
+    Args:
+        field: of the model.
+        quantity: what it is a number of, if it is one.
+        unit: suffix of the unit, such as ``mm``.
+    """
+    return quantity.bounds_text(unit) if quantity else " or ".join(_choices(field.annotation))
+
+
+def default_text(field: Any, quantity: Quantity | None, unit: str) -> str:
+    """Return the default of a key, in a unit; that it has to be given, or may be left out.
+
+    Args:
+        field: of the model.
+        quantity: what it is a number of, if it is one.
+        unit: suffix of the unit, such as ``mm``.
+    """
     default = field.default
     if default is PydanticUndefined:
         return "none: it must be given"
     if default is None or isinstance(default, Table | dict):
-        return "none: it may be left out"
+        return NO_DEFAULT
     if quantity is None:
         return f'"{default}"' if isinstance(default, str) else str(default)
     first = first_unit(quantity.dimension)

@@ -80,7 +80,9 @@ def loaded_width(area: Array, roll: Array, trough: Array, surcharge: Array) -> A
 
     Args:
         area: Cross-section A of the load, m², shape (1,) or (designs,), as for all arguments.
-        roll, trough, surcharge: As for :func:`load_area`; trough and surcharge must not both be 0.
+        roll: Length of the middle roll, m.
+        trough: Trough angle of the side rolls, rad; trough and surcharge must not both be 0.
+        surcharge: Surcharge angle of the load, rad.
 
     Returns:
         The width b, m.
@@ -111,7 +113,9 @@ def belt_load(
         volume_rate: Q, m³/s, shape (1,) or (designs,), as for all arguments.
         velocity: Belt velocity V, m/s, positive.
         width: Width of the belt, m.
-        roll, trough, surcharge: As for :func:`loaded_width`.
+        roll: Length of the middle roll, m.
+        trough: Trough angle of the side rolls, rad; trough and surcharge must not both be 0.
+        surcharge: Surcharge angle of the load, rad.
 
     Returns:
         The load.

@@ -9,17 +9,19 @@ import sys
 import pytest
 
 import chutecalc
+from chutecalc.cli import COMMANDS
+from chutecalc.design.status import Status
 from chutecalc.errors import ExitStatus
 from chutecalc.output.formats import output_formats
 from chutecalc.results.findings import CRITERIA
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
 from tests.house.test_imports import LEVEL
-from tests.pages import LESSONS, PAGES, ROOT, blocks, console, program, renewed_lesson, spec, workplace
+from tests.pages import LESSONS, PAGES, ROOT, STORIES, blocks, console, program, renewed, spec, workplace
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 FINDINGS = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
-LINKING = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *LESSONS, ROOT / "specs" / "README.md"])
+LINKING = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *STORIES, ROOT / "specs" / "README.md"])
 
 
 def each(language):
@@ -42,9 +44,9 @@ def test_commands_print_what_is_shown(page, block):
     assert shown == block.text, f"{page.name}: python -m tests.pages writes its examples anew"
 
 
-@pytest.mark.parametrize("page", LESSONS, ids=lambda page: page.stem)
-def test_lessons_go_as_they_are_told(page):
-    assert renewed_lesson(page) == page.read_text(encoding="utf-8"), "python -m tests.pages writes its examples anew"
+@pytest.mark.parametrize("page", STORIES, ids=lambda page: page.stem)
+def test_stories_go_as_they_are_told(page):
+    assert renewed(page) == page.read_text(encoding="utf-8"), "python -m tests.pages writes its examples anew"
 
 
 def test_a_lesson_needs_at_most_five_commands():
@@ -64,6 +66,25 @@ def test_programs_print_what_is_shown(page):
 def test_specs_are_specs(page, block):
     data = spec(block.text, blocks(page, "toml")[0].text)
     assert chutecalc.solve(chutecalc.parse(data)).status[0] == "ok"
+
+
+def test_every_block_is_run_or_says_by_its_language_why_not():
+    run, told = {"console", "python", "toml", "text"}, {"sh", "yaml", "json", "lua"}  # as tests/pages.py says
+    for page in LINKING:
+        openings = re.findall(r"^```(.*)\n(?:.*\n)*?```$", page.read_text(encoding="utf-8"), re.MULTILINE)
+        assert {*openings} <= run | told, page.name
+
+
+def test_every_command_has_its_help_on_the_page_of_commands():
+    page = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
+    assert re.findall(r"^## (\S+)$", page, re.MULTILINE) == list(COMMANDS)
+    assert re.findall(r"^\$ (.*)$", page, re.MULTILINE)[1:] == [f"chutecalc {name} --help" for name in COMMANDS]
+
+
+def test_the_workflow_for_ci_runs_the_lines_for_a_ci_job():
+    page = (ROOT / "docs" / "howto" / "ci.md").read_text(encoding="utf-8")
+    (lines,) = re.findall(r"^```sh\n(.*?)^```$", (ROOT / "docs" / "checks.md").read_text(encoding="utf-8"), re.S | re.M)
+    assert re.findall(r"- run: (.*)$", page, re.MULTILINE) == lines.splitlines()
 
 
 def test_other_commands_name_files_that_exist():
@@ -123,8 +144,9 @@ def test_links_lead_somewhere(page):
 
 
 def test_every_page_and_picture_is_linked():
-    index = re.findall(r"\]\(([^)#]+)", (ROOT / "docs" / "README.md").read_text(encoding="utf-8"))
-    assert {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"} <= set(index)
+    docs = ROOT / "docs"
+    index = re.findall(r"\]\(([^)#]+)", (docs / "README.md").read_text(encoding="utf-8"))
+    assert {path.relative_to(docs).as_posix() for path in docs.rglob("*.md")} - {"README.md"} <= set(index)
     shown = {
         (page.parent / target).resolve()
         for page in LINKING
@@ -173,6 +195,12 @@ def test_every_exit_status_is_described():
     table = page[page.index("| status | meaning |") :].split("\n\n")[0]
     shown = re.findall(r"^\| (\d+) \| (.*) \|$", table, re.MULTILINE)
     assert shown == [(str(int(status)), status.meaning) for status in ExitStatus]
+
+
+def test_every_status_of_a_design_is_described():
+    rows = [status for status, _ in first_words("running.md", "| status | meaning |\n| --- | --- |\n| `ok`")]
+    assert rows == [*Status.LABELS[:5], "passed", "not_reached", Status.IMPOSSIBLE_LABEL]
+    assert {*rows} == {*Status.LABELS, Status.IMPOSSIBLE_LABEL}
 
 
 def test_architecture_lists_every_room():
