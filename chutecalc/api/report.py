@@ -43,7 +43,9 @@ def write_report(file: str, *chutes: Chute, units: str = "metric", rtol: float =
         count = several[0].count
         raise UsageError(f"a report is that of one design, and a chute has {count}: take one with `chute.put`")
     cases = [solve_cases(chute, rtol) for chute in chutes]
-    bands = [band_or_none(chute, rtol) for chute in chutes]
+    bands = [
+        band_or_none(chute, rtol) if of.main_solution.ok[0] else None for chute, of in zip(chutes, cases, strict=True)
+    ]
     write_solved(file, chutes, cases, bands, units)
 
 
@@ -61,7 +63,7 @@ def write_solved(
         file: its path; the ending gives the format.
         chutes: of one design each.
         cases: the same, solved in all their states.
-        bands: the band of each; None where it could not be solved.
+        bands: the band of each that gets through; else None, as where it could not be solved.
         units: ``metric`` or ``us``.
         settings: keys that were changed for this run, as ``PATH=VALUE``.
     """

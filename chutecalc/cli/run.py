@@ -107,7 +107,7 @@ def run(
     if outputs.report:
         from chutecalc.api.report import write_solved
 
-        bands = [studies.band(number) for number in range(len(chutes))]
+        bands = [studies.band(number) if of.main_solution.ok[0] else None for number, of in enumerate(cases)]
         write_solved(outputs.report, chutes, cases, bands, outputs.units, settings)
     _print(cases, tables, studies, names, outputs)
     return _status(cases, strict)

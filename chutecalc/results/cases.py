@@ -87,8 +87,10 @@ class Cases:
             name = measure.column.name
             if measure.badness is not None and name in self.numbers:
                 badness = measure.badness(self.numbers[name])
-                badness = np.where(np.isnan(badness), -np.inf, badness)
-                spread = badness.max(axis=0) > badness.min(axis=0)
+                known = ~np.isnan(badness)  # a state without the number is not better
+                least = np.where(known, badness, np.inf).min(axis=0)
+                badness = np.where(known, badness, -np.inf)
+                spread = badness.max(axis=0) > least
                 found[name] = self._named(badness.argmax(axis=0), spread)
         return found
 

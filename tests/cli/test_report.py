@@ -73,6 +73,16 @@ def browse(tmp_path, *arguments):
     return subprocess.run(command, check=True, timeout=120, capture_output=True, text=True).stdout
 
 
+def structure(element):
+    """Yield the elements of a PDF's structure."""
+    element = element.get_object()
+    if isinstance(element, dict):
+        yield element
+        kids = element.get("/K", []).get_object() if "/K" in element else []
+        for kid in kids if isinstance(kids, list) else [kids]:
+            yield from structure(kid)
+
+
 def page_of(tmp_path, *arguments, status=0):
     return Page(report(tmp_path, *arguments, status=status).read_text(encoding="utf-8"))
 
@@ -105,7 +115,8 @@ def test_the_page_stands_alone_and_is_tagged(tmp_path, capsys):
     uses = [attributes["xlink:href"][1:] for tag, attributes in page.tags if tag == "use"]
     clips = re.findall(r"url\(#([^)]+)\)", text)
     assert set(uses) | set(clips) <= set(page.ids)
-    assert all("aria-label" in attributes for tag, attributes in page.tags if tag == "svg")
+    inside = [page.tags[number + 1][0] for number, (tag, _) in enumerate(page.tags) if tag == "svg"]
+    assert inside == ["title"] * 3
     assert ("html", {"lang": "en"}) in page.tags
 
 
@@ -119,7 +130,7 @@ def test_text_of_users_is_text(tmp_path, capsys):
     file.write_text(text.replace("[flow]", f"[project]\n{project}\n[flow]", 1), encoding="utf-8")
     page = page_of(tmp_path, file)
     assert not [tag for tag, _ in page.tags if tag == "script"]
-    assert page.text.count(hostile) == 10  # the page's title, its heading and the title block
+    assert page.text.count(hostile) == 11  # the page's title, its heading, the title block, and a picture's title
 
 
 def test_a_chute_that_fails_says_so_and_is_worked_where_it_fails(tmp_path, capsys):
@@ -193,6 +204,9 @@ def test_the_pdf_is_tagged_and_has_its_text(tmp_path, capsys):
     assert root["/Lang"] == "en"
     text = " ".join(page.extract_text() for page in document.pages)
     assert "page 1 of" in text
+    texts = [element["/Alt"] for element in structure(root["/StructTreeRoot"]) if element.get("/S") == "/Figure"]
+    assert len(texts) == 3
+    assert all("from the side" in text or "along the stream" in text for text in texts)
     assert "status stall" in text
 
 

@@ -1,11 +1,14 @@
 """Formulas of impacts, forces and the receiving belt with their numbers."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
-from chutecalc.output.html_report.at_worst import number
+from chutecalc.output.html_report.at_worst import SAME, number
+from chutecalc.output.html_report.walls import depth_formulas
 from chutecalc.output.html_report.worked import Number, Worked, worked
+from chutecalc.physics.pressure import pressure_factor
 from chutecalc.results.part import Part
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
@@ -38,30 +41,55 @@ def joint_formulas(solution: SolvedChute) -> dict[str, list[Worked]]:
 
 
 def _impact(solution: SolvedChute, part: Part) -> Iterator[Worked]:
-    """Yield what an impact does to the stream and to the surface."""
+    """Yield what an impact does to the stream and to the surface, from the stream as it arrives."""
     assert part.contact is not None
-    arrival, numbers = part.contact.arrival, part.impact()
+    arrival, numbers, model = part.contact.arrival, part.impact(), solution.spec.model
     before, after = number(arrival.velocity, "v_1", "m/s"), number(numbers["velocity_after_m_s"], "v_2", "m/s")
-    angle, friction = number(numbers["incidence_deg"], "i", "°"), number(arrival.impact.friction, "μ_e")
-    density, pressure = number(solution.design.density, "ρ", "kg/m³"), number(numbers["pressure_kpa"], "p", "kPa")
-    meaning = "velocity after the impact; μ_e on the impulse, i the angle between stream and surface"
+    at: Any = part.profile(np.zeros(1))
+    at = at.with_velocity_squared(float(model.momentum_factor) * before.value**2)
+    flow, area, depth = (
+        number(values, symbol, unit)
+        for values, symbol, unit in (
+            (solution.design.volume_rate, "Q", "m³/s"),
+            (solution.design.volume_rate / before.value, "A_1", "m²"),
+            (at.depth, "H_1", "m"),
+        )
+    )
+    yield worked(area, "flow area of the stream that arrives", "{Q}/{v}", "continuity", Q=flow, v=before)
+    yield from depth_formulas(at, area, depth)
+    angle, density = number(numbers["incidence_deg"], "i", "°"), number(solution.design.density, "ρ", "kg/m³")
+    footprint, pressure = number(numbers["footprint_m"], "L", "m"), number(numbers["pressure_kpa"], "p", "kPa")
+    if abs(footprint.value * np.sin(np.radians(angle.value)) / depth.value - 1.0) < SAME:
+        meaning = "length of surface that is struck; i the angle between stream and surface"
+        yield worked(footprint, meaning, "{H}/sin {i}", IMPACT, H=depth, i=angle)
+    of_pressure = {"rho": density, "v": before, "i": angle, "H": depth, "L": footprint}
+    yield worked(pressure, "impact pressure", "{rho} · {v}² · sin {i} · {H}/{L}/1000", IMPACT, **of_pressure)
+    yield from _kept(solution, arrival, float(np.ravel(at.missing)[0]), before, after, angle, pressure)
+
+
+def _kept(
+    solution: SolvedChute, arrival: Any, missing: float, before: Number, after: Number, angle: Number, pressure: Number
+) -> Iterator[Worked]:
+    """Yield friction, the velocity that is left, and wear."""
+    mu, friction = number(arrival.impact.wall_friction, "μ"), number(arrival.impact.friction, "μ_e")
+    excess = Number("χ_1", friction.value / mu.value - 1.0)
+    meaning = "equivalent friction on the impulse; χ_1 the excess friction of the friction law at the depth H_1"
+    yield worked(friction, meaning, "{mu} · (1 + {chi})", IMPACT, mu=mu, chi=excess)
     kept = "cos {i} − {mu} · sin {i}"
-    if after.value > 0.0:
-        yield worked(after, meaning, f"{{v}} · ({kept})", IMPACT, v=before, i=angle, mu=friction)
-    else:
+    if not after.value > 0.0:
         incidence = np.radians(angle.value)
         share = Number("v_2/v_1", float(np.cos(incidence) - friction.value * np.sin(incidence)))
-        yield worked(share, f"{meaning}; where it is not above 0 the stream stops", kept, IMPACT, i=angle, mu=friction)
-    footprint = number(numbers["footprint_m"], "L", "m")
-    yield worked(
-        pressure,
-        f"impact pressure on a length of {footprint.text} m",
-        "{rho} · {v}² · sin² {i}/1000",
-        IMPACT,
-        rho=density,
-        v=before,
-        i=angle,
-    )
+        meaning = "share of the velocity that is left; where it is not above 0 the stream stops"
+        yield worked(share, meaning, kept, IMPACT, i=angle, mu=friction)
+        return
+    meaning = "velocity after the impact"
+    yield worked(after, meaning, f"{{v}} · ({kept})", IMPACT, v=before, i=angle, mu=friction)
+    factor = float(pressure_factor(excess.value, missing, solution.spec.model.friction_law == "equilibrium"))
+    wear = Number("w", float(np.ravel(arrival.impact.wear)[0]), "W/m²")
+    meaning = "wear of the impact, at a slip ratio of 1; f_1 the pressure factor of the friction law at the depth H_1"
+    template = "{mu} · {f} · 1000 · {p} · ({v1} · cos {i} + {v2})/2"
+    numbers = {"mu": mu, "f": Number("f_1", factor), "p": pressure, "v1": before, "v2": after, "i": angle}
+    yield worked(wear, meaning, template, IMPACT, **numbers)
 
 
 def _force(solution: SolvedChute, part: Part, result: SegmentResult) -> Iterator[Worked]:

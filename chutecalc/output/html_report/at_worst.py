@@ -34,7 +34,7 @@ class WorstPlace(NamedTuple):
 def worst_place(solution: SolvedChute) -> WorstPlace | None:
     """Return where a chute is worst; None where its stream slides on nothing.
 
-    That is where the stream enters the segment on which it ends before the chute does; else where it wears most.
+    That is where it chokes a segment, where it enters the segment on which it ends otherwise; else where it wears most.
 
     Args:
         solution: solution of one design.
@@ -49,6 +49,8 @@ def worst_place(solution: SolvedChute) -> WorstPlace | None:
     if not reached:
         return None
     last = [*reached][-1]
+    if last.status()[0] == Status.CHOKE and np.isfinite(reached[last][-1]):
+        return WorstPlace(last, 1.0, "where the stream chokes the segment")
     if last.status()[0] not in (Status.OK, Status.CONTACT_LOST) and np.isfinite(reached[last][0]):
         return WorstPlace(last, 0.0, "where the stream enters the segment on which it ends")
     part = max(reached, key=lambda each: float(np.nanmax(reached[each])))
@@ -79,12 +81,14 @@ def station_formulas(solution: SolvedChute, place: WorstPlace) -> Iterator[Worke
     """
     spec, design = solution.spec, solution.design
     at: Any = place.part.profile(np.array([place.share]))
-    rate, density = number(design.mass_rate * 3.6, "ṁ", "t/h"), number(design.density, "ρ", "kg/m³")
+    mass, density = number(design.mass_rate, "ṁ", "kg/s"), number(design.density, "ρ", "kg/m³")
     flow, v, area = number(design.volume_rate, "Q", "m³/s"), number(at.velocity, "v", "m/s"), number(at.area, "A", "m²")
     depth, slope = number(at.depth, "H", "m"), number(np.degrees(at.slope), "a", "°")
     n, factor = number(at.normal_acceleration, "n", "m/s²"), Number("α_m", float(spec.model.momentum_factor))
     gravity = number(design.gravity, "g", "m/s²")
-    yield worked(flow, "volume rate", "{rate}/(3.6 · {density})", "continuity", rate=rate, density=density)
+    rate = number(design.mass_rate * 3.6, "rate", "t/h")
+    yield worked(mass, "mass rate, of the rate in t/h", "{rate}/3.6", "the spec's rate", rate=rate)
+    yield worked(flow, "volume rate", "{mass}/{density}", "continuity", mass=mass, density=density)
     yield worked(area, "flow area", "{flow}/{v}", "continuity", flow=flow, v=v)
     yield from depth_formulas(at, area, depth)
     yield _normal(at, slope, gravity, v, n, factor)

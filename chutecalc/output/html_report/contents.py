@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any
 
+import numpy as np
 from markupsafe import Markup
 
 from chutecalc.output.band import band_lines, band_table
@@ -27,6 +28,7 @@ from chutecalc.results.cases import Cases
 from chutecalc.results.columns import IN_TABLES
 from chutecalc.results.described import status_words
 from chutecalc.results.drawn import drawn_segments, points_of
+from chutecalc.results.finding import Severity
 from chutecalc.results.solved import SolvedChute
 from chutecalc.spec.operating import DESIGN_POINT
 
@@ -58,6 +60,7 @@ def contents(chute: Reported, units: str) -> dict[str, Any]:
         "cases": cases_table(states, units) if len(states.names) > 1 else None,
         "case_findings": list(case_findings(states, units)),
         "receiver_lines": [line.partition("  ")[2] for line in receiver_lines(solution, units)],
+        "struck": any(result.impact for result in solution.trajectory.results),
         "loads": loads_table(solution.segments, units),
         "place": place and {"where": where(place, units), "why": place.why},
         "worked": list(station_formulas(solution, place)) if place else [],
@@ -74,8 +77,10 @@ def _statuses(states: Cases) -> str:
     if len(states.names) == 1:
         return ""
     failing = [f"{name} {status_words(each.status[0])}" for name, each in states.solutions.items() if not each.ok[0]]
-    through = len(states.names) - len(failing)
-    return ", ".join([f"{through} of {len(states.names)} get through", *failing])
+    count, through = len(states.names), len(states.names) - len(failing)
+    solutions = states.solutions.values()
+    warned = sum(any(found.severity == Severity.WARNING for found in each.findings()) for each in solutions)
+    return ", ".join([f"{through} of {count} get through", *failing, *([f"{warned} with warnings"] if warned else [])])
 
 
 def head(chute: Reported, units: str) -> dict[str, Any]:
@@ -94,7 +99,8 @@ def head(chute: Reported, units: str) -> dict[str, Any]:
         "library": chute.library,
         "settings": chute.settings,
         "tolerance": f"{solution.rtol:g}",
-        "outcome": outcome(solution, units),
+        "error": f"{solution.error_estimate[0]:.0e}" if solution.ok[0] else "",
+        "outcome": outcome(solution, units, np.inf),
         "flow": flow_line(solution, units).removeprefix(f"{solution.source}: "),
     }
 

@@ -35,5 +35,5 @@ def inline_svg(figure: Figure, name: str, description: str) -> str:
     text = re.sub(r' id="([^"]*)"', lambda found: found[0] if found[1] in used else "", text)
     text = re.sub(r'( id="|href="#|url\(#)', rf"\1{name}-", text)
     text = re.sub(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"', r"\1", text, count=1)
-    label = escape(description, quote=True)
-    return text.replace("<svg", f'<svg role="img" aria-label="{label}"', 1)
+    first, rest = text.split(">", 1)
+    return f'{first} role="img">\n<title>{escape(description)}</title>{rest}'

@@ -13,8 +13,8 @@ from chutecalc.results.solved import SolvedChute
 from chutecalc.spec.inputs import Input, inputs
 from chutecalc.spec.limits import LIMITS
 
-IN_TITLE_BLOCK = ("title", "project", "format")
-"""Tables and keys at the top of a spec that the title block shows."""
+SHOWN_ELSEWHERE = ("title", "project", "format", "uncertainty")
+"""Tables and keys at the top of a spec that the title block shows, or that reports do without."""
 NO_BREAK = "\N{NO-BREAK SPACE}"
 """Stands between a number and its unit."""
 NAMES = r"segments\.[^.]+\.name"
@@ -22,7 +22,7 @@ NAMES = r"segments\.[^.]+\.name"
 
 
 def given_inputs(solution: SolvedChute) -> dict[str, Input]:
-    """Return what a spec gives beside its title block, by path.
+    """Return what a spec gives beside its title block and how uncertain its numbers are, by path.
 
     Args:
         solution: solution of one design.
@@ -31,7 +31,7 @@ def given_inputs(solution: SolvedChute) -> dict[str, Input]:
     return {
         path: each
         for path, each in found.items()
-        if path.split(".")[0] not in IN_TITLE_BLOCK and not re.fullmatch(NAMES, path)
+        if path.split(".")[0] not in SHOWN_ELSEWHERE and not re.fullmatch(NAMES, path)
     }
 
 
