@@ -8,8 +8,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import IO, Any, NamedTuple, Protocol
 
+from chutecalc.extras import Extra
 from chutecalc.output.dataset import Block, Dataset
-from chutecalc.output.extras import Extra
 from chutecalc.registry import by_name, load_modules
 
 

@@ -2,8 +2,8 @@
 
 from typing import IO, Any
 
+from chutecalc.extras import PARQUET
 from chutecalc.output.dataset import Block, Dataset
-from chutecalc.output.extras import Extra
 from chutecalc.output.formats import OutputFormat
 
 ROWS_OF_A_GROUP = 131_072
@@ -65,9 +65,9 @@ class ParquetRows:
 
 FORMAT = OutputFormat(
     "parquet",
-    "Write the rows as Parquet (extra parquet).",
+    "Write the rows as Parquet (needs PyArrow).",
     ParquetRows,
-    extra=Extra("parquet", "PyArrow"),
+    extra=PARQUET,
     binary=True,
     standard_output=False,
 )

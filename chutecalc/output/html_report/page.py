@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from chutecalc.extras import PLOT, REPORT, require_extra
 from chutecalc.output.dataset import document_head
-from chutecalc.output.extras import PLOT, REPORT, require_extra
 from chutecalc.output.html_report.reported import Reported
 from chutecalc.output.html_report.worked import with_subscripts
 
