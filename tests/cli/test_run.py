@@ -129,11 +129,11 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert main(["run", str(starter), "--json", "-", "--set", "segments.2.radius_m=2"]) == 0
     assert json.loads(capsys.readouterr().out)["exit"] == twin["exit"]
     assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
-    assert "segments.2.radius_m = 0" in capsys.readouterr().err
+    assert "--set segments.spoon.radius_m=0 must be greater than 0 m" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
     assert "segments has no item 'slide'. Use 1 (fall) or spoon." in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "radius_mm=1"]) == 2
-    expected = "radius_mm = 1 is not a key of the spec. Did you mean segments.spoon.radius_mm?"
+    expected = "--set radius_mm=1 is not a key of the spec. Did you mean segments.spoon.radius_mm?"
     assert expected in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "nothing"]) == 2
     assert "PATH=VALUE" in capsys.readouterr().err
@@ -143,13 +143,12 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
 def test_what_is_no_table_holds_no_key(path, capsys, starter):
     assert main(["run", str(starter), "--set", f"{path}=1"]) == 2
     above = path.rpartition(".")[0]
-    fault = f"{path} = 1 does not exist: {above} is a value, not a table. Use the path {above}."
+    fault = f"--set {path}=1 does not exist: {above} is a value, not a table. Use the path {above}."
     assert capsys.readouterr().err == f"{starter}: {fault}\n"
 
 
-def test_set_gives_what_the_spec_leaves_out_and_its_faults_keep_their_lines(capsys, starter, tmp_path):
+def test_set_gives_what_the_spec_leaves_out_and_its_faults_blame_no_line(capsys, starter, tmp_path):
     text = starter.read_text()
-    line = next(number for number, row in enumerate(text.splitlines(), 1) if row.startswith("rate_t_h"))
     path = tmp_path / "template.toml"
     path.write_text("\n".join("" if row.startswith("rate_t_h") else row for row in text.splitlines()))
     assert main(["run", str(path)]) == 2
@@ -157,7 +156,7 @@ def test_set_gives_what_the_spec_leaves_out_and_its_faults_keep_their_lines(caps
     assert main(["run", str(path), "--set", "flow.rate_t_h=1000"]) == 0
     capsys.readouterr()
     assert main(["run", str(starter), "--set", "flow.rate_t_h=-1"]) == 2
-    assert f":{line}: flow.rate_t_h = -1" in capsys.readouterr().err
+    assert capsys.readouterr().err.startswith(f"{starter}: --set flow.rate_t_h=-1 must be greater than 0 t/h")
 
 
 def test_stations_by_distance(capsys, starter):

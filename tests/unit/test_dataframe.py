@@ -63,9 +63,9 @@ def test_all_columns_of_one_design():
 def test_a_library_that_is_missing_is_named(two, monkeypatch):
     for module in ("pandas", "polars"):
         monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(chutecalc.ChutecalcError, match="to_dataframe needs pandas.*pip install pandas"):
+    with pytest.raises(chutecalc.ChutecalcError, match=r"to_dataframe needs pandas.*pip install pandas"):
         two.to_dataframe()
-    with pytest.raises(chutecalc.ChutecalcError, match="designs_dataframe needs Polars.*pip install polars"):
+    with pytest.raises(chutecalc.ChutecalcError, match=r"designs_dataframe needs Polars.*pip install polars"):
         two.designs_dataframe(library="polars")
     with pytest.raises(chutecalc.UsageError, match="pandas or polars, not 'xarray'"):
         two.to_dataframe(library="xarray")
