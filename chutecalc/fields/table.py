@@ -1,7 +1,9 @@
 """The base class of a spec's tables: units by suffix, no unknown keys, rules between keys, faults in plain words."""
 
+import math
 from collections.abc import Callable, Iterator
 from functools import cache
+from sys import float_info
 from typing import Any, ClassVar, NamedTuple, get_args, get_origin
 
 import numpy as np
@@ -12,12 +14,16 @@ from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.units import convert, first_unit, unit_keys
 from chutecalc.fields.wording import EXPECTED, NOT_VARIED, TABLE, Unknown, as_added, meant, unknown_key
 
+MAX = float_info.max
+
 
 def _converted(value: Any, dimension: str, unit: str) -> Any:
     """Return numbers, also in lists, in the dimension's first unit; anything else stays for the check to find."""
     if isinstance(value, list | tuple):
         return [_converted(item, dimension, unit) for item in value]
     number = isinstance(value, int | float | np.number | np.ndarray) and not isinstance(value, bool)
+    if number and isinstance(value, int) and abs(value) > MAX:
+        value = math.copysign(math.inf, value > 0 or -1)  # an integer of TOML may be too large to compute with
     return convert(value, dimension, unit, first_unit(dimension)) if number else value
 
 

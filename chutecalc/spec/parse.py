@@ -2,6 +2,7 @@
 
 import tomllib
 from codecs import BOM_UTF8, BOM_UTF16_BE, BOM_UTF16_LE
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -36,13 +37,24 @@ def read_bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except FileNotFoundError:
-        raise SpecError(
-            [Fault("", "there is no such file", "check the name, or create one with chutecalc new")], str(path)
-        ) from None
+        raise SpecError([Fault("", "there is no such file", _meant(path))], str(path)) from None
     except IsADirectoryError:
         raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
     except OSError as error:
         raise SpecError([Fault("", f"cannot be read: {error.strerror}", "check the path")], str(path)) from None
+
+
+def _meant(path: Path) -> str:
+    """Return what to do about a file that does not exist."""
+    name = str(path)
+    if name[:1] in "–—":
+        return f"if it is an option, write --{name.lstrip('–—-')}, with two minus signs"
+    if "=" in name:
+        return f"to change a key write --set {name}"
+    there = [each.name for each in path.parent.glob("*.toml") if not each.name.endswith(BASELINE_SUFFIX)]
+    if close := get_close_matches(path.name, there, n=1) or get_close_matches(f"{path.name}.toml", there, n=1):
+        return f"did you mean {path.with_name(close[0])}?"
+    return "check the name, or create one with chutecalc new"
 
 
 def decode(data: bytes, source: str) -> str:

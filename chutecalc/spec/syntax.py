@@ -143,8 +143,8 @@ def _statement(line: str) -> Fault | None:
         return fault
     if re.match(r"- |```", bare):
         return Fault("", "is not TOML", "write key = value, or a header such as [flow]", bare)
-    if pair := re.fullmatch(rf"({KEY})\s*(:|\s)\s*(\S.*)", bare):
-        key, mark, value = pair.groups()
+    if pair := re.fullmatch(rf"({KEY})(?:\s*(:)\s*|(\s)\s*(?=[^\s\"']+$|[\"']))(\S.*)", bare):
+        key, mark, _, value = pair.groups()
         problem = "has : between key and value" if mark == ":" else "has no = between key and value"
         return Fault(key, problem, f"write {key} = {_as_value(value)}")
     if name := re.fullmatch(rf"({KEY})\s*(:?)", bare):

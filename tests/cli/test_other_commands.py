@@ -173,6 +173,9 @@ def test_version_and_help(capsys):
         ("run a.toml --points 1", "--points must be at least 2, not 1.\n"),
         ("run a.toml --points x", "--points must be a whole number, not x.\n"),
         ("run a.toml --stations x", "--stations must be a number, not x.\n"),
+        ("run a.toml --stations 2,5", "--stations must be a number, not 2,5. Write a decimal point: 2.5.\n"),
+        ("run a.toml --csv=", "--csv needs a value after it, which is empty.\n"),
+        ("run a.toml -plot a.svg", "there is no option -plot. Names of options have two minus signs: --plot.\n"),
         ("run a.toml --stations 0", "--stations must be greater than 0 m, not 0\n"),
         ("run a.toml --stations nan", "--stations must be greater than 0 m, not nan\n"),
         ("run a.toml --rtol 2", "--rtol must be from 1e-13 to 0.001, not 2.\n"),
@@ -182,7 +185,7 @@ def test_version_and_help(capsys):
         ("run a.baseline.toml", "a.baseline.toml is a baseline, not a chute. Run a.toml.\n"),
         (
             "run a.toml --set flow.rate_t_h=2,5",
-            "--set flow.rate_t_h=2,5: 2,5 is not a number. Write a decimal point: 2.5",
+            "--set flow.rate_t_h=2,5 is not a number: the decimal mark is a point. Write --set flow.rate_t_h=2.5.\n",
         ),
         ("new no/such/a.toml", "no/such/a.toml cannot be written: there is no folder no/such. Create it first.\n"),
         ("new .", ". is a folder: name a file in it\n"),
