@@ -1,11 +1,13 @@
 """Slips on the command line: files that are not there, and values that options do not take."""
 
+import inspect
+from importlib import import_module
 from typing import get_args
 
 import pytest
-import typer
+from typer.models import OptionInfo
 
-from chutecalc.cli import COMMANDS, _app, main
+from chutecalc.cli import COMMANDS, main
 
 
 @pytest.mark.parametrize(
@@ -32,12 +34,11 @@ def test_what_is_no_file_but_an_option(capsys):
 def options():
     """Every option of every command that takes a value which is not text."""
     for name in COMMANDS:
-        app = typer.main.get_command(_app([name]))
-        command = app.commands[name] if hasattr(app, "commands") else app
-        for option in command.get_params(command.make_context(name, [], resilient_parsing=True)):
-            kind = option.param_type_name == "option" and not option.is_flag and option.type_descriptor.annotation
-            if kind and str not in (kind, *get_args(kind)):
-                yield name, option.opts[0]
+        command = getattr(import_module(f"chutecalc.cli.{name}"), name)
+        for parameter in inspect.signature(command, eval_str=True).parameters.values():
+            kinds = {parameter.annotation, *get_args(parameter.annotation)}
+            if isinstance(parameter.default, OptionInfo) and not {str, bool} & kinds:
+                yield name, next(iter(parameter.default.param_decls or ()), f"--{parameter.name.replace('_', '-')}")
 
 
 @pytest.mark.parametrize("value", ["x?", "1e999", "nan", "1,5"])
