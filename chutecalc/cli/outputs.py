@@ -138,7 +138,7 @@ class Outputs(OptionGroup):
                 form = output_formats()[name]
                 stream = stack.enter_context(open_whole(file, "wb" if form.binary else "w"))
                 if form.document and dataset.document:
-                    form.document(stream, dataset.document())
+                    form.document(stream, dataset)
                 else:
                     writers.append(form.rows(stream, dataset))
             for block in dataset.blocks if writers else ():

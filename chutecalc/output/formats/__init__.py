@@ -36,7 +36,7 @@ class OutputFormat(NamedTuple):
     """What the option does, for ``--help``."""
     rows: Callable[[IO[Any], Dataset], RowWriter]
     """Begins a file of rows. The writer holds at most a few blocks in memory."""
-    document: Callable[[IO[Any], Any], None] | None = None
+    document: Callable[[IO[Any], Dataset], None] | None = None
     """Writes nested data instead of rows, for datasets that have a document."""
     extra: Extra | None = None
     """The optional dependency that it needs."""
