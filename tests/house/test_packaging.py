@@ -44,14 +44,6 @@ def test_licence_and_versions_of_python_are_what_is_built_and_tested():
     assert PROJECT["requires-python"] == f">={built[0]}"
 
 
-def test_classifiers_are_those_of_pypi_and_in_order():
-    known = ("Development Status", "Environment", "Intended Audience", "Natural Language", "Operating System")
-    known += ("Programming Language", "Topic", "Typing")
-    assert [each.partition(" :: ")[0] for each in PROJECT["classifiers"]] == sorted(
-        (each.partition(" :: ")[0] for each in PROJECT["classifiers"]), key=known.index
-    )
-
-
 def test_addresses_are_left_to_be_filled_in():
     assert "urls" not in PROJECT
     lines = (ROOT / "pyproject.toml").read_text(encoding="utf-8").splitlines()
