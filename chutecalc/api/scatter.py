@@ -1,7 +1,6 @@
 """How an uncertain number scatters, as a spec says it: plus/minus, a distribution, or the points of a shear test."""
 
 import math
-import sys
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -90,7 +89,7 @@ def is_number(value: Any) -> bool:
     >>> is_number(2), is_number(True), is_number(float("nan"))
     (True, False, False)
     """
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e308
 
 
 def bounds_of(parameter: Parameter) -> tuple[float, float]:

@@ -40,7 +40,7 @@ def syntax_fault(text: str, message: str) -> Fault:
         or _given_twice(lines, number)
         or _not_closed(lines, number)
         or _header(line)
-        or (_assignment(line) if "=" in line else _statement(line))
+        or (_assignment(line) if re.search("[^=]=", line) else _statement(line))
     )
     if fault is None:
         problem = "is not valid TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
@@ -141,6 +141,8 @@ def _statement(line: str) -> Fault | None:
     bare = without_comment(line).strip()
     if fault := invisible_fault(bare):
         return fault
+    if re.match(r"<{7}|={7}|>{7}", bare):
+        return Fault("", "is the mark of a merge that was not finished", "keep one of the two versions", bare)
     if re.match(r"- |```", bare):
         return Fault("", "is not TOML", "write key = value, or a header such as [flow]", bare)
     if pair := re.fullmatch(rf"({KEY})(?:\s*(:)\s*|(\s)\s*(?=[^\s\"']+$|[\"']))(\S.*)", bare):

@@ -166,7 +166,7 @@ def test_version_and_help(capsys):
         ("chute.toml", "there is no command chute.toml. To solve a chute: chutecalc run chute.toml\n"),
         ("swep", "there is no command swep. Did you mean sweep?\n"),
         ("xyz", f"there is no command xyz. Use {', '.join(COMMANDS[:-1])} or dem.\n"),
-        ("run a.toml --foo", "there is no option --foo. chutecalc run --help lists the options.\n"),
+        ("run a.toml --qqq", "there is no option --qqq. chutecalc run --help lists the options.\n"),
         ("run a.toml --plott x", "there is no option --plott. Did you mean --plot"),
         ("run a.toml --plot", "--plot needs a value after it.\n"),
         ("run a.toml --strict=3", "--strict takes no value. Write --strict alone.\n"),

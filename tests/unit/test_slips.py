@@ -231,6 +231,7 @@ SLIPS = [  # what is written, what stands there instead, and how the message goe
     ("[liners.wall]", "[liners]", "must be a table. Put it under a name of your choice: [liners.NAME]."),
     ("[inlet]\nvelocity_m_s = 0\nslope_deg = 90\n", "", "inlet is missing. Add a header [inlet]."),
     # other formats
+    (RADIUS, "=======", "28: ======= is the mark of a merge that was not finished. Keep one of the two versions."),
     (SPOON, "", "spec: is empty. Run chutecalc new, which writes one to start from."),
     (SPOON, '{\n  "flow": {"rate_t_h": 1000}\n}\n', "1: this is JSON, and a spec is TOML."),
     (SPOON, "flow:\n  rate_t_h: 1000\n", "1: this is YAML, and a spec is TOML."),
