@@ -115,8 +115,8 @@ SLIPS = [  # what is written, what stands there instead, and how the message goe
     (TITLE, "Coal chute 3", '1: title = Coal chute 3 must be in quotes if it is text. Write title = "Coal chute 3".'),
     (
         TITLE,
-        '"C:\\Users\\me"',
-        "has a backslash in double quotes; single quotes take it. Write title = 'C:\\Users\\me'.",
+        '"chutes\\Ulm"',
+        "has a backslash in double quotes; single quotes take it. Write title = 'chutes\\Ulm'.",
     ),
     (TITLE, '"Spoon\nlong"', '1: title = "Spoon is in quotes that do not close.'),
     (TITLE, "2026-01-01", "1: title = 2026-01-01 must be text in quotes. Put quotes around it."),
