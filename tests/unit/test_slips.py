@@ -234,7 +234,7 @@ SLIPS = [  # what is written, what stands there instead, and how the message goe
     (RADIUS, "=======", "28: ======= is the mark of a merge that was not finished. Keep one of the two versions."),
     (SPOON, "", "spec: is empty. Run chutecalc new, which writes one to start from."),
     (SPOON, '{\n  "flow": {"rate_t_h": 1000}\n}\n', "1: this is JSON, and a spec is TOML."),
-    (SPOON, "flow:\n  rate_t_h: 1000\n", "1: this is YAML, and a spec is TOML."),
+    (SPOON, "flow: \n  rate_t_h: 1000\n", "1: this is YAML, and a spec is TOML."),
     (SPOON, '<?xml version="1.0"?>\n<chute/>\n', "1: this is XML, and a spec is TOML."),
     (SPOON, f"```toml\n{SPOON}```\n", "1: this is Markdown, and a spec is TOML."),
     (
