@@ -44,6 +44,8 @@ class Fault(NamedTuple):
     """The value given, as text; empty if it does not matter."""
     line: int | None = None
     """Line of the file; None if it is not known."""
+    argument: str = ""
+    """What gave the value instead of the file, such as ``--set segments.2.radius_m=-3``."""
 
     def text(self, source: str) -> str:
         """Return the fault as a line of text; a character that would not print stands as its escape sequence.
@@ -55,7 +57,7 @@ class Fault(NamedTuple):
         'spoon.toml:12: segments.2.radius_m = -3 must be greater than 0 m. Change it.'
         """
         location = source if self.line is None else f"{source}:{self.line}"
-        what = " = ".join(part for part in (self.path, self.given) if part)
+        what = self.argument or " = ".join(part for part in (self.path, self.given) if part)
         remedy = self.remedy[:1].upper() + self.remedy[1:]
         text = (
             f"{location}: "

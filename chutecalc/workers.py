@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any, NamedTuple, Protocol
 
-from chutecalc.errors import ExtraMissingError, UsageError
+from chutecalc.errors import UsageError
+from chutecalc.extras import DASK, require_extra
 from chutecalc.runtime import cores
 
 CONNECT_TIMEOUT = 5.0
@@ -73,8 +73,7 @@ class Dask:
             ExtraMissingError: Dask is not installed.
             UsageError: there is no scheduler, it has no workers, or they have another chutecalc.
         """
-        if find_spec("distributed") is None:
-            raise ExtraMissingError("--dask needs Dask. Install it: pip install 'chutecalc[dask]'")
+        require_extra("--dask", DASK)
         client: Any = import_module("distributed").Client
         try:
             self.client: Any = client(address, timeout=CONNECT_TIMEOUT, set_as_default=False)

@@ -2,17 +2,16 @@
 
 from collections.abc import Iterable
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
-from chutecalc.errors import ExtraMissingError, UsageError
+from chutecalc.errors import UsageError
+from chutecalc.extras import PANDAS, POLARS, require_extra
 from chutecalc.results.column_names import column_names
 from chutecalc.results.solved import SolvedChute
 
-LIBRARIES = {"pandas": "chutecalc[dataframe]", "polars": "polars"}
-"""What pip installs for each library, by its name."""
+LIBRARIES = {"pandas": PANDAS, "polars": POLARS}
 
 
 def stations_frame(
@@ -53,6 +52,5 @@ def _data_frame(library: str, caller: str) -> Any:
     """Import a library and return its ``DataFrame``, for a method named in messages."""
     if library not in LIBRARIES:
         raise UsageError(f"library must be {' or '.join(LIBRARIES)}, not {library!r}")
-    if find_spec(library) is None:
-        raise ExtraMissingError(f"{caller} needs {library}: pip install '{LIBRARIES[library]}'")
+    require_extra(caller, LIBRARIES[library])
     return import_module(library).DataFrame

@@ -89,7 +89,7 @@ def is_number(value: Any) -> bool:
     >>> is_number(2), is_number(True), is_number(float("nan"))
     (True, False, False)
     """
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < 1e308
 
 
 def bounds_of(parameter: Parameter) -> tuple[float, float]:

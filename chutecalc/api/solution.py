@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import PLOT, require_extra
+from chutecalc.extras import PLOT, require_extra
 from chutecalc.results.column import Units
 from chutecalc.results.described import number, outcomes
 from chutecalc.results.solved import SolvedChute

@@ -125,7 +125,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             traceback.print_exc()
         return _complain(
             f"chutecalc {__version__} failed, which is a fault of the program: {error!r}\n"
-            "Please report it with the command and the spec. --debug shows a traceback.",
+            "Keep the command, the spec and what it says with --debug added: who maintains your copy of chutecalc needs"
+            " them. Another value of what was changed last may get you on meanwhile.",
             ExitStatus.INTERNAL,
         )
 

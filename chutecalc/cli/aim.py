@@ -62,7 +62,7 @@ def aim(
     check_writing(spec, write, take)
     chute = read_chute(spec, library=library)
     found = find_aim(chute, read_keys(given, chute), wanted, case or DESIGN_POINT, names_of(columns), jobs)
-    outputs.write(found_dataset(found, {}))
+    outputs.write(found_dataset("aim", found))
     if not outputs.to_standard_output:
         from chutecalc.output.printer import Printer
 

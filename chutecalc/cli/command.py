@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 from difflib import get_close_matches
+from itertools import pairwise
 from typing import Any
 
 import typer
@@ -22,13 +23,16 @@ class Command(TyperCommand):
             args: arguments of the command.
 
         Raises:
-            UsageError: an option is given twice.
+            UsageError: an option is given twice, or its value is empty.
         """
         before = [word.partition("=")[0] for word in (args[: args.index("--")] if "--" in args else args)]
         for option in self.get_params(ctx):
             single = option.param_type_name == "option" and option.nargs == 1 and not _repeatable(option)
             if single and sum(before.count(name) for name in option.opts) > 1:
                 raise UsageError(f"{option.opts[0]} is given twice. Give it once.")
+            empty = {f"{name}=" for name in option.opts}.intersection(args)
+            if empty or any(word in option.opts and following == "" for word, following in pairwise(args)):
+                raise UsageError(f"{option.opts[0]} needs a value after it, which is empty.")
         return super().parse_args(ctx, args)
 
     def collect_usage_pieces(self, ctx: Any) -> list[str]:
@@ -90,6 +94,8 @@ def explained(
     option = getattr(error, "option_name", None)
     if option and message.startswith("No such option"):
         close = list(getattr(error, "possibilities", None) or ())
+        if word := next((word for word in given if re.match(rf"{option}\w", word)), None):
+            return f"there is no option {word}. Names of options have two minus signs: -{word}."
         remedy = f"Did you mean {' or '.join(close)}?" if close else f"chutecalc {given[0]} --help lists the options."
         return f"there is no option {option}. {remedy}"
     if option and "requires an argument" in message:
@@ -118,8 +124,9 @@ def _worded(error: Any) -> str:
     if "valid int" in message:
         return f"must be a whole number, not {value}."
     if re.search("valid (number|float)|finite", message):
-        return f"must be a number, not {value}."
+        point = f" Write a decimal point: {value.replace(',', '.')}." if re.fullmatch(r"[+-]?\d+,\d+", value) else ""
+        return f"must be a number, not {value}.{point}"
     if found := re.search(r" is not one of (.*)\.", message):
         *others, last = found[1].replace("'", "").split(", ")
         return f"must be {', '.join(others)} or {last}, not {value}."
-    return f"cannot be used: {message}"
+    return f"cannot be used: {message.removeprefix('Value error, ')}"

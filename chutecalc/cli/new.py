@@ -70,7 +70,7 @@ def _list() -> int:
 
 def _write_schema(target: str) -> None:
     """Write the JSON Schema of a spec."""
-    from chutecalc.spec.schema import schema_text
+    from chutecalc.spec.schema import json_schema, schema_text
 
     with open_new(target) as stream:
-        stream.write(schema_text())
+        stream.write(schema_text(json_schema()))

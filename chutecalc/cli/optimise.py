@@ -73,7 +73,7 @@ def optimise(
     chute = read_chute(spec, library=library)
     keys = read_keys(given, chute)
     found = find_optimum(chute, keys, wanted, limits, case, no_warnings, names_of(columns), points, seed, jobs)
-    outputs.write(found_dataset(found, {}))
+    outputs.write(found_dataset("optimise", found))
     if outputs.plot:
         from chutecalc.studies.optimise.plot import draw_optimum
 

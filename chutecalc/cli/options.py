@@ -16,7 +16,7 @@ from chutecalc.errors import UsageError
 
 RTOL = typer.Option(1e-10, min=1e-13, max=1e-3, metavar="R", help="Relative tolerance of the velocity.")
 DASK = typer.Option(
-    None, metavar="ADDRESS", help="Solve on the workers of a Dask scheduler, such as tcp://10.0.0.1:8786 (extra dask)."
+    None, metavar="ADDRESS", help="Solve on the workers of a Dask scheduler, such as tcp://10.0.0.1:8786 (needs Dask)."
 )
 LIBRARY = typer.Option(
     None,

@@ -11,9 +11,9 @@ import typer
 
 from chutecalc.cli.options import OptionGroup, option
 from chutecalc.errors import UsageError
+from chutecalc.extras import CHART, require_extra
 from chutecalc.output.dataset import without_negative_zeros
 from chutecalc.output.dxf import check_drawing
-from chutecalc.output.extras import CHART, require_extra
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
 from chutecalc.output.html_report.write import check_report
@@ -74,16 +74,16 @@ class Outputs(OptionGroup):
             for each in output_formats().values()
         ]
         if cls.picture:
-            text = f"Draw {cls.picture} ({ENDINGS}; extra plot)."
+            text = f"Draw {cls.picture} ({ENDINGS}; needs Matplotlib)."
             found.append(option("plot", str | None, typer.Option(None, metavar="FILE", help=text)))
         if cls.drawing:
-            text = f"Draw {cls.drawing} in mm, for CAD (.dxf; extra dxf)."
+            text = f"Draw {cls.drawing} in mm, for CAD (.dxf; needs ezdxf)."
             found.append(option("dxf", str | None, typer.Option(None, metavar="FILE", help=text)))
         if cls.reported:
-            text = f"Write a report to print and sign of {cls.reported} (.html, .pdf; extras report, pdf)."
+            text = f"Write a report to print and sign of {cls.reported} (.html, .pdf; needs Jinja2, WeasyPrint)."
             found.append(option("report", str | None, typer.Option(None, metavar="FILE", help=text)))
         if cls.charted:
-            text = f"Show {cls.charted} as a small chart (extra chart)."
+            text = f"Show {cls.charted} as a small chart (needs Plotille)."
             found.append(option("chart", bool, typer.Option(False, "--chart", help=text)))
         if cls.has_units:
             text = "Units of tables, charts and pictures. Data files are always metric."
@@ -138,7 +138,7 @@ class Outputs(OptionGroup):
                 form = output_formats()[name]
                 stream = stack.enter_context(open_whole(file, "wb" if form.binary else "w"))
                 if form.document and dataset.document:
-                    form.document(stream, dataset.document())
+                    form.document(stream, dataset)
                 else:
                     writers.append(form.rows(stream, dataset))
             for block in dataset.blocks if writers else ():

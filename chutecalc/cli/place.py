@@ -44,7 +44,7 @@ def place(
     from chutecalc.output.formats.json import write_document
     from chutecalc.spec.parse import encode, parse_text
     from chutecalc.studies.place.placement import place as placed
-    from chutecalc.studies.place.report import placement_document
+    from chutecalc.studies.place.report import placement_dataset
     from chutecalc.studies.place.wish import read_wishes
 
     if write and (output or spec == STANDARD_STREAM):
@@ -60,7 +60,7 @@ def place(
             stream.write(encode(placement.text, like=content))
     if json_file is not None:
         with open_whole(json_file) as stream:
-            write_document(stream, placement_document(placement))
+            write_document(stream, placement_dataset(placement))
     if STANDARD_STREAM not in (output, json_file):
         _print(placement, written=target is not None)
     return 0

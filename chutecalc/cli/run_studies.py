@@ -80,7 +80,7 @@ class RunStudies:
         Args:
             number: of the chute, from 0.
         """
-        found: dict[str, Any] = {}
+        found: dict[str, Any] = {"band": None, "sensitivity": None}
         if self.bands:
             from chutecalc.output.band import band_document
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.errors import AllSpecsError, SpecError, UsageError
+from chutecalc.spec.slips import value_fault
 
 if TYPE_CHECKING:
     from chutecalc.api.chute import Chute
@@ -17,37 +18,46 @@ if TYPE_CHECKING:
 STANDARD_INPUT = "standard input"
 
 
-def read_chute(spec: str, changes: dict[str, Any] | None = None, library: str | None = None) -> Chute:
+def read_chute(spec: str, settings: Sequence[str] = (), library: str | None = None) -> Chute:
     """Return the chute of a spec.
 
     Args:
         spec: path of its file, or ``-`` for standard input.
-        changes: values by key path that replace those of the spec.
+        settings: changes, as ``PATH=VALUE``.
         library: file of the materials and liners that it may use; None for the one beside it, if there is one.
 
     Raises:
-        UsageError: the file is a baseline.
+        SpecError: the spec or a change has faults, those of changes laid on them.
+        UsageError: the file is a baseline, or a setting is not ``PATH=VALUE``.
     """
-    return read_with_content(spec, changes, library)[0]
+    return read_with_content(spec, settings, library)[0]
 
 
-def read_with_content(
-    spec: str, changes: dict[str, Any] | None = None, library: str | None = None
-) -> tuple[Chute, bytes]:
+def read_with_content(spec: str, settings: Sequence[str] = (), library: str | None = None) -> tuple[Chute, bytes]:
     """Return the chute of a spec, and the content of its file.
 
     Args:
         spec: path of its file, or ``-`` for standard input.
-        changes: values by key path that replace those of the spec.
+        settings: changes, as ``PATH=VALUE``.
         library: file of the materials and liners that it may use; None for the one beside it, if there is one.
 
     Raises:
-        UsageError: the file is a baseline.
+        SpecError: as for :func:`read_chute`.
+        UsageError: as for :func:`read_chute`.
     """
     from chutecalc.api.load import read
 
+    changes = {setting: read_setting(setting) for setting in settings}
     text, content, source = read_source(spec)
-    return read(text, source, changes, library, file_of(spec)), content
+    try:
+        return read(text, source, dict(changes.values()), library, file_of(spec)), content
+    except SpecError as error:
+        if not changes:
+            raise
+        from chutecalc.spec.faults import changed_faults
+
+        arguments = {path: f"--set {setting}" for setting, (path, _) in changes.items()}
+        raise SpecError(changed_faults(error.faults, arguments, text), error.source) from None
 
 
 def file_of(spec: str) -> Path | None:
@@ -95,12 +105,11 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str], library: str | No
     """
     from chutecalc.spec.parse import BASELINE_SUFFIX
 
-    changes = dict(map(read_setting, settings))
     chutes: list[Chute] = []
     errors: list[SpecError] = []
     for spec in [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs:
         try:
-            chutes.append(read_chute(spec, changes, library))
+            chutes.append(read_chute(spec, settings, library))
         except SpecError as error:
             errors.append(error)
     if errors:
@@ -115,7 +124,7 @@ def read_setting(text: str) -> tuple[str, Any]:
         text: ``PATH=VALUE``, with a value of TOML, or else text without quotes.
 
     Raises:
-        UsageError: it has no path or no equals sign, or a number has a decimal comma.
+        UsageError: it has no path or no equals sign, or is neither a value nor text.
 
     >>> read_setting("segments.1.drop_m=2"), read_setting("title=Coal")
     (('segments.1.drop_m', 2), ('title', 'Coal'))
@@ -127,7 +136,7 @@ def read_setting(text: str) -> tuple[str, Any]:
         return path.strip(), tomllib.loads(f"value = {value}")["value"]
     except tomllib.TOMLDecodeError:
         value = value.strip()
-        if re.fullmatch(r"[+-]?\d+,\d+", value):
-            remedy = f"Write a decimal point: {value.replace(',', '.')}."
-            raise UsageError(f"--set {text}: {value} is not a number. {remedy}") from None
+        if re.match(r"[\[{\"'“„]|[-+−–]?[\d.,'’ ]+$", value) and (fault := value_fault(path, value)):
+            remedy = fault.remedy.replace(f"{path} = ", f"--set {path}=")
+            raise UsageError(f"--set {text} {fault.problem}. {remedy[0].upper()}{remedy[1:]}.") from None
         return path.strip(), value

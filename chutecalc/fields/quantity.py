@@ -1,5 +1,6 @@
 """How fields of a spec are declared: a quantity is a number with a dimension, bounds and a key for each unit."""
 
+import re
 from math import isfinite
 from typing import Any
 
@@ -116,7 +117,8 @@ class Quantity:
                 raise _fault("must be a number, or a one-dimensional array of numbers, each", "use numbers")
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
-            raise _fault("must be a number", "write a number")
+            quoted = isinstance(value, str) and re.fullmatch(r"\s*([+-]?\d+(?:\.\d+)?)\b.*", value)
+            raise _fault("must be a number", f"write {quoted[1]}, the number alone" if quoted else "write a number")
         else:
             try:
                 value = smallest = largest = float(value)

@@ -1,8 +1,10 @@
 """The base class of a spec's tables: units by suffix, no unknown keys, rules between keys, faults in plain words."""
 
+import math
 from collections.abc import Callable, Iterator
 from functools import cache
-from typing import Any, ClassVar, NamedTuple
+from sys import float_info
+from typing import Any, ClassVar, NamedTuple, get_args, get_origin
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
@@ -10,6 +12,9 @@ from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.units import convert, first_unit, unit_keys
+from chutecalc.fields.wording import EXPECTED, NOT_VARIED, TABLE, Unknown, as_added, meant, unknown_key
+
+MAX = float_info.max
 
 
 def _converted(value: Any, dimension: str, unit: str) -> Any:
@@ -17,6 +22,8 @@ def _converted(value: Any, dimension: str, unit: str) -> Any:
     if isinstance(value, list | tuple):
         return [_converted(item, dimension, unit) for item in value]
     number = isinstance(value, int | float | np.number | np.ndarray) and not isinstance(value, bool)
+    if number and isinstance(value, int) and abs(value) > MAX:
+        value = math.copysign(math.inf, value > 0 or -1)  # an integer of TOML may be too large to compute with
     return convert(value, dimension, unit, first_unit(dimension)) if number else value
 
 
@@ -107,9 +114,9 @@ class Table(BaseModel):
         for key, value in data.items():
             known = cls.keys()
             if key not in known:
-                rule, name = cls._unknown(str(key))
-                broken.append(rule)
-                meant.add(name)
+                unknown = cls._unknown(str(key))
+                broken.append(Violation((key,), unknown.problem, unknown.remedy))
+                meant.add(unknown.meant)
                 continue
             name, unit = known[key]
             if name in written:
@@ -118,28 +125,24 @@ class Table(BaseModel):
             written[name] = key
             quantity = cls.quantities().get(name)
             if quantity is None and isinstance(value, np.ndarray):
-                broken.append(Violation((key,), *_NOT_VARIED))
+                broken.append(Violation((key,), *NOT_VARIED))
                 meant.add(name)
                 continue
             table[name] = _converted(value, quantity.dimension, unit) if quantity else value
         return table, written, meant
 
     @classmethod
-    def _unknown(cls, key: str) -> tuple[Violation, str]:
-        """Return the fault of an unknown key, and the documented key that was probably meant."""
-        from difflib import get_close_matches
-
-        for name, quantity in cls.quantities().items():
-            names = list(unit_keys(name, quantity.dimension))
-            stem = name.removesuffix("_" + first_unit(quantity.dimension))
-            if len(names) > 1 and key == stem:
-                return Violation((key,), "needs its unit at the end", f"write {' or '.join(names)}"), name
-            if len(names) > 1 and key.startswith(stem + "_"):
-                return Violation((key,), "does not end in a unit that fits", f"write {' or '.join(names)}"), name
-        close = get_close_matches(key, cls.keys(), n=1)
-        if close:
-            return Violation((key,), "is not a key of this table", f"did you mean {close[0]}?"), cls.keys()[close[0]][0]
-        return Violation((key,), "is not a key of this table", f"use one of {', '.join(cls.model_fields)}"), ""
+    def _unknown(cls, key: str) -> Unknown:
+        """Return the fault of an unknown key."""
+        kinds = {name: (field.annotation, *get_args(field.annotation)) for name, field in cls.model_fields.items()}
+        below = {
+            name: kind.keys()
+            for name, some in kinds.items()
+            if get_origin(some[0]) not in (dict, list)
+            for kind in some
+            if isinstance(kind, type) and issubclass(kind, Table)
+        }
+        return unknown_key(key, cls.keys(), cls.quantities(), list(cls.model_fields), below)
 
     @classmethod
     def _explained(cls, item: Any, meant: set[str]) -> bool:
@@ -155,7 +158,11 @@ class Table(BaseModel):
         name = location[0] if len(location) == 1 else ""
         quantity = cls.quantities().get(str(name))
         if kind == "missing":
-            names = list(unit_keys(str(name), quantity.dimension)) if quantity else [str(name)]
+            names = (
+                list(unit_keys(str(name), quantity.dimension))
+                if quantity
+                else [as_added(str(name), cls.model_fields[str(name)].annotation)]
+            )
             return _detail(location, "is missing", f"add {' or '.join(names)}")
         if quantity and kind == "quantity":
             key = written[str(name)]
@@ -164,16 +171,16 @@ class Table(BaseModel):
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")
             if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):
-                return _detail((*location, tag), *_NOT_VARIED)
-            problem = (
-                f"is not a known {tag}" if isinstance(item["input"], dict) and tag in item["input"] else "is missing"
-            )
+                return _detail((*location, tag), *NOT_VARIED)
             value = item["input"].get(tag) if isinstance(item["input"], dict) else None
-            remedy = cls.hints.get(str(value), f"use one of {', '.join(cls.choices[tag])}")
-            return _detail((*location, tag), problem, remedy)
+            problem = "is missing" if value is None else f"is not a known {tag}"
+            return _detail((*location, tag), problem, meant(str(value), cls.choices[tag], cls.hints))
         if kind == "list_type":
             return _detail(location, "must be a list of tables", f"write [[{location[-1]}]] above each of them")
-        if _EXPECTED.get(kind) == _TABLE and len(location) == 2:
+        if EXPECTED.get(kind) == TABLE and isinstance(item["input"], list):
+            header = ".".join([*map(str, location), *(["NAME"] if kind == "dict_type" else [])])
+            return _detail(location, "must be a table, and is a list", f"write [{header}], in single brackets")
+        if EXPECTED.get(kind) == TABLE and len(location) == 2:
             return _detail(location, "must be a table", f"put it under a name of your choice: [{location[0]}.NAME]")
         if kind == "string_pattern_mismatch":
             return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
@@ -181,21 +188,7 @@ class Table(BaseModel):
             return _detail(location, f"has more than {item['ctx']['max_length']} characters", "use a shorter name")
         if kind == "literal_error":
             return _detail(location, f"must be {item['ctx']['expected']}", "correct the value")
-        return _detail(location, *_EXPECTED.get(kind, (item["msg"], "correct it")))
-
-
-_NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
-_TABLE = "must be a table", "write its keys under a header, as in [flow]"
-_EXPECTED = {
-    "string_type": ("must be text in quotes", "put quotes around it"),
-    "dict_type": _TABLE,
-    "model_type": _TABLE,
-    "model_attributes_type": _TABLE,
-    "too_short": ("must have at least one table", "add one"),
-    "bool_type": ("must be true or false", "write one of these without quotes"),
-    "float_type": ("must be a number", "write a number"),
-    "finite_number": ("must be a finite number", "write a finite number"),
-}
+        return _detail(location, *EXPECTED.get(kind, (item["msg"], "correct it")))
 
 
 def _detail(location: tuple[str | int, ...], problem: str, remedy: str) -> InitErrorDetails:

@@ -151,3 +151,15 @@ def same_quantity(key: str) -> list[str]:
     unit, dimension = max(endings, key=lambda ending: len(ending[0]))
     stem = key.removesuffix(unit)
     return [stem + other for other in UNITS[dimension]]
+
+
+def unit_of(name: str) -> str:
+    """Return the unit that a name ends in; empty where it ends in none.
+
+    Args:
+        name: of a column or a number.
+
+    >>> unit_of("exit_velocity_m_s"), unit_of("fill")
+    ('m_s', '')
+    """
+    return max((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len, default="")

@@ -4,14 +4,19 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
-from chutecalc.output.dataset import number
+from chutecalc.output.dataset import first
 from chutecalc.output.grid import Grid
 from chutecalc.output.told import alike_by, subjects_of
 from chutecalc.results.cases import Cases
 from chutecalc.results.described import status_words
 from chutecalc.results.finding import Finding, Severity
+from chutecalc.results.measures import MEASURES
 from chutecalc.results.solved import SolvedChute
 
+COMPARED = {measure.column.name: measure.column for measure in MEASURES}
+"""What states are compared by."""
+WORST = ("status", *(measure.column.name for measure in MEASURES if measure.badness is not None))
+"""In what a state can be the worst."""
 CONCERNED = (Severity.FAILURE, Severity.WARNING)
 """Severities of the findings of cases that are printed."""
 
@@ -84,15 +89,17 @@ def _elsewhere(cases: Cases, name: str, finding: Finding) -> str:
 
 
 def cases_document(cases: Cases, results: Callable[[SolvedChute], dict[str, Any]]) -> dict[str, Any]:
-    """Return the states as objects by name, and the names of the worst.
+    """Return the states but the one shown in full as objects by name, and the names of the worst of several.
 
     Args:
         cases: the states of one design.
         results: gives what a document says about a solution.
     """
+    compared = cases.numbers.items()
     states = {
-        name: {"compared": {key: number(values[k, 0]) for key, values in cases.numbers.items()}} | results(solution)
+        name: {"compared": first({key: values[k] for key, values in compared}, COMPARED), **results(solution)}
         for k, (name, solution) in enumerate(cases.solutions.items())
         if name != cases.main
     }
-    return {"cases": states, "worst_cases": {key: str(name[0]) or None for key, name in cases.worst.items()}}
+    worst = {key: str(cases.worst[key][0]) or None if key in cases.worst else None for key in WORST}
+    return {"cases": states, "worst_cases": worst if states else None}

@@ -10,7 +10,7 @@ from chutecalc.results.column import Column
 
 Block = dict[str, Any]
 """Some rows: arrays of one length by column name."""
-DOCUMENT_FORMAT = 1
+DOCUMENT_FORMAT = 2
 """Version of the layout of JSON documents."""
 
 
@@ -30,20 +30,27 @@ class Dataset:
     """The results of a command.
 
     Attributes:
+        command: what they are of: the name of the command, or ``friction_study``.
         columns: type of each column by name, in order: ``str``, ``float`` or ``int``.
         blocks: the rows, a block at a time. They are iterated over at most once, and only if a format takes rows.
-        head: what was asked for, for formats that write it before the rows.
+        asked: what was asked for, the specs among it, for formats that keep it beside the rows.
         name: what the rows are, for formats that name them.
         tables: returns further tables, for formats that hold several.
         document: returns the results as nested mappings and lists, for formats that write those instead of rows.
     """
 
+    command: str
     columns: Mapping[str, type]
     blocks: Iterable[Block]
-    head: Mapping[str, Any] = field(default_factory=dict)
-    document: Callable[[], Any] | None = None
+    asked: Mapping[str, Any] = field(default_factory=dict)
+    document: Callable[[], Mapping[str, Any]] | None = None
     name: str = "rows"
     tables: Callable[[], Sequence[Table]] = tuple
+
+    @property
+    def head(self) -> dict[str, Any]:
+        """The entries that every document begins with."""
+        return {"chutecalc": __version__, "format": DOCUMENT_FORMAT, "command": self.command}
 
 
 def column_types(columns: Iterable[Column]) -> dict[str, type]:
@@ -100,11 +107,6 @@ def without_negative_zeros(block: Block) -> Block:
     return {name: values + 0.0 if values.dtype.kind == "f" else values for name, values in block.items()}
 
 
-def document_head() -> dict[str, Any]:
-    """Return the entries that every document begins with: the version of chutecalc and of the layout."""
-    return {"chutecalc": __version__, "format": DOCUMENT_FORMAT}
-
-
 def number(value: float) -> float | None:
     """Return a number as a document holds it: None where it is infinite or does not exist.
 
@@ -128,10 +130,11 @@ def numbers(values: Any) -> list[Any]:
     return [value if math.isfinite(value) else None for value in (values + 0.0).tolist()]  # + 0: no -0
 
 
-def first(columns: Mapping[str, Any]) -> dict[str, float | None]:
+def first(columns: Mapping[str, Any], names: Iterable[str] = ()) -> dict[str, float | None]:
     """Return the numbers of the first design, as a document holds them.
 
     Args:
         columns: arrays by column name, one entry for each design.
+        names: of all columns that there may be: None for those that there are not. Those that there are by default.
     """
-    return {name: number(values[0]) for name, values in columns.items()}
+    return {name: number(columns[name][0]) if name in columns else None for name in names or columns}

@@ -7,13 +7,14 @@ from typing import Any
 import numpy as np
 
 from chutecalc.output.cases import cases_document
-from chutecalc.output.dataset import Block, Dataset, column_types, document_head, first, number, numbers
+from chutecalc.output.dataset import Block, Dataset, column_types, first, number, numbers
 from chutecalc.output.workbook import run_tables
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import AT_STATION, COLUMNS
+from chutecalc.results.edges import EDGE_NUMBERS
+from chutecalc.results.inlet import INLET_NUMBERS
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
-from chutecalc.spec.operating import DESIGN_POINT
 
 
 def run_dataset(
@@ -22,7 +23,7 @@ def run_dataset(
     columns: Sequence[str] = tuple(COLUMNS),
     more: Callable[[int], Mapping[str, Any]] = lambda number: {},
 ) -> Dataset:
-    """Return the results of a run: stations as rows; as a document one object, or a list of them for several chutes.
+    """Return the results of a run: stations as rows; a document with an object for each chute.
 
     Args:
         chutes: chutes of one design each, in all their states. Rows and documents begin with the one shown in full.
@@ -38,15 +39,18 @@ def run_dataset(
                 table = stations[index][name] if stations else solution.stations(columns=needed(columns))
                 yield _station_rows(solution.source, name, table, columns)
 
-    def document() -> Any:
-        documents = [
-            run_document(chute, stations[number][chute.main] if stations else None, columns) | dict(more(number))
+    def document() -> dict[str, Any]:
+        found = [
+            _chute(chute, stations[number][chute.main] if stations else None, columns) | dict(more(number))
             for number, chute in enumerate(chutes)
         ]
-        return documents[0] if len(documents) == 1 else documents
+        return tolerance | {"chutes": found}
 
-    types = column_types(COLUMNS[name] for name in columns)
-    return Dataset(types, blocks(), document=document, name="stations", tables=partial(run_tables, chutes, columns))
+    tolerance = {"tolerance": chutes[0].main_solution.rtol}
+    specs = [{"source": chute.main_solution.source, "spec": chute.main_solution.data} for chute in chutes]
+    asked, types = tolerance | {"specs": specs}, column_types(COLUMNS[name] for name in columns)
+    tables = partial(run_tables, chutes, columns)
+    return Dataset("run", types, blocks(), asked, document, name="stations", tables=tables)
 
 
 def needed(columns: Sequence[str]) -> list[str]:
@@ -69,25 +73,15 @@ def _station_rows(source: str, case: str, table: Mapping[str, Any], columns: Seq
     return {name: np.full(count, labels[name]) if name in labels else table[name][0][reached] for name in columns}
 
 
-def run_document(
-    chute: Cases, stations: Mapping[str, Any] | None, columns: Sequence[str] = tuple(COLUMNS)
-) -> dict[str, Any]:
-    """Return the results of one chute as a document.
-
-    Args:
-        chute: a chute of one design in all its states.
-        stations: those of the state shown in full, from :meth:`chutecalc.Solution.stations`, to include.
-        columns: names of the columns of its stations.
-    """
+def _chute(chute: Cases, stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, Any]:
+    """Return the results of one chute in all its states, with the stations of the one shown in full."""
     solution = chute.main_solution
     return {
-        **document_head(),
         "source": solution.source,
         "spec": solution.data,
-        **({} if chute.main == DESIGN_POINT else {"case": chute.main}),
-        "tolerance": solution.rtol,
+        "case": chute.main,
         **_results(solution, stations, columns),
-        **(cases_document(chute, _results) if len(chute.names) > 1 else {}),
+        **cases_document(chute, _results),
     }
 
 
@@ -97,21 +91,20 @@ def _results(
     """Return the results of one state."""
     segments = []
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
-        entry = _segment(segment, stations, columns)
-        if segment.impact:
-            entry |= {"impact": first(segment.impact), "strikes_roof": bool(segment.strikes_roof[0])}
-        if segment.loads:
-            entry["loads"] = first(segment.loads)
-        if edges := _edges(solution, segment.name):
-            entry["edges"] = edges
-        if flights:
-            entry["flight"], *again = (_segment(flight, stations, columns) for flight in flights)
-            entry |= {"flights_again": again} if again else {}
-        segments.append(entry)
+        flown = [_segment(flight, stations, columns) for flight in flights]
+        more = {
+            "impact": first(segment.impact) or None,
+            "strikes_roof": bool(segment.strikes_roof[0]) if segment.impact else None,
+            "loads": first(segment.loads) or None,
+            "edges": _edges(solution, segment.name),
+            "flight": flown[0] if flown else None,
+            "flights_again": flown[1:],
+        }
+        segments.append(_segment(segment, stations, columns) | more)
     return {
         "error_estimate": number(solution.error_estimate[0]),
         "status": str(solution.status[0]),
-        "inlet": first(solution.inlet) | ({"edges": edges} if (edges := _edges(solution, "")) else {}),
+        "inlet": first(solution.inlet, INLET_NUMBERS) | {"edges": _edges(solution, "")},
         "exit": first(solution.exit),
         "segments": segments,
         "last_flights": [_segment(flight, stations, columns) for flight in solution.last_flights],
@@ -134,7 +127,7 @@ def _results(
 def _edges(solution: SolvedChute, leaves: str) -> list[dict[str, Any]]:
     """Return the edges of the flights that begin at the end of a segment; at the belt if its name is empty."""
     return [
-        {"name": edge.name, "segment": edge.segment[0] or None, **first(edge.numbers)}
+        {"name": edge.name, "segment": edge.segment[0] or None, **first(edge.numbers, EDGE_NUMBERS)}
         for edge in solution.edges
         if edge.leaves == leaves
     ]
@@ -142,7 +135,7 @@ def _edges(solution: SolvedChute, leaves: str) -> list[dict[str, Any]]:
 
 def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, Any]:
     """Return a segment or a flight."""
-    entry = {
+    return {
         "name": result.name,
         "kind": result.kind,
         "status": str(result.status[0]),
@@ -152,8 +145,8 @@ def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns:
         "maximum": first(result.maximum),
         "duration_s": number(result.duration[0]),
         "landing_margin_m": number(result.landing_margin[0]),
+        "stations": None if stations is None else _rows(stations, result.name, columns),
     }
-    return entry if stations is None else entry | {"stations": _rows(stations, result.name, columns)}
 
 
 def _rows(stations: Mapping[str, Any], segment: str, columns: Sequence[str]) -> list[dict[str, Any]]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
-from chutecalc.fields.units import TEXT, convert
+from chutecalc.fields.units import TEXT, convert, unit_of
 
 if TYPE_CHECKING:
     from chutecalc.physics.arrays import Array
@@ -144,8 +144,7 @@ def quantity_text(name: str, value: float, units: str, us_unit: str = "") -> str
     >>> quantity_text("critical_velocity_m_s", 1.5, "metric"), quantity_text("depth_m", 0.3048, "us", "in")
     ('1.5 m/s', '12 in')
     """
-    known = sorted((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len)
-    unit = known[-1] if known else ""
+    unit = unit_of(name)
     if units == Units.US and unit in _US_UNITS:
         dimension, usual = _US_UNITS[unit]
         value, unit = convert(value, dimension, unit, us_unit or usual), us_unit or usual

@@ -18,6 +18,22 @@ from chutecalc.results.landings import Landing, first_landing, landing_of_line
 from chutecalc.results.part import Part
 from chutecalc.solver.segment_solution import SegmentSolution
 
+EDGE_NUMBERS = {
+    "x_m": "horizontal position where it begins to fly",
+    "z_m": "height where it begins to fly",
+    "slope_deg": "slope below horizontal where it begins to fly",
+    "velocity_m_s": "velocity where it begins to fly",
+    "depth_m": "depth of the stream there, of a free edge",
+    "landing_x_m": "horizontal position where it lands",
+    "landing_z_m": "height where it lands",
+    "landing_distance_m": "distance along the segment from its start",
+    "landing_velocity_m_s": "velocity before the impact",
+    "incidence_deg": "angle to the surface before the impact",
+    "gap_m": "distance by which it passes the end of the segment that the stream meets, negative behind its surface",
+    "before_m": "distance by which it falls short of the start of that segment",
+}
+"""All numbers of an edge, with their meanings."""
+
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Edge:
@@ -29,11 +45,7 @@ class Edge:
     leaves: str
     """Name of the segment that the stream leaves; empty for the belt."""
     numbers: Numbers
-    """How it begins to fly: ``x_m``, ``z_m``, ``slope_deg``, ``velocity_m_s``, and how it lands:
-    ``landing_x_m``, ``landing_z_m``, ``landing_distance_m`` along the segment from its start,
-    ``landing_velocity_m_s`` and ``incidence_deg`` before the impact; ``gap_m`` by which it passes the end of the
-    segment that the stream meets, negative behind its surface, and ``before_m`` by which it falls short of its start.
-    A free edge has the ``depth_m`` of the stream too. NaN for what it does not do."""
+    """How it begins to fly and how it lands, see :data:`EDGE_NUMBERS`. NaN for what it does not do."""
     segment: Any
     """Name of the segment on which it lands; empty where there is none."""
     number: Index

@@ -6,6 +6,27 @@ from chutecalc.design import Belt, Design
 from chutecalc.physics.arrays import Array, Numbers
 from chutecalc.physics.head_pulley import Discharge, discharge, slide_start
 
+INLET_NUMBERS = {
+    "x_m": "horizontal position",
+    "z_m": "height",
+    "slope_deg": "slope of the stream below horizontal",
+    "velocity_m_s": "velocity of the stream",
+    "discharge_froude": "v²/(g r) on the pulley",
+    "lower_edge_x_m": "horizontal position of the lower edge of the stream",
+    "lower_edge_z_m": "height of the lower edge of the stream",
+    "load_area_m2": "area of the load on the belt",
+    "load_width_m": "width of the load on the belt",
+    "material_depth_m": "depth of the load on the belt",
+    "belt_fill": "area of the load over the largest",
+    "roll_m": "length of the middle roll",
+    "held_slope_deg": "slope of a stream that the belt holds to the end",
+    "held_velocity_m_s": "velocity of a stream that the belt holds to the end",
+    "frictionless_slope_deg": "slope of a stream that slides without friction from the start",
+    "frictionless_velocity_m_s": "velocity of a stream that slides without friction from the start",
+    "slide_start_deg": "angle on the pulley at which the stream begins to slide",
+}
+"""All numbers at an inlet, with their meanings."""
+
 
 def inlet_numbers(design: Design) -> Numbers:
     """Return the stream at the inlet by column name.

@@ -8,7 +8,8 @@ from pydantic import Field
 from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantities import Width
 from chutecalc.fields.quantity import in_si
-from chutecalc.fields.table import Table, Violation
+from chutecalc.fields.table import Table
+from chutecalc.fields.wording import Unknown
 from chutecalc.physics import section
 from chutecalc.physics.arrays import Array, Mask
 
@@ -77,10 +78,10 @@ class ClosedSection(Section):
     """A cross-section with a roof: the chute chokes where it runs full."""
 
     @classmethod
-    def _unknown(cls, key: str) -> tuple[Violation, str]:
+    def _unknown(cls, key: str) -> Unknown:
         if key.startswith("wall_height"):
             problem = "is only for open sections: this one is closed, and chokes where it runs full"
-            return Violation((key,), problem, "remove it"), ""
+            return Unknown(problem, "remove it")
         return super()._unknown(key)
 
 

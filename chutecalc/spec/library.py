@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 
 from chutecalc.errors import Fault, SpecError
 from chutecalc.fields.units import same_quantity
+from chutecalc.spec.lines import key_lines
 from chutecalc.spec.operating import case_values
-from chutecalc.spec.parse import key_lines
 
 LIBRARY_NAME = "chute-library.toml"
 """Name of the file beside a spec that is its library."""

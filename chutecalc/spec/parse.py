@@ -1,21 +1,16 @@
-"""Reads the text of a spec from a file, parses it, and finds the line of each key."""
+"""Reads the text of a spec from a file, and parses it."""
 
-import re
 import tomllib
-from codecs import BOM_UTF8
-from contextlib import suppress
+from codecs import BOM_UTF8, BOM_UTF16_BE, BOM_UTF16_LE
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
-from chutecalc.fields.faults import Location
+from chutecalc.spec.syntax import syntax_fault
 
 BASELINE_SUFFIX = ".baseline.toml"
 """Ending of a baseline's file, in place of the ``.toml`` of the spec beside it."""
-
-_HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
-_KEY = r"""^\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=\s*(.*)$"""
-_DECIMAL_COMMA = r"^\s*([A-Za-z0-9_.-]+)\s*=\s*([+-]?\d+),(\d+)\s*(?:#.*)?$"
 
 
 def read_text(path: Path) -> str:
@@ -42,13 +37,24 @@ def read_bytes(path: Path) -> bytes:
     try:
         return path.read_bytes()
     except FileNotFoundError:
-        raise SpecError(
-            [Fault("", "there is no such file", "check the name, or create one with chutecalc new")], str(path)
-        ) from None
+        raise SpecError([Fault("", "there is no such file", _meant(path))], str(path)) from None
     except IsADirectoryError:
         raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
     except OSError as error:
         raise SpecError([Fault("", f"cannot be read: {error.strerror}", "check the path")], str(path)) from None
+
+
+def _meant(path: Path) -> str:
+    """Return what to do about a file that does not exist."""
+    name = str(path)
+    if name[:1] in "–—":
+        return f"if it is an option, write --{name.lstrip('–—-')}, with two minus signs"
+    if "=" in name:
+        return f"to change a key write --set {name}"
+    there = [each.name for each in path.parent.glob("*.toml") if not each.name.endswith(BASELINE_SUFFIX)]
+    if close := get_close_matches(path.name, there, n=1) or get_close_matches(f"{path.name}.toml", there, n=1):
+        return f"did you mean {path.with_name(close[0])}?"
+    return "check the name, or create one with chutecalc new"
 
 
 def decode(data: bytes, source: str) -> str:
@@ -64,8 +70,11 @@ def decode(data: bytes, source: str) -> str:
     try:
         return data.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
-        problem = f"is not UTF-8 (byte {error.start})"
-        raise SpecError([Fault("", problem, "save it as UTF-8")], source) from None
+        if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+            problem, line = "is UTF-16, which editors on Windows call Unicode", None
+        else:
+            problem, line = "has a character that is not UTF-8", data.count(b"\n", 0, error.start) + 1
+        raise SpecError([Fault("", problem, "save the file as UTF-8", line=line)], source) from None
 
 
 def encode(text: str, like: bytes) -> bytes:
@@ -97,75 +106,13 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
     {'flow': {'rate_t_h': 1000}}
     """
     try:
-        return tomllib.loads(text)
+        data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        message = str(error)
-        found = re.search(r"\(at line (\d+), column (\d+)\)", message)
-        if found and (comma := re.match(_DECIMAL_COMMA, text.splitlines()[int(found[1]) - 1])):
-            key, whole, decimals = comma.groups()
-            remedy = f"write a decimal point: {whole}.{decimals}"
-            raise SpecError(
-                [Fault(key, "is not a number", remedy, f"{whole},{decimals}", int(found[1]))], source
-            ) from None
-        problem = "is not valid TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
-        if found:
-            fault = Fault("", f"{problem}, column {found[2]}", "see https://toml.io", line=int(found[1]))
-        else:
-            fault = Fault("", problem, "see https://toml.io")
-        raise SpecError([fault], source) from None
+        raise SpecError([syntax_fault(text, str(error))], source) from None
     except RecursionError:
         raise SpecError([Fault("", "is nested too deeply", "use at most four levels of tables")], source) from None
     except ValueError as error:  # what tomllib lets through: an integer of thousands of digits
         raise SpecError([Fault("", f"is not valid TOML: {error}", "see https://toml.io")], source) from None
-
-
-def key_lines(text: str) -> dict[Location, int]:
-    r"""Return the line, from 1, of each table and key, as well as a pass over the lines can tell.
-
-    Args:
-        text: TOML. Lines inside a value of several lines count as the line of its key.
-
-    >>> key_lines("[flow]\nrate_t_h = 1000")
-    {('flow',): 1, ('flow', 'rate_t_h'): 2}
-    """
-    lines: dict[Location, int] = {}
-    counts: dict[Location, int] = {}
-    table: Location = ()
-    quote = ""
-    for number, line in enumerate(text.split("\n"), 1):
-        if quote:
-            quote = "" if quote in line else quote
-            continue
-        if header := re.match(_HEADER, line):
-            table = _numbered(_keys(header[2]), counts, is_list=header[1] == "[[")
-            lines.setdefault(table, number)
-        elif key := re.match(_KEY, line):
-            lines.setdefault(table + _keys(key[1]), number)
-            quote = next((mark for mark in ('"""', "'''") if key[2].count(mark) == 1), "")
-    return lines
-
-
-def _keys(dotted: str) -> Location:
-    """Return the parts of a dotted key."""
-    parts = re.findall(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""", dotted)
-    return tuple(_unquoted(part) for part in parts)
-
-
-def _unquoted(key: str) -> str:
-    """Return a key without its quotes, and with the characters that its escape sequences stand for."""
-    if key.startswith('"') and "\\" in key:
-        with suppress(tomllib.TOMLDecodeError):  # in a line that is part of a value
-            return next(iter(tomllib.loads(f"{key} = 0")))
-    return key.strip("\"'")
-
-
-def _numbered(keys: Location, counts: dict[Location, int], is_list: bool) -> Location:
-    """Return a table's location, with the index of each list item that it lies in."""
-    location: Location = ()
-    for depth, key in enumerate(keys, 1):
-        location = (*location, key)
-        if is_list and depth == len(keys):
-            counts[location] = counts.get(location, -1) + 1
-        if location in counts:
-            location = (*location, counts[location])
-    return location
+    if not data:
+        raise SpecError([Fault("", "is empty", "run chutecalc new, which writes one to start from")], source)
+    return data

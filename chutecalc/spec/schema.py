@@ -1,12 +1,16 @@
 """The JSON Schema of a spec: pydantic's own, with every key in each of its units."""
 
 import json
+from collections.abc import Mapping
 from typing import Any
 
 from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.table import Table
 from chutecalc.fields.units import unit_keys
 from chutecalc.spec.chute_spec import ChuteSpec
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+"""The version of JSON Schema."""
 
 
 def json_schema() -> dict[str, Any]:
@@ -16,12 +20,16 @@ def json_schema() -> dict[str, Any]:
     for name, definition in schema["$defs"].items():
         if name in tables:
             _add_twins(definition, tables[name].quantities())
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+    return {"$schema": DIALECT} | schema
 
 
-def schema_text() -> str:
-    """Return the JSON Schema of a chute spec as the text of a file."""
-    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
+def schema_text(schema: Mapping[str, Any]) -> str:
+    """Return a JSON Schema as the text of a file.
+
+    Args:
+        schema: the schema.
+    """
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
 def _all(table: type[Table]) -> list[type[Table]]:

@@ -1,10 +1,9 @@
 """Designs that a study has found, as a table for people and as data."""
 
-from collections.abc import Mapping
 from typing import Any
 
 from chutecalc.design import Status
-from chutecalc.output.dataset import Dataset, document_head
+from chutecalc.output.dataset import Dataset
 from chutecalc.output.grid import Grid
 from chutecalc.output.table import heading
 from chutecalc.results.column import Column
@@ -58,23 +57,27 @@ def outcome_text(text: str) -> str:
     return status_words(text) if text in (*Status.LABELS, Status.IMPOSSIBLE_LABEL) else text
 
 
-def found_dataset(found: Found, asked: Mapping[str, Any]) -> Dataset:
+def found_dataset(command: str, found: Found) -> Dataset:
     """Return designs as a dataset: a row for each in each state, and a document of solutions and their outcome.
 
     Args:
+        command: that found them.
         found: the designs.
-        asked: what was asked for, for the beginning of the document.
     """
     block = found.rows()
     columns = {name: float if values.dtype.kind == "f" else str for name, values in block.items()}
-    head = {"source": found.chute.source, "spec": found.chute.data, "keys": _keys(found)} | dict(asked)
-    return Dataset(columns, [block], head, lambda: document_head() | head | found.document())
+    asked = {"source": found.chute.source, "spec": found.chute.data, "keys": _keys(found)}
+    return Dataset(command, columns, [block], asked, lambda: asked | found.document())
 
 
 def _keys(found: Found) -> dict[str, Any]:
     """Return the bounds or choices of each key, by name."""
     return {
-        key.name: {"paths": key.parameter.paths, "bounds" if key.is_continuous else "choices": values}
+        key.name: {
+            "paths": key.parameter.paths,
+            "bounds": values if key.is_continuous else None,
+            "choices": None if key.is_continuous else values,
+        }
         for key in found.keys
         for values in [key.parameter.values.tolist()]
     }

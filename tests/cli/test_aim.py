@@ -75,7 +75,7 @@ def test_the_document_has_solutions_and_their_outcome(capsys, spec):
     assert document["outcome"][0]["exit_velocity_m_s"] == pytest.approx(3.7, rel=1e-9)
     assert document["outcome"][0]["status"] == "ok"
     assert document["targets"] == {"exit_velocity_m_s": 3.7}
-    assert document["keys"][RADIUS] == {"paths": [RADIUS], "bounds": [1.0, 4.0]}
+    assert document["keys"][RADIUS] == {"paths": [RADIUS], "bounds": [1.0, 4.0], "choices": None}
 
 
 def test_none_is_said_with_the_nearest_and_nothing_is_written(capsys, spec):

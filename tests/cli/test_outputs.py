@@ -13,6 +13,7 @@ from chutecalc.cli import main
 from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.dataset import Dataset, block_of
 from chutecalc.output.formats import output_formats
+from chutecalc.results.columns import COLUMNS
 from tests.conftest import ROOT
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
@@ -68,7 +69,7 @@ def test_csv_and_excel_have_the_same_rows(command, tmp_path, capsys):
 
 def test_excel_files_are_the_same_bytes_each_time_and_keep_text_text(tmp_path):
     formula = '=HYPERLINK("x")'
-    dataset = Dataset({"name": str, "x_m": float}, [{"name": np.array([formula]), "x_m": np.array([np.inf])}])
+    dataset = Dataset("run", {"name": str, "x_m": float}, [{"name": np.array([formula]), "x_m": np.array([np.inf])}])
     written = []
     for _ in range(2):
         stream = io.BytesIO()
@@ -156,7 +157,7 @@ def test_other_commands_have_one_sheet(tmp_path, capsys):
 
 def test_a_sheet_has_an_end(monkeypatch):
     monkeypatch.setattr("chutecalc.output.formats.xlsx.ROWS_OF_A_SHEET", 3)
-    rows = output_formats()["xlsx"].rows(io.BytesIO(), Dataset({"x_m": float}, []))
+    rows = output_formats()["xlsx"].rows(io.BytesIO(), Dataset("run", {"x_m": float}, []))
     rows.write({"x_m": np.zeros(2)})
     with pytest.raises(UsageError, match="use --csv or --parquet"):
         rows.write({"x_m": np.zeros(1)})
@@ -197,6 +198,26 @@ def test_each_drift_of_a_check_is_a_row(tmp_path, capsys, monkeypatch):
         }
 
 
+@pytest.mark.parametrize("name", COMMANDS)
+def test_parquet_says_what_was_asked_and_the_unit_of_each_column(name, tmp_path, capsys):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    file, document = tmp_path / "rows.parquet", tmp_path / "rows.json"
+    main([*COMMANDS[name], "--parquet", str(file), "--json", str(document)])
+    schema = parquet.read_schema(file)
+    told = json.loads(schema.metadata[b"chutecalc"])
+    written = json.loads(document.read_text(encoding="utf-8"))
+    assert {key: told[key] for key in told if key != "specs"} == {key: written[key] for key in told if key != "specs"}
+    assert told["chutecalc"] == chutecalc.__version__
+    if name == "run":
+        assert told["specs"] == [{"source": SPOON, "spec": chutecalc.load(SPOON).data}]
+    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in schema}
+    for column in {*units} & {*COLUMNS}:
+        assert units[column] == COLUMNS[column].unit_text("metric")
+    assert units.get("phi_deg", "°") == units.get("friction_deg", "°") == "°"
+    assert units.get("status", "") == units.get("equivalent_friction", "") == ""
+    assert parquet.read_table(file).num_rows
+
+
 TYPES = {"name": str, "count": int, "x_m": float}
 
 
@@ -206,7 +227,7 @@ def test_every_format_takes_every_kind_of_column_and_no_rows_too(form, rows):
     if form.extra:
         pytest.importorskip(form.extra.library.lower())
     stream = io.BytesIO() if form.binary else io.StringIO()
-    writer = form.rows(stream, Dataset(TYPES, []))
+    writer = form.rows(stream, Dataset("run", TYPES, []))
     for row in rows:
         writer.write(block_of([row], TYPES))
     writer.close()

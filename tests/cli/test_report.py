@@ -192,7 +192,7 @@ def test_what_cannot_be_written_is_told_before_solving(target, words, tmp_path, 
 def test_a_missing_library_is_named(library, ending, tmp_path, monkeypatch, capsys):
     from importlib.util import find_spec
 
-    monkeypatch.setattr("chutecalc.output.extras.find_spec", lambda name: None if name == library else find_spec(name))
+    monkeypatch.setattr("chutecalc.extras.find_spec", lambda name: None if name == library else find_spec(name))
     assert main(["run", PAPER[0], "--report", str(tmp_path / f"report.{ending}")]) == 3
     assert library in capsys.readouterr().err.lower()
 

@@ -92,8 +92,9 @@ def test_csv_without_points_has_101_stations_a_segment(capsys, starter):
 
 def test_json_of_one_and_of_several(capsys, starter, stalling):
     assert main(["run", str(starter), "--json", "-"]) == 0
-    one = json.loads(capsys.readouterr().out)
-    assert (one["format"], one["status"], one["tolerance"]) == (1, "ok", 1e-10)
+    document = json.loads(capsys.readouterr().out)
+    (one,) = document["chutes"]
+    assert (document["command"], one["status"], document["tolerance"]) == ("run", "ok", 1e-10)
     assert one["exit"]["velocity_m_s"] == pytest.approx(3.877919736892825, rel=1e-12)
     assert [segment["name"] for segment in one["segments"]] == ["fall", "spoon"]
     assert one["segments"][0]["exit"]["depth_m"] is None
@@ -101,7 +102,7 @@ def test_json_of_one_and_of_several(capsys, starter, stalling):
     assert one["spec"]["segments"][1]["radius_m"] == 3.0
 
     assert main(["run", str(starter), str(stalling), "--json", "-", "--points", "4"]) == 1
-    both = json.loads(capsys.readouterr().out)
+    both = json.loads(capsys.readouterr().out)["chutes"]
     assert [item["status"] for item in both] == ["ok", "stall"]
     assert both[1]["exit"]["velocity_m_s"] is None
     assert both[1]["segments"][1]["status"] == "stall"
@@ -117,7 +118,7 @@ def test_a_flight_that_is_no_segment_stands_under_the_segment_it_leads_to(capsys
         text.replace('kind = "fall" ', 'kind = "straight" ').replace("drop_m = 2.0", "slope_deg = 20\nlength_m = 0.5")
     )
     assert main(["run", str(path), "--json", "-", "--set", "inlet.slope_deg=20"]) == 0
-    document = json.loads(capsys.readouterr().out)
+    (document,) = json.loads(capsys.readouterr().out)["chutes"]
     assert len(document["segments"]) == 2
     assert document["segments"][1]["flight"]["kind"] == "flight"
     assert document["segments"][1]["flight"]["name"] == "spoon:flight"
@@ -125,15 +126,15 @@ def test_a_flight_that_is_no_segment_stands_under_the_segment_it_leads_to(capsys
 
 def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert main(["run", str(starter), "--json", "-", "--set", "segments.spoon.radius_mm=2000"]) == 0
-    twin = json.loads(capsys.readouterr().out)
+    (twin,) = json.loads(capsys.readouterr().out)["chutes"]
     assert main(["run", str(starter), "--json", "-", "--set", "segments.2.radius_m=2"]) == 0
-    assert json.loads(capsys.readouterr().out)["exit"] == twin["exit"]
+    assert json.loads(capsys.readouterr().out)["chutes"][0]["exit"] == twin["exit"]
     assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
-    assert "segments.2.radius_m = 0" in capsys.readouterr().err
+    assert "--set segments.spoon.radius_m=0 must be greater than 0 m" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
     assert "segments has no item 'slide'. Use 1 (fall) or spoon." in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "radius_mm=1"]) == 2
-    expected = "radius_mm = 1 is not a key of the spec. Did you mean segments.spoon.radius_mm?"
+    expected = "--set radius_mm=1 is not a key of the spec. Did you mean segments.spoon.radius_mm?"
     assert expected in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "nothing"]) == 2
     assert "PATH=VALUE" in capsys.readouterr().err
@@ -143,13 +144,12 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
 def test_what_is_no_table_holds_no_key(path, capsys, starter):
     assert main(["run", str(starter), "--set", f"{path}=1"]) == 2
     above = path.rpartition(".")[0]
-    fault = f"{path} = 1 does not exist: {above} is a value, not a table. Use the path {above}."
+    fault = f"--set {path}=1 does not exist: {above} is a value, not a table. Use the path {above}."
     assert capsys.readouterr().err == f"{starter}: {fault}\n"
 
 
-def test_set_gives_what_the_spec_leaves_out_and_its_faults_keep_their_lines(capsys, starter, tmp_path):
+def test_set_gives_what_the_spec_leaves_out_and_its_faults_blame_no_line(capsys, starter, tmp_path):
     text = starter.read_text()
-    line = next(number for number, row in enumerate(text.splitlines(), 1) if row.startswith("rate_t_h"))
     path = tmp_path / "template.toml"
     path.write_text("\n".join("" if row.startswith("rate_t_h") else row for row in text.splitlines()))
     assert main(["run", str(path)]) == 2
@@ -157,7 +157,7 @@ def test_set_gives_what_the_spec_leaves_out_and_its_faults_keep_their_lines(caps
     assert main(["run", str(path), "--set", "flow.rate_t_h=1000"]) == 0
     capsys.readouterr()
     assert main(["run", str(starter), "--set", "flow.rate_t_h=-1"]) == 2
-    assert f":{line}: flow.rate_t_h = -1" in capsys.readouterr().err
+    assert capsys.readouterr().err.startswith(f"{starter}: --set flow.rate_t_h=-1 must be greater than 0 t/h")
 
 
 def test_stations_by_distance(capsys, starter):
@@ -337,7 +337,7 @@ def test_the_belt_and_the_edges_of_its_stream_are_told(capsys):
 
 def test_edges_in_json(capsys):
     assert main(["run", str(ROOT / "specs/surge_on_belt.toml"), "--json", "-"]) == 0
-    inlet = json.loads(capsys.readouterr().out)["inlet"]
+    inlet = json.loads(capsys.readouterr().out)["chutes"][0]["inlet"]
     assert inlet["belt_fill"] > 1.0
     assert [(edge["name"], edge["segment"]) for edge in inlet["edges"]] == [
         ("lower", "hood"),
@@ -348,7 +348,7 @@ def test_edges_in_json(capsys):
     assert inlet["edges"][2]["gap_m"] < 0.0
     assert inlet["edges"][0]["gap_m"] is None
     assert main(["run", str(ROOT / "specs/vee.toml"), "--json", "-"]) == 0
-    assert "edges" not in json.loads(capsys.readouterr().out)["inlet"]
+    assert json.loads(capsys.readouterr().out)["chutes"][0]["inlet"]["edges"] == []
 
 
 def test_columns_of_tables_and_files(capsys, tmp_path, starter):
@@ -372,7 +372,7 @@ def test_columns_of_tables_and_files(capsys, tmp_path, starter):
 
     capsys.readouterr()
     assert main(["run", str(starter), "--json", "-", "--points", "2", "--columns", "segment, s_m ,depth_m"]) == 0
-    document = json.loads(capsys.readouterr().out)
+    (document,) = json.loads(capsys.readouterr().out)["chutes"]
     assert [list(row) for row in document["segments"][1]["stations"]] == [["s_m", "depth_m"]] * 2
     assert set(document["segments"][1]["exit"]) == set(solution.exit)
 

@@ -133,6 +133,6 @@ def test_no_message_shows_a_negative_zero():
 def test_no_file_holds_a_negative_zero(tmp_path):
     block = {"x_m": np.array([-0.0, 1.0]), "name": np.array(["-0.0", ""])}
     for kind in ("csv", "json"):
-        Outputs(**{kind: str(tmp_path / f"rows.{kind}")}).write(Dataset({"x_m": float, "name": str}, [block]))
+        Outputs(**{kind: str(tmp_path / f"rows.{kind}")}).write(Dataset("run", {"x_m": float, "name": str}, [block]))
     assert (tmp_path / "rows.csv").read_text().splitlines() == ["x_m,name", "0.0,-0.0", "1.0,"]
     assert '{"x_m": 0.0, "name": "-0.0"}' in (tmp_path / "rows.json").read_text()

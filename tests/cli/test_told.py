@@ -137,7 +137,7 @@ def test_the_flight_onto_a_belt_is_in_all_outputs(tmp_path, report):
     lines = report(spec, "--csv", str(csv), "--json", str(document), "--points", "5")
     assert starting(lines, "receiver:flight")
     rows = [line for line in csv.read_text(encoding="utf-8").splitlines() if ",receiver:flight," in line]
-    found = json.loads(document.read_text(encoding="utf-8"))
+    (found,) = json.loads(document.read_text(encoding="utf-8"))["chutes"]
     (flight,) = found["last_flights"]
     assert (len(rows), flight["name"], flight["kind"]) == (5, "receiver:flight", "flight")
     assert flight["exit"]["x_m"] == pytest.approx(found["receiver"]["landing_x_m"], rel=1e-13)
@@ -149,7 +149,7 @@ def test_the_flight_onto_a_belt_is_in_all_outputs(tmp_path, report):
 def test_a_chute_without_a_flight_behind_it_has_none(tmp_path, report):
     document = tmp_path / "run.json"
     report((SPECS / "vee.toml").read_text(encoding="utf-8"), "--json", str(document))
-    assert json.loads(document.read_text(encoding="utf-8"))["last_flights"] == []
+    assert json.loads(document.read_text(encoding="utf-8"))["chutes"][0]["last_flights"] == []
 
 
 def test_sweeps_have_the_greatest_impacts_beside_sliding(capsys):

@@ -123,13 +123,13 @@ def test_sensitivity_of_a_run(capsys, tmp_path):
     out = told(capsys, "run", HOOD, "--sensitivity", "--json", str(file))
     table = out[out.index("change of the exit velocity of 6.338 m/s, in % of it, where one key rises") :].splitlines()
     assert max(map(len, table)) <= PIPE_WIDTH
-    found = json.loads(file.read_text(encoding="utf-8"))["sensitivity"]
+    found = json.loads(file.read_text(encoding="utf-8"))["chutes"][0]["sensitivity"]
     assert found["column"] == "exit_velocity_m_s"
     assert [line.split()[0] for line in table[3:]] == [key["path"] for key in found["keys"]]
     exact = chutecalc.sensitivity(chutecalc.load(HOOD))
     assert [key["percent_per_percent"] for key in found["keys"]] == exact.per_percent.tolist()
     assert "fails on one side" in out
-    assert "sensitivity" not in json.loads(told(capsys, "run", HOOD, "--json", "-"))
+    assert json.loads(told(capsys, "run", HOOD, "--json", "-"))["chutes"][0]["sensitivity"] is None
 
 
 def test_sensitivity_of_a_case_and_of_a_chute_that_fails(capsys, spoon):

@@ -10,8 +10,8 @@ import chutecalc
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
     {"errors", "registry", "runtime", "core"},
-    {"physics", "workers"},
-    {"design", "fields"},
+    {"extras", "physics"},
+    {"design", "fields", "workers"},
     {"sections"},
     {"segments"},
     {"spec", "solver"},

@@ -109,7 +109,7 @@ def test_they_run(done):
     assert "(limit 2362 fpm)" in done["us"][1]
     status, out = done["steep"]
     assert status == 2
-    assert "sections.body.flank_deg = 85 is steeper than the step" in out
+    assert "sections.body.flank_deg=85 is steeper than the step" in out
     for example in ('shape = "trapezoid_stepped"', 'kind = "ramp"'):
         assert example in done["starter"]
 

@@ -92,12 +92,12 @@ def test_run_shows_the_band_and_says_what_it_is(capsys):
 
 def test_json_has_the_band(capsys):
     _, out = run(capsys, SPOON, "--band", "--json", "-")
-    band = json.loads(out)["band"]
+    band = json.loads(out)["chutes"][0]["band"]
     assert band["note"] == NOTE
     assert len(band["variants"]) == 9
     assert band["exit"]["velocity_m_s"]["least"] == pytest.approx(3.542, abs=1e-3)
     assert band["segments"][1]["maximum"]["depth_m"]["largest"] > 0.15
-    assert "band" not in json.loads(run(capsys, SPOON, "--json", "-")[1])
+    assert json.loads(run(capsys, SPOON, "--json", "-")[1])["chutes"][0]["band"] is None
 
 
 def test_a_report_says_where_the_band_ends(tmp_path, capsys):
@@ -106,7 +106,7 @@ def test_a_report_says_where_the_band_ends(tmp_path, capsys):
     spec.write_text(chutecalc_toml(), encoding="utf-8")
     _, out = run(capsys, spec, "--band", "--json", path)
     assert "on flat, choke at s =" in out
-    (end,) = json.loads(path.read_text(encoding="utf-8"))["band"]["ends"]
+    (end,) = json.loads(path.read_text(encoding="utf-8"))["chutes"][0]["band"]["ends"]
     assert end["segment"] == "flat"
 
 

@@ -231,7 +231,7 @@ def test_csv_and_json_hold_every_row(tmp_path, capsys):
     assert np.array_equal(written, study.columns["equivalent_friction"], equal_nan=True)
 
     document = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
-    assert (document["format"], document["keep"], document["area_m2"]) == (1, "depth", 0.05)
+    assert (document["command"], document["keep"], document["area_m2"]) == ("friction_study", "depth", 0.05)
     assert document["rows"][0]["base_m"] is None
     assert [row["equivalent_friction"] or np.nan for row in document["rows"]] == pytest.approx(
         study.columns["equivalent_friction"].tolist(), rel=0, abs=0, nan_ok=True

@@ -87,7 +87,7 @@ def test_a_chute_that_fails_has_no_last_flight():
 
 def test_the_document_has_the_segments_alone(capsys):
     assert main(["run", str(ROOT / "specs" / "cross_loading.toml"), "--json", "-"]) == 0
-    document = json.loads(capsys.readouterr().out)
+    (document,) = json.loads(capsys.readouterr().out)["chutes"]
     assert [segment["name"] for segment in document["segments"]] == ["chute"]
     assert document["receiver"]["landing_x_m"] == pytest.approx(1.552, abs=5e-4)
 

@@ -88,7 +88,7 @@ def test_a_library_beside_is_read_only_by_specs_that_use_it(folder):
     Path("chute-library.toml").write_text("[materials", encoding="utf-8")
     Path("other.toml").write_text(chutecalc.STARTER, encoding="utf-8")
     chutecalc.load("other.toml")
-    with pytest.raises(chutecalc.SpecError, match=r"^chute-library.toml: is not valid TOML"):
+    with pytest.raises(chutecalc.SpecError, match=r"^chute-library.toml:1: \[materials is not the header of a table"):
         chutecalc.load("chute.toml")
 
 
@@ -112,7 +112,7 @@ def test_what_is_missing_is_told_with_the_line_of_the_spec(folder):
     [
         ("= 850 ", "= -850 ", ":2: materials.coal, bituminous.density_kg_m3 = -850 must be greater than 0 kg/m³"),
         ("friction_deg = 30", "friction = 30", ":15: liners.worn.friction = 30 needs its unit at the end"),
-        ("[liners.worn]", "[liner.worn]", ": liner is not a key of this table. Did you mean liners?"),
+        ("[liners.worn]", "[liner.worn]", ":14: liner is not a key of this table. Did you mean liners?"),
         ("[0.5, 0.30]", "[5.0, 0.30]", ":11: liners.ceramic, new.yield_locus_kpa is out of order at row 2"),
         ("friction_deg = 30", 'use = "x"', ':15: liners.worn.use = "x" is for specs'),
     ],

@@ -134,6 +134,6 @@ def test_it_is_printed_without_a_place_and_stands_in_files(tmp_path, capsys):
     assert main(["run", spec, "--set", "flow.rate_t_h=0.02", "--json", str(target)]) == 0
     line = "warning implausible  flow.rate_t_h: 0.02 t/h is a trickle"
     assert line in capsys.readouterr().out
-    (found,) = [one for one in json.loads(target.read_text())["findings"] if one["code"] == "implausible"]
+    (found,) = [one for one in json.loads(target.read_text())["chutes"][0]["findings"] if one["code"] == "implausible"]
     assert (found["segment"], found["key"], found["s_m"]) == (None, "flow.rate_t_h", None)
     assert main(["run", spec, "--set", "flow.rate_t_h=0.02", "--strict"]) == 1

@@ -8,7 +8,7 @@ import pytest
 import chutecalc
 from chutecalc.sections.registry import SHAPES
 from chutecalc.segments.registry import KINDS
-from chutecalc.spec.parse import key_lines
+from chutecalc.spec.lines import key_lines
 from tests.conftest import BASE, chute, spec
 
 STARTER = chutecalc.STARTER
@@ -63,7 +63,7 @@ def test_a_metre_in_millimetres_is_exact():
         ("rate_t_h = 1000", "", "flow.rate_t_h", "", "is missing", "add rate_t_h"),
         ("rate_t_h = 1000", "rate_t_h = 0", "flow.rate_t_h", "0", "greater than 0 t/h", "larger"),
         ("rate_t_h = 1000", "rate_t_h = true", "flow.rate_t_h", "true", "a number greater than 0 t/h", "a number"),
-        ("rate_t_h = 1000", 'rate_t_h = "1000"', "flow.rate_t_h", '"1000"', "a number", "write a number"),
+        ("rate_t_h = 1000", 'rate_t_h = "1000"', "flow.rate_t_h", '"1000"', "a number", "write 1000, the number alone"),
         ("rate_t_h = 1000", "rate_t_h = nan", "flow.rate_t_h", "nan", "finite", "finite number"),
         ("rate_t_h = 1000", "rate_t_h = 1979-05-27", "flow.rate_t_h", "1979-05-27", "a number", "write a number"),
         ("rate_t_h = 1000", "rate_t_h = inf", "flow.rate_t_h", "inf", "finite", "finite number"),
@@ -76,7 +76,7 @@ def test_a_metre_in_millimetres_is_exact():
         ('kind = "fall" ', 'kind = "spoon" ', "segments.1.kind", '"spoon"', "not a known kind", "crest is a curve"),
         ("[liners.ceramic]", "[liners]", "liners.friction_deg", "25", "must be a table", "[liners.NAME]"),
         ("rate_t_h = 1000", "rate_t_h = 1e10", "flow.rate_t_h", "10000000000.0", "1,000,000,000 t/h", "smaller"),
-        ("rate_t_h = 1000", "rate_t_h = 1,5", "rate_t_h", "1,5", "is not a number", "write a decimal point: 1.5"),
+        ("rate_t_h = 1000", "rate_t_h = 1,5", "flow.rate_t_h", "1,5", "is not a number", "write rate_t_h = 1.5"),
         ('kind = "fall" ', "", "segments.1.kind", "", "is missing", ", ".join(KINDS)),
         ('shape = "chamfered"', 'shape = "o"', "sections.body.shape", '"o"', "not a known shape", ", ".join(SHAPES)),
         ('name = "spoon"', 'name = "a b"', "segments.2.name", '"a b"', "is not a valid name", "begin with a letter"),
@@ -261,10 +261,10 @@ def test_wrong_tables(data, words):
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (b"[flow\n", "is not valid TOML"),
-        (b"a = \n", "is not valid TOML"),
-        (b"\xff\xfe\x00", "is not UTF-8"),
-        (b"", "is missing"),
+        ("[flow]\nrate_t_h = 1000".encode("utf-16"), "is UTF-16.*Save the file as UTF-8"),
+        ("[flow]\ntitle = 'δ 30°'".encode("cp1253"), "bad.toml:2: has a character that is not UTF-8"),
+        (b"", "is empty. Run chutecalc new"),
+        (b"# nothing yet\n\n", "is empty. Run chutecalc new"),
     ],
 )
 def test_files_that_are_no_specs(tmp_path, content, words):

@@ -1,7 +1,7 @@
 """A chute as a drawing for CAD: its steel in true arcs and lines, its stream, belts, sections and dimensions."""
 
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import DXF, require_extra
+from chutecalc.extras import DXF, require_extra
 
 
 def check_drawing(file: str) -> None:

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from functools import cache
 from typing import IO, Any, NamedTuple, Protocol
 
+from chutecalc.extras import Extra
 from chutecalc.output.dataset import Block, Dataset
-from chutecalc.output.extras import Extra
 from chutecalc.registry import by_name, load_modules
 
 
@@ -36,7 +36,7 @@ class OutputFormat(NamedTuple):
     """What the option does, for ``--help``."""
     rows: Callable[[IO[Any], Dataset], RowWriter]
     """Begins a file of rows. The writer holds at most a few blocks in memory."""
-    document: Callable[[IO[Any], Any], None] | None = None
+    document: Callable[[IO[Any], Dataset], None] | None = None
     """Writes nested data instead of rows, for datasets that have a document."""
     extra: Extra | None = None
     """The optional dependency that it needs."""

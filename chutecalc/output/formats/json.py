@@ -1,8 +1,8 @@
 """JSON: full double precision, and null where a quantity does not exist or is infinite."""
 
-from typing import IO, Any
+from typing import IO
 
-from chutecalc.output.dataset import Block, Dataset, document_head, numbers
+from chutecalc.output.dataset import Block, Dataset, numbers
 from chutecalc.output.formats import OutputFormat
 
 
@@ -11,7 +11,7 @@ class JsonRows:
 
     Args:
         stream: where to write.
-        dataset: the dataset, for its head and the names of its columns.
+        dataset: the dataset, for what was asked and the names of its columns.
     """
 
     def __init__(self, stream: IO[str], dataset: Dataset) -> None:
@@ -19,7 +19,7 @@ class JsonRows:
 
         self._stream, self._names, self._comma = stream, list(dataset.columns), ""
         self._encode = json.JSONEncoder(allow_nan=False, ensure_ascii=False).encode
-        head = document_head() | dict(dataset.head)
+        head = dataset.head | dict(dataset.asked)
         text = json.dumps(head, indent=2, allow_nan=False, ensure_ascii=False).removesuffix("\n}")
         stream.write(f'{text},\n  "rows": [')
 
@@ -39,16 +39,17 @@ class JsonRows:
         self._stream.write("\n  ]\n}\n")
 
 
-def write_document(stream: IO[str], document: Any) -> None:
-    """Write nested mappings and lists, indented.
+def write_document(stream: IO[str], dataset: Dataset) -> None:
+    """Write the document of a dataset, indented.
 
     Args:
         stream: where to write.
-        document: mappings, lists, text and numbers.
+        dataset: the dataset, which has one.
     """
     import json
 
-    json.dump(document, stream, indent=2, allow_nan=False, ensure_ascii=False)
+    assert dataset.document is not None
+    json.dump(dataset.head | dict(dataset.document()), stream, indent=2, allow_nan=False, ensure_ascii=False)
     stream.write("\n")
 
 

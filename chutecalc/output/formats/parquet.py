@@ -2,12 +2,30 @@
 
 from typing import IO, Any
 
+from chutecalc.extras import PARQUET
+from chutecalc.fields.units import TEXT, unit_of
 from chutecalc.output.dataset import Block, Dataset
-from chutecalc.output.extras import Extra
 from chutecalc.output.formats import OutputFormat
 
 ROWS_OF_A_GROUP = 131_072
 """A row group is written once it has as many rows; it has at most one block more."""
+
+
+KEY = "chutecalc"
+"""Key of the metadata of a file: JSON of the version, the command and what was asked, the specs among it."""
+
+
+def unit_metadata(name: str) -> dict[str, str] | None:
+    """Return the metadata of a column: its unit as people write it; None where it has none.
+
+    Args:
+        name: of the column.
+
+    >>> unit_metadata("exit_velocity_m_s"), unit_metadata("fill")
+    ({'unit': 'm/s'}, None)
+    """
+    unit = unit_of(name)
+    return {"unit": TEXT.get(unit, unit)} if unit else None
 
 
 class ParquetRows:
@@ -15,17 +33,24 @@ class ParquetRows:
 
     Args:
         stream: where to write.
-        dataset: the dataset, for its columns.
+        dataset: the dataset, for its columns and what was asked.
     """
 
     def __init__(self, stream: IO[bytes], dataset: Dataset) -> None:
+        import json
+
         import pyarrow
         from pyarrow import parquet
 
         self._arrow = pyarrow
         text = pyarrow.dictionary(pyarrow.int32(), pyarrow.string())
         types = {str: text, float: pyarrow.float64(), int: pyarrow.int64()}
-        self._schema = pyarrow.schema([(name, types[kind]) for name, kind in dataset.columns.items()])
+        fields = [
+            pyarrow.field(name, types[kind], metadata=unit_metadata(name) if kind is not str else None)
+            for name, kind in dataset.columns.items()
+        ]
+        told = json.dumps(dataset.head | dict(dataset.asked), allow_nan=False, ensure_ascii=False)
+        self._schema = pyarrow.schema(fields, metadata={KEY: told})
         # Floating-point results rarely repeat: a dictionary of them would be work for nothing.
         texts = [name for name, kind in dataset.columns.items() if kind is str]
         self._writer = parquet.ParquetWriter(stream, self._schema, use_dictionary=texts or False)
@@ -65,9 +90,9 @@ class ParquetRows:
 
 FORMAT = OutputFormat(
     "parquet",
-    "Write the rows as Parquet (extra parquet).",
+    "Write the rows as Parquet (needs PyArrow).",
     ParquetRows,
-    extra=Extra("parquet", "PyArrow"),
+    extra=PARQUET,
     binary=True,
     standard_output=False,
 )

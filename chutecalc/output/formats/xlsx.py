@@ -6,8 +6,8 @@ from datetime import datetime
 from typing import IO, Any
 
 from chutecalc.errors import UsageError
+from chutecalc.extras import XLSX
 from chutecalc.output.dataset import Block, Dataset
-from chutecalc.output.extras import Extra
 from chutecalc.output.formats import OutputFormat
 
 ROWS_OF_A_SHEET = 1_048_576
@@ -96,9 +96,9 @@ class XlsxRows:
 
 FORMAT = OutputFormat(
     "xlsx",
-    "Write the rows as an Excel workbook (extra xlsx).",
+    "Write the rows as an Excel workbook (needs XlsxWriter).",
     XlsxRows,
-    extra=Extra("xlsx", "XlsxWriter"),
+    extra=XLSX,
     binary=True,
     standard_output=False,
 )

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from chutecalc.output.dataset import document_head
-from chutecalc.output.extras import PLOT, REPORT, require_extra
+from chutecalc import __version__
+from chutecalc.extras import PLOT, REPORT, require_extra
 from chutecalc.output.html_report.reported import Reported
 from chutecalc.output.html_report.worked import with_subscripts
 
@@ -42,7 +42,7 @@ def report_html(chutes: Sequence[Reported], units: str) -> str:
 
 def _rendered(template: str, values: dict[str, Any]) -> str:
     """Return a template with its values; text of users is escaped."""
-    return environment().get_template(template).render(values, version=document_head()["chutecalc"])
+    return environment().get_template(template).render(values, version=__version__)
 
 
 @cache

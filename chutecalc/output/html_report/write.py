@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import PDF, PLOT, REPORT, require_extra
+from chutecalc.extras import PDF, PLOT, REPORT, require_extra
 from chutecalc.output.files import open_whole
 
 if TYPE_CHECKING:

@@ -121,8 +121,7 @@ def place_labels(axes: Axes, labels: Sequence[Label], lines: Sequence[Line]) -> 
         labels: in order: the first ones choose first.
         lines: what is better not covered, in the units of the axes.
     """
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = axes.figure.figure
     scale = POINTS / figure.dpi
     corners = axes.transAxes.transform([(0.0, 0.0), (1.0, 1.0)]) * scale
 

@@ -75,8 +75,7 @@ def mark_ends(axes: Mapping[str, Axes], stream: Sequence[Trace], units: str) -> 
     if not high > low:
         panels[0].set_xlim(low - 0.5, high + 0.5)
         return
-    figure = panels[0].get_figure(root=True)
-    assert figure is not None
+    figure = panels[0].figure.figure
     room = panels[0].get_position().width * figure.get_figwidth() * POINTS
     for panel in panels:
         panel.set_xlim(low, high)

@@ -123,6 +123,9 @@ def _explain(axes: Axes, drawn: Mapping[str, Any], named: Mapping[str, Any], col
     """Draw the legends: what is drawn, and below it the operating states."""
     if named:
         look = KEY | LONG
-        axes.add_artist(axes.legend(named.values(), named.keys(), loc="lower left", ncols=columns, **look))
+        legend = axes.legend(named.values(), "-" * len(named), loc="lower left", ncols=columns, **look)
+        for text, name in zip(legend.get_texts(), named, strict=True):  # old releases leave out what begins with _
+            text.set_text(name)
+        axes.add_artist(legend)
     if drawn:
         axes.legend(drawn.values(), drawn.keys(), loc="upper left", ncols=len(drawn), **KEY)

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 from chutecalc.errors import UsageError
-from chutecalc.output.extras import PLOT, require_extra
+from chutecalc.extras import PLOT, require_extra
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

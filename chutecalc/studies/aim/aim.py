@@ -44,7 +44,7 @@ class Aim(Found):
         """Return the aim, its solutions and the outcome of each; without any the design that comes closest."""
         found = {"targets": self.targets, "case": self.states[0], "tried": self.tried} | super().document()
         if self.nearest is None:
-            return found
+            return found | {"nearest": None}
         nearest = self.nearest.document()
         return found | {"nearest": {"values": nearest["solutions"][0], "outcome": nearest["outcome"][0]}}
 

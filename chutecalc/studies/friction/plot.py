@@ -92,8 +92,7 @@ def _draw_friction(axes: Axes, study: FrictionStudy, units: str) -> None:
 
 def _name_ends(axes: Axes, names: Sequence[str]) -> None:
     """Write the names of lines at their right ends, those that have room."""
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = axes.figure.figure
     lay_out(figure)
     low, high = axes.get_ylim()
     line = SMALL * (high - low) / (axes.get_position().height * HEIGHT * POINTS)

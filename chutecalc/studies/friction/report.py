@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.output.dataset import Dataset, column_types, document_head, number, numbers
+from chutecalc.output.dataset import Dataset, column_types, number, numbers
 from chutecalc.output.grid import Grid
 from chutecalc.output.printer import Printer
 from chutecalc.results.columns import COLUMNS
@@ -49,18 +49,18 @@ def study_dataset(study: FrictionStudy) -> Dataset:
 
     def document() -> dict[str, Any]:
         rows = zip(*map(numbers, study.columns.values()), strict=True)
-        return {
-            **document_head(),
-            "study": "friction",
-            "keep": study.keep,
-            "wall_friction_deg": study.wall_friction_deg,
-            "base_m": study.base_m,
-            "area_m2": study.area_m2,
+        return asked | {
             "rows": [dict(zip(study.columns, row, strict=True)) for row in rows],
             "best": [{name: number(value) for name, value in best._asdict().items()} for best in study.best()],
         }
 
-    return Dataset(column_types(FRICTION_COLUMNS.values()), [study.columns], document=document)
+    asked = {
+        "keep": study.keep,
+        "wall_friction_deg": study.wall_friction_deg,
+        "base_m": study.base_m,
+        "area_m2": study.area_m2,
+    }
+    return Dataset("friction_study", column_types(FRICTION_COLUMNS.values()), [study.columns], asked, document)
 
 
 def given_text(study: FrictionStudy, units: str) -> str:

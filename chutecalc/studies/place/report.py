@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from chutecalc.output.cases import CONCERNED
-from chutecalc.output.dataset import document_head, number
+from chutecalc.output.dataset import Dataset, number
 from chutecalc.output.grid import Grid
 from chutecalc.results.finding import Severity
 from chutecalc.segments.curve import Curve
@@ -102,12 +102,17 @@ def outcome_lines(placement: Placement) -> Iterator[tuple[Severity, str, str]]:
         yield severity, code, ", ".join(where)
 
 
-def placement_document(placement: Placement) -> dict[str, Any]:
+def placement_dataset(placement: Placement) -> Dataset:
     """Return the placed segments as a document: what to write into the spec, and how the stream then strikes.
 
     Args:
         placement: the placed segments.
     """
+    return Dataset("place", {}, (), document=lambda: _document(placement))
+
+
+def _document(placement: Placement) -> dict[str, Any]:
+    """Return the entries of the document."""
     solution: dict[str, Any] = {}
     outcome: dict[str, Any] = {}
     for each in placement.segments:
@@ -119,7 +124,7 @@ def placement_document(placement: Placement) -> dict[str, Any]:
     found = [
         {"code": code, "severity": severity, "segments": where} for severity, code, where in outcome_lines(placement)
     ]
-    return {**document_head(), "solutions": [solution], "outcome": [outcome], "findings": found}
+    return {"solutions": [solution], "outcome": [outcome], "findings": found}
 
 
 def _numbers(strike: Struck) -> dict[str, float]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import IO, Any
 from xml.etree import ElementTree
 
-from chutecalc.output.dataset import Dataset, block_of, document_head
+from chutecalc.output.dataset import Dataset, block_of
 from chutecalc.output.grid import GAP, Grid
 from chutecalc.output.printer import Printer
 from chutecalc.results.columns import COLUMNS
@@ -94,27 +94,15 @@ def _designs(count: int) -> str:
     return f"{count} design{'s' if count != 1 else ''}"
 
 
-def check_document(verdicts: Sequence[Verdict], rtol: float) -> dict[str, Any]:
-    """Return all verdicts as a document, with each number that drifted.
-
-    Args:
-        verdicts: one for each design.
-        rtol: relative tolerance that the designs were solved to.
-    """
+def _document(verdict: Verdict) -> dict[str, Any]:
+    """Return a verdict as an object, with each number that drifted."""
     return {
-        **document_head(),
-        "rtol": rtol,
-        "designs": [
-            {
-                "spec": verdict.spec,
-                "outcome": verdict.outcome,
-                "tolerance": verdict.tolerance,
-                "notes": list(verdict.notes),
-                "changes": [change._asdict() for change in verdict.changes],
-                "drifts": [_drift(drift) for drift in verdict.drifts],
-            }
-            for verdict in verdicts
-        ],
+        "spec": verdict.spec,
+        "outcome": verdict.outcome,
+        "tolerance": verdict.tolerance,
+        "notes": list(verdict.notes),
+        "changes": [change._asdict() for change in verdict.changes],
+        "drifts": [_drift(drift) for drift in verdict.drifts],
     }
 
 
@@ -141,7 +129,9 @@ def check_dataset(verdicts: Sequence[Verdict], rtol: float) -> Dataset:
         for verdict in verdicts
         for drift in (map(_drift, verdict.drifts) if verdict.drifts else [{}])
     ]
-    return Dataset(ROW_COLUMNS, [block_of(rows, ROW_COLUMNS)], document=lambda: check_document(verdicts, rtol))
+    asked = {"tolerance": rtol}
+    blocks = [block_of(rows, ROW_COLUMNS)]
+    return Dataset("check", ROW_COLUMNS, blocks, asked, lambda: asked | {"designs": [*map(_document, verdicts)]})
 
 
 def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:

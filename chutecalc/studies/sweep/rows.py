@@ -14,7 +14,7 @@ def sweep_dataset(sweep: Sweep, blocks: Iterable[Block]) -> Dataset:
         sweep: what was asked for.
         blocks: its rows in order.
     """
-    head = {
+    asked = {
         "source": sweep.chute.source,
         "spec": sweep.chute.data,
         "tolerance": sweep.rtol,
@@ -26,7 +26,7 @@ def sweep_dataset(sweep: Sweep, blocks: Iterable[Block]) -> Dataset:
         "keep": sweep.keep,
     }
     columns = {name: str if name in sweep.texts else float for name in sweep.header}
-    return Dataset(columns, blocks, head)
+    return Dataset("sweep", columns, blocks, asked)
 
 
 class CollectedRows:

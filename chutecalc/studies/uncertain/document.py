@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.output.dataset import Block, Dataset, document_head, number, numbers
+from chutecalc.output.dataset import Block, Dataset, number, numbers
 from chutecalc.studies.uncertain.outcome import Outcome
 from chutecalc.studies.uncertain.quantiles import quantiles_of
 from chutecalc.studies.uncertain.sampling import REPLICATES
@@ -30,25 +30,19 @@ def uncertainty_dataset(result: Outcome) -> Dataset:
             given = {name: values[block] for name, values in (result.values | result.columns).items()}
             yield {name: status if name == "status" else given[name] for name in columns}
 
-    return Dataset(columns, blocks(), document=lambda: uncertainty_document(result))
+    asked = {"source": result.chute.source, "spec": result.chute.data, "case": result.case, "tolerance": result.rtol}
+    asked |= {"samples": result.count, "replicates": REPLICATES, "seed": result.seed}
+    return Dataset("uncertain", columns, blocks(), asked, lambda: asked | uncertainty_document(result))
 
 
 def uncertainty_document(result: Outcome) -> dict[str, Any]:
-    """Return a study as a document.
+    """Return what a study says, as the entries of its document after what was asked.
 
     Args:
         result: the study.
     """
     alone = result.tornado
     return {
-        **document_head(),
-        "source": result.chute.source,
-        "spec": result.chute.data,
-        "case": result.case,
-        "tolerance": result.rtol,
-        "samples": result.count,
-        "replicates": REPLICATES,
-        "seed": result.seed,
         "keys": [
             {
                 "path": key.path,
@@ -76,7 +70,7 @@ def uncertainty_document(result: Outcome) -> dict[str, Any]:
         },
         "chances": _chances(result.chances),
         "exceeded": _chances(result.exceeded),
-        **({} if result.warned is None else {"warnings": _chances(result.warned)}),
+        "warnings": None if result.warned is None else _chances(result.warned),
         "indices": {
             name: {key: numbers(values) for key, values in own._asdict().items()}
             for name, own in result.indices.items()

@@ -3,7 +3,7 @@
 import pytest
 
 import chutecalc
-from chutecalc.output.run import run_document
+from chutecalc.output.run import run_dataset
 from chutecalc.results.cases import Cases
 from chutecalc.results.segment_columns import segment_columns
 from chutecalc.spec.operating import DESIGN_POINT
@@ -66,7 +66,7 @@ def test_columns_of_a_segment_are_its_results(capsys):
     rows = swept(capsys, "rate=1500,1800", BELT, "--columns", ALL_OF_SPOON)
     for row in rows:
         state = chutecalc.solve(chutecalc.load(BELT).vary({"flow.rate_t_h": float(row["rate_t_h"])}))
-        spoon = run_document(Cases({DESIGN_POINT: state}), None)["segments"][-1]
+        spoon = run_dataset([Cases({DESIGN_POINT: state})], None).document()["chutes"][0]["segments"][-1]
         found = {name: spoon[name] for name in ALONE}
         for prefix, part in (("entry", "entry"), ("exit", "exit"), ("min", "minimum"), ("max", "maximum")):
             found |= {f"{prefix}_{name}": value for name, value in spoon[part].items()}

@@ -18,7 +18,7 @@ from tests.cli.sweep.commands import BOTH, HOOD, SPOON, refused, swept, written
 def test_one_value_is_a_run(capsys):
     (row,) = swept(capsys, "radius=3", SPOON)
     assert main(["run", SPOON, "--json", "-"]) == 0
-    run = json.loads(capsys.readouterr().out)
+    (run,) = json.loads(capsys.readouterr().out)["chutes"]
     assert list(row) == ["radius_m", "status", *DEFAULT]
     assert row["status"] == run["status"] == "ok"
     for name in ("velocity_m_s", "depth_m", "slope_deg"):
