@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import chutecalc
-from tests.conftest import ROOT, STANDARD_DESIGNS, chute
+from tests.conftest import LEVEL, ROOT, STANDARD_DESIGNS, chute
 
 ezdxf = pytest.importorskip("ezdxf")
 pytest.importorskip("ezdxf.units")
@@ -83,7 +83,7 @@ def test_the_docs_list_every_layer():
 
 
 def test_a_spoon_is_a_true_arc():
-    document = drawn(chutecalc.parse(chutecalc.STARTER))  # 2 m down, then a quarter of R = 3 m
+    document = drawn(chutecalc.parse(LEVEL))  # 2 m down, then a quarter of R = 3 m
     assert arcs(document, "STEEL") == [close((3000.0, -2000.0, 3000.0, 180.0, 270.0))]
 
 
