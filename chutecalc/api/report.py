@@ -1,15 +1,18 @@
 """Reports of chutes, for a client to read, print and sign."""
 
 from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
 
 from chutecalc.api.band import solve_band
 from chutecalc.api.cases import solve_cases
 from chutecalc.api.chute import Chute
-from chutecalc.errors import SpecError, UsageError
+from chutecalc.errors import ChutecalcError, SpecError, UsageError
 from chutecalc.results.band import Band
 from chutecalc.results.cases import Cases
 from chutecalc.results.column import Units
 from chutecalc.spec.library import is_used
+from chutecalc.spec.parse import decode, parse_text, read_bytes
 
 
 def write_report(file: str, *chutes: Chute, units: str = "metric", rtol: float = 1e-10) -> None:
@@ -75,14 +78,29 @@ def write_solved(
     reported = [
         Reported(
             states,
-            sha256(chute.text.encode()).hexdigest() if chute.text else "",
+            sha256(_content(chute)).hexdigest() if chute.text else "",
             chute.library.source if chute.library and is_used(chute.written) else "",
-            tuple(settings),
+            tuple(settings) or _changed(chute),
             band,
         )
         for chute, states, band in zip(chutes, cases, bands, strict=True)
     ]
     write_report(file, reported, units)
+
+
+def _content(chute: Chute) -> bytes:
+    """Return the content of a chute's file, if that still is what was read; else its text as UTF-8."""
+    with suppress(ChutecalcError):
+        content = read_bytes(Path(chute.source))
+        if decode(content, chute.source) == chute.text:
+            return content
+    return chute.text.encode()
+
+
+def _changed(chute: Chute) -> tuple[str, ...]:
+    """Return what a report says of a chute that is not the one of its text; nothing where it is."""
+    same = not chute.text or parse_text(chute.text, chute.source) == chute.written
+    return () if same else ("keys that a program has changed: the inputs are as solved, not as in the spec",)
 
 
 def band_or_none(chute: Chute, rtol: float = 1e-10) -> Band | None:

@@ -37,6 +37,8 @@ def new(
     not there: editors that know JSON Schema for TOML complete keys and check values with it.
     """
     from chutecalc.spec.examples import SCHEMA_FILE, SCHEMA_LINE, example_text
+    from chutecalc.spec.library import LIBRARY_NAME
+    from chutecalc.spec.parse import BASELINE_SUFFIX
     from chutecalc.spec.starter import STARTER
 
     if list_them:
@@ -48,6 +50,8 @@ def new(
     if target == STANDARD_STREAM:
         typer.echo(text, nl=False)  # without the line: nobody knows where the schema would have to be
         return 0
+    if target.endswith((SCHEMA_FILE, LIBRARY_NAME, BASELINE_SUFFIX)):
+        raise UsageError(f"{target} is not the name of a spec, but of a file beside one: choose another")
     with open_new(target) as stream:
         stream.write(SCHEMA_LINE + text)
     schema = Path(target).with_name(SCHEMA_FILE)

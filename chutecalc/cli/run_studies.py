@@ -30,6 +30,8 @@ class RunStudies:
         """
         pairs = list(zip(chutes, cases, strict=True))
         self._pairs, self._rtol = pairs, rtol
+        self._quiet: dict[int, Band | None] = {}
+        """Bands that were not asked for, by number of the chute."""
         self.bands: list[Band] = []
         self.sensitivities: list[Sensitivity | None] = []
         if band:
@@ -58,7 +60,11 @@ class RunStudies:
         """
         from chutecalc.api.report import band_or_none
 
-        return self.bands[number] if self.bands else band_or_none(self._chute(number), self._rtol)
+        if self.bands:
+            return self.bands[number]
+        if number not in self._quiet:
+            self._quiet[number] = band_or_none(self._chute(number), self._rtol)
+        return self._quiet[number]
 
     def band_line(self, number: int, units: str) -> str:
         """Return the band of the stream at the exit, in a line that every report has; empty where none gets there.

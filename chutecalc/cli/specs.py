@@ -94,8 +94,8 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str], library: str | No
     """Return the chutes of several specs.
 
     Args:
-        specs: paths of their files. Baselines among them are left out, since a glob such as ``specs/*.toml`` matches
-            them too.
+        specs: paths of their files. Baselines and libraries among them are left out, since a glob such as
+            ``specs/*.toml`` matches them too.
         settings: changes in all of them, as ``PATH=VALUE``.
         library: file of the materials and liners that they may use; None for the one beside each.
 
@@ -103,11 +103,13 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str], library: str | No
         AllSpecsError: the faults of all specs.
         UsageError: a setting that is not ``PATH=VALUE``, or no spec but baselines.
     """
+    from chutecalc.spec.library import LIBRARY_NAME
     from chutecalc.spec.parse import BASELINE_SUFFIX
 
     chutes: list[Chute] = []
     errors: list[SpecError] = []
-    for spec in [spec for spec in specs if not spec.endswith(BASELINE_SUFFIX)] or specs:
+    others = (BASELINE_SUFFIX, LIBRARY_NAME)
+    for spec in [spec for spec in specs if not spec.endswith(others)] or specs:
         try:
             chutes.append(read_chute(spec, settings, library))
         except SpecError as error:

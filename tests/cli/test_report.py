@@ -235,3 +235,42 @@ def test_nothing_is_wider_than_the_screen(width, tmp_path, capsys):
     dumped = browse(tmp_path, f"--window-size={width},900", "--dump-dom", measured.as_uri())
     needed, given = map(int, re.search(r"<title>(\d+) (\d+)</title>", dumped).groups())
     assert needed <= given
+
+
+@pytest.mark.parametrize(
+    "spec",
+    [
+        chutecalc.STARTER.replace("friction_deg = 25", "friction_deg = 0 "),
+        re.sub(r"\[\[segments\]\]\nname = \"spoon\"\n(.+\n)+", "", chutecalc.STARTER),
+    ],
+    ids=["without friction", "a fall alone"],
+)
+def test_what_has_no_friction_or_no_steel_has_a_report(spec, tmp_path, capsys):
+    file = tmp_path / "odd.toml"
+    file.write_text(spec, encoding="utf-8")
+    assert "status ok" in page_of(tmp_path, file).text
+
+
+def test_a_comparison_tells_the_cases(tmp_path, capsys):
+    choked = tmp_path / "choked.toml"
+    text = TRANSFER.read_text(encoding="utf-8")
+    choked.write_text(text + '\n[cases.Choked]\n"flow.rate_t_h" = 9000\n', encoding="utf-8")
+    page = page_of(tmp_path, TRANSFER, choked, "--set", "sections.spoon.wall_height_m=0.4", status=1)
+    assert re.search(r"B : status ok.*?5 of 6 get through", page.text)
+    assert "failure choke Choked: spoon" in page.text
+    alone = page_of(tmp_path, TRANSFER, choked, "--case", "surge")
+    assert "What each gives in the case surge" in alone.text
+
+
+def test_the_digest_is_that_of_the_file(tmp_path, capsys):
+    file = tmp_path / "windows.toml"
+    file.write_bytes(b"\xef\xbb\xbf" + chutecalc.STARTER.replace("\n", "\r\n").encode())
+    assert hashlib.sha256(file.read_bytes()).hexdigest() in page_of(tmp_path, file).text
+
+
+def test_a_program_that_changed_keys_is_said(tmp_path):
+    chute, file = chutecalc.parse(chutecalc.STARTER), tmp_path / "report.html"
+    chutecalc.write_report(str(file), chute.put({"flow.rate_t_h": 500}))
+    assert "keys that a program has changed" in Page(file.read_text(encoding="utf-8")).text
+    chutecalc.write_report(str(file), chute)
+    assert "keys that a program has changed" not in Page(file.read_text(encoding="utf-8")).text

@@ -262,3 +262,9 @@ def test_notes_stand_clear_of_lines_and_of_each_other():
         assert np.hypot(edge[0] - middle.x, edge[1] - middle.y).min() > 1.5 * scale
     belt = next(each for each in texts if each.dxf.text.startswith("feeding"))
     assert hypot(*(belt.dxf.align_point - middle).vec2) > 20.0 * scale
+
+
+def test_cases_that_differ_by_capitals_have_layers_of_their_own():
+    text = chutecalc.STARTER + '[cases.Wet]\n"flow.rate_t_h" = 900\n[cases.wet]\n"flow.rate_t_h" = 800\n'
+    document = drawn(chutecalc.parse(text))
+    assert {"STREAM_Wet", "STREAM_wet_2"} <= {layer.dxf.name for layer in document.layers}

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import IO, NamedTuple
 
 import numpy as np
-from ezdxf._options import options
+from ezdxf import options  # type: ignore[attr-defined]  # documented there
 
 from chutecalc.output.dxf.layers import case_layer
 from chutecalc.output.dxf.points import PER_METRE, Point
@@ -53,9 +53,10 @@ def draw(states: Cases) -> Sheet:
     scale = next((scale for scale in SCALES if _fits(_layout(states, seen, box, pairs, scale), scale)), SCALES[-1])
     layout, sheet = _layout(states, seen, box, pairs, scale), Sheet(scale)
     draw_side(sheet, solution, seen, box)
-    for name, other in states.solutions.items():
+    names = [name for name in states.names if name != states.main]
+    for number, (name, other) in enumerate(states.solutions.items()):
         if name != states.main:
-            sheet.add_layer(layer := case_layer(name))
+            sheet.add_layer(layer := case_layer(name, names[: number - 1]))
             draw_stream(sheet, view(other), layer)
     for end, top in layout.sections:
         draw_end(sheet, end, top)

@@ -1,5 +1,6 @@
 """The layers of a drawing, and how each is drawn."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 
@@ -41,13 +42,16 @@ LAYERS = (STEEL, ROOFS, WALLS, FOLDS, SECTIONS, STREAM, FLIGHT, LOST, BELTS, DIM
 """All layers of a chute; each of its cases adds one."""
 
 
-def case_layer(case: str) -> Layer:
+def case_layer(case: str, others: Sequence[str] = ()) -> Layer:
     """Return the layer of the stream of a case, which is frozen.
 
     Args:
         case: its name.
+        others: names of cases that have layers already, for which capitals make no difference.
 
-    >>> case_layer("wet").name
-    'STREAM_wet'
+    >>> case_layer("wet").name, case_layer("Wet", ["wet"]).name
+    ('STREAM_wet', 'STREAM_Wet_2')
     """
-    return Layer(f"STREAM_{case}", 6, "CONTINUOUS", 13, f"the stream of the case {case}", shown=False)
+    alike = sum(case.casefold() == other.casefold() for other in others)
+    name = f"STREAM_{case}_{alike + 1}" if alike else f"STREAM_{case}"
+    return Layer(name, 6, "CONTINUOUS", 13, f"the stream of the case {case}", shown=False)

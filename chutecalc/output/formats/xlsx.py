@@ -51,8 +51,10 @@ class Sheet:
             for number, value in enumerate(values):
                 if isinstance(value, bool):
                     self._sheet.write_boolean(self._row, number, value)
+                elif value in ("", None) or value != value:
+                    continue  # an empty cell
                 elif isinstance(value, str) or not math.isfinite(value):
-                    self._sheet.write_string(self._row, number, "" if value != value else str(value))
+                    self._sheet.write_string(self._row, number, str(value))
                 else:
                     self._sheet.write_number(self._row, number, value)
 

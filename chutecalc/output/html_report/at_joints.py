@@ -72,9 +72,10 @@ def _kept(
 ) -> Iterator[Worked]:
     """Yield friction, the velocity that is left, and wear."""
     mu, friction = number(arrival.impact.wall_friction, "μ"), number(arrival.impact.friction, "μ_e")
-    excess = Number("χ_1", friction.value / mu.value - 1.0)
-    meaning = "equivalent friction on the impulse; χ_1 the excess friction of the friction law at the depth H_1"
-    yield worked(friction, meaning, "{mu} · (1 + {chi})", IMPACT, mu=mu, chi=excess)
+    excess = Number("χ_1", friction.value / mu.value - 1.0 if mu.value else 0.0)
+    if mu.value:
+        meaning = "equivalent friction on the impulse; χ_1 the excess friction of the friction law at the depth H_1"
+        yield worked(friction, meaning, "{mu} · (1 + {chi})", IMPACT, mu=mu, chi=excess)
     kept = "cos {i} − {mu} · sin {i}"
     if not after.value > 0.0:
         incidence = np.radians(angle.value)

@@ -127,6 +127,10 @@ def _friction(solution: SolvedChute, at: Any, area: Number, depth: Number) -> It
     """Yield how the equivalent friction follows from that of the wall and from the section."""
     spec, mu, equivalent = solution.spec, number(at.wall_friction, "μ"), number(at.friction, "μ_e")
     missing, strength = number(at.missing, "m"), spec.material.internal_friction_deg
+    if not mu.value:  # then the walls beside the floor do not count
+        yield _wall_friction(at, mu, Number("δ", 0.0, "°"))
+        yield worked(equivalent, "equivalent friction of a wall without friction", "{mu}", "physics", mu=mu)
+        return
     equilibrium, of_law = spec.model.friction_law == "equilibrium", equivalent.value / mu.value - 1.0
     excess = Number("χ", of_law * (1.0 - missing.value) if equilibrium else of_law)
     delta = Number("δ", float(strength or 0.0), "°")

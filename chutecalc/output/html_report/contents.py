@@ -48,7 +48,6 @@ def contents(chute: Reported, units: str) -> dict[str, Any]:
     return {
         **head(chute, units),
         "fails": not solution.ok[0],
-        "case": "" if states.main == DESIGN_POINT else states.main,
         "counts": [f"{count} {name}{'s' if count > 1 else ''}" for name, count in counts.items()],
         "findings": [(no, each, each.where(0, units), each.message(0, units)) for no, each in numbered],
         "against": list(against_each_other(findings)),
@@ -56,9 +55,7 @@ def contents(chute: Reported, units: str) -> dict[str, Any]:
         **_pictures(chute, solution, marks, units),
         "segments": StreamTables(IN_TABLES, units).segments(solution.trajectory.rows),
         "stream_lines": [*impact_lines(solution, units), *inlet_lines(solution, units)],
-        "states": _statuses(states),
         "cases": cases_table(states, units) if len(states.names) > 1 else None,
-        "case_findings": list(case_findings(states, units)),
         "receiver_lines": [line.partition("  ")[2] for line in receiver_lines(solution, units)],
         "struck": any(result.impact for result in solution.trajectory.results),
         "loads": loads_table(solution.segments, units),
@@ -97,6 +94,9 @@ def head(chute: Reported, units: str) -> dict[str, Any]:
         "source": solution.source,
         "digest": chute.digest,
         "library": chute.library,
+        "case": "" if chute.states.main == DESIGN_POINT else chute.states.main,
+        "states": _statuses(chute.states),
+        "case_findings": list(case_findings(chute.states, units)),
         "settings": chute.settings,
         "tolerance": f"{solution.rtol:g}",
         "error": f"{solution.error_estimate[0]:.0e}" if solution.ok[0] else "",
@@ -119,7 +119,7 @@ def _pictures(chute: Reported, solution: SolvedChute, marks: Any, units: str) ->
     figures = {"side": side, "along": along}
     if segments:
         figures["steel"] = draw_steel(solution, segments, points, units)
-    drawn = {key: Markup(inline_svg(figure, key, texts[key])) for key, figure in figures.items()}
+    drawn = {"steel": ""} | {key: Markup(inline_svg(figure, key, texts[key])) for key, figure in figures.items()}
     return {
         "pictures": drawn,
         "points": points_table(points, units),
