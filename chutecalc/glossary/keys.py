@@ -10,7 +10,7 @@ from chutecalc.fields.table import Table
 from chutecalc.fields.units import TEXT, convert, first_unit, unit_keys
 from chutecalc.glossary.entry import Entry, facts, listed
 from chutecalc.glossary.symbols import SYMBOLS
-from chutecalc.glossary.tables import FLAVOURS, SpecTable, spec_tables
+from chutecalc.glossary.tables import KIND_OR_SHAPE, SpecTable, spec_tables
 from chutecalc.spec.limits import LIMITS
 
 KEYS, TABLES, LIMITED = "keys of a spec", "tables, kinds and shapes of a spec", "limits of findings"
@@ -48,7 +48,7 @@ def page_of(path: str) -> str:
 def key_entries() -> Iterator[Entry]:
     """Yield an entry for each key and each of its units; tables in which it is the same share one."""
     alike: dict[tuple[Any, ...], list[tuple[SpecTable, str]]] = {}
-    tables = {table.path for table in spec_tables() if not table.flavour}
+    tables = {table.path for table in spec_tables() if not table.kind_or_shape}
     for table in spec_tables():
         for key, symbol in table.described():
             if f"{table.path}.{key}".lstrip(".") in tables:
@@ -58,6 +58,12 @@ def key_entries() -> Iterator[Entry]:
             alike.setdefault(same, []).append((table, symbol))
     for (key, *_), found in alike.items():
         yield from _spellings(key, found)
+    for key in KIND_OR_SHAPE:
+        tables_of = [table for table in spec_tables() if key in table.model.model_fields]
+        path = tables_of[0].path
+        choices = " or ".join(f'"{table.kind_or_shape}"' for table in tables_of)
+        known = facts(stands_in=path, must_be=choices, default="none: it must be given", docs=page_of(path))
+        yield Entry(KEYS, key, f"which {key} the table describes", known, (path,))
 
 
 def _bounds(model: type[Table], key: str) -> str:
@@ -153,7 +159,7 @@ def table_entries() -> Iterator[Entry]:
         needed = [key for key, field in fields.items() if field.is_required()]
         yield Entry(
             TABLES,
-            table.flavour or table.path.rpartition(".")[2],
+            table.kind_or_shape or table.path.rpartition(".")[2],
             table.meaning,
             facts(
                 written=_written(table),
@@ -167,9 +173,9 @@ def table_entries() -> Iterator[Entry]:
 
 def _written(table: SpecTable) -> str:
     """Return how a spec has a table, with NAME where the user gives a name."""
-    flavour = next((each for each in FLAVOURS if each in table.model.model_fields), "")
+    kind_or_shape = next((each for each in KIND_OR_SHAPE if each in table.model.model_fields), "")
     if table.path == "sections.facets":
         return "facets = [{...}, ...] in [sections.NAME]"
     named = f"{table.path}.NAME" if table.path in ("sections", "liners") else table.path
     header = f"[[{named}]]" if table.path == "segments" else f"[{named}]"
-    return f'{header} with {flavour} = "{table.flavour}"' if flavour else header
+    return f'{header} with {kind_or_shape} = "{table.kind_or_shape}"' if kind_or_shape else header

@@ -10,7 +10,7 @@ from chutecalc.spec.chute_spec import ChuteSpec
 
 TOP = "(top)"
 """Name of the spec itself among its tables."""
-FLAVOURS = ("kind", "shape")
+KIND_OR_SHAPE = ("kind", "shape")
 """Keys that tell which table it is, and so are no keys of it."""
 
 
@@ -20,14 +20,14 @@ class SpecTable(NamedTuple):
     path: str
     """Keys that lead to it; names of one's own are left out."""
     name: str
-    flavour: str
+    kind_or_shape: str
     """Its kind or shape; empty for others."""
     model: type[Table]
 
     def described(self) -> Iterator[tuple[str, str]]:
         """Yield its documented keys, each with its symbol or empty text."""
         for key in self.model.model_fields:
-            if key not in FLAVOURS:
+            if key not in KIND_OR_SHAPE:
                 yield key, OF_KEYS.get(f"{self.name}.{key}", OF_KEYS.get(key, ""))
 
     @property
@@ -51,11 +51,15 @@ def _below(above: str, model: type[Table]) -> Iterator[SpecTable]:
     for key, field in model.model_fields.items():
         path = f"{above}.{key}".lstrip(".")
         for table in _models(field.annotation):
-            flavour = next(
-                (get_args(table.model_fields[each].annotation)[0] for each in FLAVOURS if each in table.model_fields),
+            kind_or_shape = next(
+                (
+                    get_args(table.model_fields[each].annotation)[0]
+                    for each in KIND_OR_SHAPE
+                    if each in table.model_fields
+                ),
                 "",
             )
-            yield SpecTable(path, f"{path}: {flavour}" if flavour else path, flavour, table)
+            yield SpecTable(path, f"{path}: {kind_or_shape}" if kind_or_shape else path, kind_or_shape, table)
             yield from _below(path, table)
 
 

@@ -11,6 +11,8 @@ from chutecalc.glossary.keys import key_entries, table_entries
 from chutecalc.glossary.symbols import SYMBOLS
 
 SYMBOLS_GROUP = "symbols"
+OF_OTHER_PATHS = {"cases": 2, "uncertainty": 1}
+"""Tables whose keys are paths, with the number of names before those."""
 
 
 @cache
@@ -40,6 +42,7 @@ def found(word: str, others: Iterable[Entry] = ()) -> list[Entry]:
     """
     known = [*entries(), *others]
     *path, name = word.strip("[]").split(".")
+    path = path[OF_OTHER_PATHS.get(path[0], 0) :] if path else path
     if path:
         return [entry for entry in known if entry.word == name and entry.stands_at(tuple(path))]
     exact = [entry for entry in known if entry.word == name]

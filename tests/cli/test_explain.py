@@ -28,7 +28,7 @@ def test_every_word_of_every_catalogue_is_explained():
     every = {key for table in spec_tables() for key, _ in table.described()} | {*ALL_COLUMNS} | {*row_columns()}
     assert every <= words
     assert {criterion.code for criterion in CRITERIA} | {*LIMITS} <= words
-    assert {table.flavour or table.path.rpartition(".")[2] for table in spec_tables()} - {""} <= words
+    assert {table.kind_or_shape or table.path.rpartition(".")[2] for table in spec_tables()} - {""} <= words
 
 
 def test_every_entry_has_a_meaning_and_a_page_that_exists():
@@ -133,3 +133,17 @@ def test_the_script_for_the_shell_falls_back_to_file_names():
     arguments = [sys.executable, "-m", "chutecalc", "--show-completion", "bash"]
     run = subprocess.run(arguments, capture_output=True, text=True, check=True, cwd=ROOT)
     assert "complete -o default -F _chutecalc_completion chutecalc" in run.stdout
+
+
+@pytest.mark.parametrize(
+    ("word", "words"),
+    [
+        ("sections.body.shape", '"rectangular"'),
+        ("segments.1.kind", '"hood"'),
+        ("cases.wet.flow.rate_t_h", "mass rate"),
+        ("uncertainty.liners.wall.friction_deg", "wall friction angle"),
+    ],
+)
+def test_paths_of_a_spec_are_explained(word, words, capsys):
+    assert main(["explain", word]) == 0
+    assert words in capsys.readouterr().out
