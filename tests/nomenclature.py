@@ -10,11 +10,11 @@ from pathlib import Path
 from chutecalc.fields.units import TEXT, first_unit
 from chutecalc.glossary.columns import CATALOGUES
 from chutecalc.glossary.keys import NO_DEFAULT, allowed_text, default_text
-from chutecalc.glossary.symbols import SYMBOLS
 from chutecalc.glossary.tables import spec_tables
 from chutecalc.results.column import Column
 from chutecalc.results.finding import Severity
 from chutecalc.results.findings import CRITERIA
+from chutecalc.results.symbols import SYMBOLS
 from chutecalc.spec.limits import LIMITS
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "nomenclature.md"

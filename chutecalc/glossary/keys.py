@@ -9,8 +9,8 @@ from chutecalc.fields.quantity import Quantity, with_unit
 from chutecalc.fields.table import Table
 from chutecalc.fields.units import TEXT, convert, first_unit, unit_keys
 from chutecalc.glossary.entry import Entry, facts, listed
-from chutecalc.glossary.symbols import SYMBOLS
 from chutecalc.glossary.tables import KIND_OR_SHAPE, SpecTable, spec_tables
+from chutecalc.results.symbols import SYMBOLS
 from chutecalc.spec.limits import LIMITS
 
 KEYS, TABLES, LIMITED = "keys of a spec", "tables, kinds and shapes of a spec", "limits of findings"

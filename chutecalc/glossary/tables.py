@@ -5,7 +5,7 @@ from functools import cache
 from typing import Any, NamedTuple, get_args
 
 from chutecalc.fields.table import Table
-from chutecalc.glossary.symbols import OF_KEYS
+from chutecalc.glossary.key_symbols import OF_KEYS
 from chutecalc.spec.chute_spec import ChuteSpec
 
 TOP = "(top)"

@@ -8,7 +8,7 @@ from chutecalc.glossary.columns import column_entries
 from chutecalc.glossary.entry import Entry, facts
 from chutecalc.glossary.findings import finding_entries
 from chutecalc.glossary.keys import key_entries, table_entries
-from chutecalc.glossary.symbols import SYMBOLS
+from chutecalc.results.symbols import SYMBOLS
 
 SYMBOLS_GROUP = "symbols"
 OF_OTHER_PATHS = {"cases": 2, "uncertainty": 1}

@@ -15,6 +15,8 @@ from chutecalc.results.solved import SolvedChute
 
 ABSENT, LEAST_BAD = -np.inf, -1e30
 """Badness of a finding that a state does not have, and the least of one that it has."""
+ALIKE = 1e-9
+"""Relative difference of two numbers of which neither is worse: what rounding and tolerances leave."""
 _SAME = ("code", "subject", "severity", "template")
 """What findings of two states have in common if only their numbers differ."""
 
@@ -90,7 +92,8 @@ class Cases:
                 known = ~np.isnan(badness)  # a state without the number is not better
                 least = np.where(known, badness, np.inf).min(axis=0)
                 badness = np.where(known, badness, -np.inf)
-                spread = badness.max(axis=0) > least
+                largest = badness.max(axis=0)
+                spread = (largest > least) & ~np.isclose(largest, least, rtol=ALIKE, atol=0.0)
                 found[name] = self._named(badness.argmax(axis=0), spread)
         return found
 

@@ -4,7 +4,7 @@ import re
 
 from chutecalc.fields.table import Table
 from chutecalc.glossary.columns import CATALOGUES, ROW_PREFIXES
-from chutecalc.glossary.symbols import OF_KEYS
+from chutecalc.glossary.key_symbols import OF_KEYS
 from chutecalc.results.finding_columns import ALL_COLUMNS
 from chutecalc.results.findings import CRITERIA
 from chutecalc.sections.registry import SHAPES

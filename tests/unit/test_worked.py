@@ -8,7 +8,7 @@ import pytest
 import chutecalc
 from chutecalc.output.html_report.at_joints import joint_formulas
 from chutecalc.output.html_report.at_worst import station_formulas, worst_place
-from chutecalc.output.html_report.worked import SIGNIFICANT
+from chutecalc.output.html_report.worked import SIGNIFICANT, names_in, symbols_in
 from tests.conftest import ROOT, STANDARD_DESIGNS, chute
 
 FUNCTIONS = {name: getattr(math, name) for name in ("sin", "cos", "tan", "sqrt", "radians")}
@@ -50,6 +50,8 @@ def test_numbers_put_in_by_hand_give_the_results_of_the_solver(file):
     assert (worst_place(solution) is None) == (file.stem in SLIDES_NOWHERE)
     lines = formulas(solution)
     assert sum(bool(line.numbers) for line in lines) >= (10 if worst_place(solution) else 0)
+    listed = {name for symbol in symbols_in(lines) for name in symbol.split(", ")}
+    assert {name for line in lines for name in names_in(f"{line.result.symbol} {line.formula}")} <= listed
     for line in lines:
         if line.numbers:
             off = abs(evaluated(line.numbers) - line.result.value)

@@ -58,7 +58,7 @@ def _impact(solution: SolvedChute, part: Part) -> Iterator[Worked]:
     yield worked(area, "flow area of the stream that arrives", "{Q}/{v}", "continuity", Q=flow, v=before)
     yield from depth_formulas(at, area, depth)
     angle, density = number(numbers["incidence_deg"], "i", "°"), number(solution.design.density, "ρ", "kg/m³")
-    footprint, pressure = number(numbers["footprint_m"], "L", "m"), number(numbers["pressure_kpa"], "p", "kPa")
+    footprint, pressure = number(numbers["footprint_m"], "L_i", "m"), number(numbers["pressure_kpa"], "p", "kPa")
     if abs(footprint.value * np.sin(np.radians(angle.value)) / depth.value - 1.0) < SAME:
         meaning = "length of surface that is struck; i the angle between stream and surface"
         yield worked(footprint, meaning, "{H}/sin {i}", IMPACT, H=depth, i=angle)

@@ -38,7 +38,9 @@ def compared(chutes: Sequence[Reported], units: str) -> dict[str, Any]:
         "comparison",
         "The paths of the streams from the side, and velocity, depth, pressure and wear along them.",
     )
+    projects = [solution.spec.project for solution in solutions.values()]
     return {
+        "project": projects[0] if all(each == projects[0] for each in projects) else None,
         "chutes": {name: head(chute, units) for name, chute in named.items()},
         "differs": list(differing_inputs(named)),
         "outcomes": measures_table(Cases(solutions), units, "chute"),

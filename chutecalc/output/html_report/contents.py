@@ -15,6 +15,7 @@ from chutecalc.output.html_report.at_worst import station_formulas, where, worst
 from chutecalc.output.html_report.reported import Reported
 from chutecalc.output.html_report.svg import inline_svg
 from chutecalc.output.html_report.tables import inputs_table, limits_table, points_table, steel_table
+from chutecalc.output.html_report.worked import symbols_in
 from chutecalc.output.inlet import inlet_lines
 from chutecalc.output.loads import loads_table
 from chutecalc.output.outcome import flow_line, impact_lines, outcome
@@ -45,9 +46,10 @@ def contents(chute: Reported, units: str) -> dict[str, Any]:
     numbered, marks = numbered_by_place(by_weight(findings))
     counts = Counter(str(finding.severity) for finding in findings)
     place = worst_place(solution)
+    worked, joints = list(station_formulas(solution, place)) if place else [], joint_formulas(solution)
     return {
         **head(chute, units),
-        "fails": not solution.ok[0],
+        "fails": not all(each.ok[0] for each in states.solutions.values()),
         "counts": [f"{count} {name}{'s' if count > 1 else ''}" for name, count in counts.items()],
         "findings": [(no, each, each.where(0, units), each.message(0, units)) for no, each in numbered],
         "against": list(against_each_other(findings)),
@@ -60,8 +62,9 @@ def contents(chute: Reported, units: str) -> dict[str, Any]:
         "struck": any(result.impact for result in solution.trajectory.results),
         "loads": loads_table(solution.segments, units),
         "place": place and {"where": where(place, units), "why": place.why},
-        "worked": list(station_formulas(solution, place)) if place else [],
-        "joints": joint_formulas(solution),
+        "worked": worked,
+        "joints": joints,
+        "symbols": symbols_in([*worked, *(line for lines in joints.values() for line in lines)]),
         "band": chute.band and band_table(chute.band, units),
         "band_lines": list(band_lines(chute.band, units)) if chute.band else [],
         "model": solution.spec.model,

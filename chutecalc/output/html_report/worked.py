@@ -1,11 +1,16 @@
 """Formulas with their numbers put in, so that a reader can follow a result with a pocket calculator."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
+
+from chutecalc.results.symbols import SYMBOLS, Symbol
 
 SIGNIFICANT = 5
 """Significant digits of the numbers that are put in."""
+
+FUNCTIONS = ("sin", "cos", "tan", "dl", "dv", "ds", "root", "of", "rate")
+"""Words of formulas that are no symbols."""
 
 
 class Number(NamedTuple):
@@ -84,3 +89,33 @@ def with_subscripts(text: str) -> Iterator[tuple[str, bool]]:
     for number, piece in enumerate(re.split(r"_([A-Za-z0-9]+)", text)):
         if piece:
             yield piece, number % 2 == 1
+
+
+def symbols_in(lines: Iterable[Worked]) -> dict[str, Symbol]:
+    """Return the symbols of formulas with what they mean, in the order of the alphabet, an entry for each meaning.
+
+    A symbol with a number, or with k, stands for one of several: ``v_1`` before and ``v_2`` after an impact.
+
+    Args:
+        lines: the formulas.
+
+    >>> line = stated(Number("χ", 0.05), "excess friction", "(1/A) ∫ K(ψ) (1 − cos ψ) ζ dl", "physics")
+    >>> ", ".join(symbols_in([line]))
+    'A, χ, K, ψ, ζ'
+    """
+    used = {name for line in lines for name in names_in(f"{line.result.symbol} {line.formula}")}
+    return {each.symbol: each for each in SYMBOLS if used & set(each.symbol.split(", "))}
+
+
+def names_in(formula: str) -> Iterator[str]:
+    """Yield the symbols of a formula, without numbers and k behind them.
+
+    Args:
+        formula: with subscripts behind underscores.
+
+    >>> [*names_in("v_1 · (cos i − μ_e · sin i)")]
+    ['v', 'i', 'μ_e', 'i']
+    """
+    for name, index in re.findall(r"([^\W\d_²]\u0307?[^\W\d_²]*)(?:_([A-Za-z0-9]+))?", formula):
+        if name not in FUNCTIONS:
+            yield name if not index or re.fullmatch(r"\d+|k", index) or name == "F" else f"{name}_{index}"

@@ -1,4 +1,4 @@
-"""The symbols of formulas, and which keys of a spec give them."""
+"""The symbols of formulas."""
 
 from typing import NamedTuple
 
@@ -21,6 +21,7 @@ SYMBOLS = (
     Symbol("a", "°",
            "slope of the stream below horizontal: 0 is level, 90 falls straight down", "90° - θ of Paper Eq 1"),
     Symbol("α_m", "", "momentum factor, ∫u² dA/(A v²) for a velocity profile u"),
+    Symbol("a_b", "°", "slope of the receiving belt below horizontal"),
     Symbol("B", "m", "width of the centre section", "Paper Eq 2"),
     Symbol("b", "m", "greatest width of the stream"),
     Symbol("b_s", "m", "width of the free surface"),
@@ -30,6 +31,7 @@ SYMBOLS = (
     Symbol("δ", "°", "effective angle of internal friction", "Paper Eq 4"),
     Symbol("e", "", "share by which the rain of the discrete-element check is denser at the walls"),
     Symbol("f", "", "factor by which a friction law raises hydrostatic wall pressures"),
+    Symbol("F", "N", "force of the stream on the steel; F_x along the chute, F_z upwards"),
     Symbol("Fr", "", "Froude number, v/√(n A/b_s)"),
     Symbol("g", "m/s²", "gravity", "Paper Eq 1"),
     Symbol("H", "m", "flow depth, normal to the centre section", "Paper Eq 2"),
@@ -40,6 +42,8 @@ SYMBOLS = (
     Symbol("K_l", "", "pressure along the stream over that on the centre section at the same depth"),
     Symbol("κ", "1/m", "curvature, -da/ds: positive where a surface flattens"),
     Symbol("L", "m", "length of a chamfer"),
+    Symbol("L_i", "m", "length of surface that an impact strikes"),
+    Symbol("l", "m", "wetted length of a wall"),
     Symbol("m", "", "share of the weight that hydrostatic wall pressures do not carry", "N_m/N of Paper Eq 6"),
     Symbol("ṁ", "kg/s", "mass rate"),
     Symbol("μ", "", "wall friction, τ/σ; tan φ for a constant angle", "Paper Eq 2"),
@@ -55,37 +59,20 @@ SYMBOLS = (
     Symbol("ψ", "°", "inclination of any wall to the centre section"),
     Symbol("Q", "m³/s", "volume rate, ṁ/ρ"),
     Symbol("R", "m", "radius of a curve", "Paper Eq 1"),
+    Symbol("r", "m", "radius of a round section"),
+    Symbol("r_s", "", "slip velocity at the wall over mean velocity"),
+    Symbol("r_b", "", "velocity along the receiving belt over that of the belt"),
     Symbol("ρ", "kg/m³", "bulk density", "Paper Eq 5"),
     Symbol("s", "m", "distance along the stream", "Paper Eq 1"),
     Symbol("σ, τ", "Pa", "normal and shear stress on a wall"),
     Symbol("t", "s", "time since the inlet"),
     Symbol("v", "m/s", "mean velocity of the stream", "Paper Eq 1"),
+    Symbol("v_b, v_n", "m/s", "velocity of the stream along the receiving belt, and into it"),
+    Symbol("V, V_b", "m/s", "velocity of a belt, and of the receiving one"),
     Symbol("v_c", "m/s", "critical velocity, below which friction slows the stream"),
+    Symbol("w", "W/m²", "wear: friction power per area of a wall"),
     Symbol("x, z", "m", "horizontal position along the chute, and height"),
+    Symbol("ζ", "m", "depth below the free surface"),
 )
 # fmt: on
 """Every symbol, in the order of the alphabet."""
-OF_KEYS = {
-    "velocity_m_s": "v",
-    "slope_deg": "a",
-    "to_slope_deg": "a",
-    "from_slope_deg": "a",
-    "base_m": "B",
-    "chamfer_deg": "β",
-    "chamfer_m": "L",
-    "radius_m": "R",
-    "rate_t_h": "ṁ",
-    "gravity_m_s2": "g",
-    "friction_deg": "φ",
-    "density_kg_m3": "ρ",
-    "internal_friction_deg": "δ",
-    "pressure_ratio": "K_v",
-    "sections.facets.slope_deg": "ψ",
-    "sections: circular.radius_m": "",
-    "sections: pipe.radius_m": "",
-    "inlet.belt.velocity_m_s": "",
-    "receiver.velocity_m_s": "",
-    "receiver.slope_deg": "",
-    "receiver.friction_deg": "",
-}
-"""Symbols of keys by their name, or by table and name where the key has another symbol there, or none."""
