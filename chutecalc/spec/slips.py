@@ -59,6 +59,18 @@ SLIPS = (
     Slip("(?i)true|yes|on", "must be true or false, in small letters", lambda found: "true"),
     Slip("(?i)false|no|off", "must be true or false, in small letters", lambda found: "false"),
     Slip(
+        rf"{_NUMBER}(?:\s*[,;]\s+{_NUMBER})+",
+        "is several numbers, which must be in brackets",
+        lambda found: f"[{', '.join(map(_plain, re.findall(_NUMBER, found[0])))}]",
+    ),
+    Slip(
+        r"[+-]?\d+(?:,\d+)?(?:\s*;\s*[+-]?\d+(?:,\d+)?)+",
+        "is several numbers, which must be in brackets, with decimal points",
+        lambda found: (
+            f"[{', '.join(_plain(each.replace(',', '.')) for each in re.findall(r'[+-]?[0-9,]+', found[0]))}]"
+        ),
+    ),
+    Slip(
         _AMBIGUOUS,
         "is not a number: a comma is no part of one",
         lambda found: found[0].replace(",", "") + ", or with a decimal point " + found[0].replace(",", "."),

@@ -55,6 +55,17 @@ SLIPS = [  # what is written, what stands there instead, and how the message goe
         "width_m = 0,9  # wide",
         "15: sections.body.width_m = 0,9 is not a number: the decimal mark is a point. Write width_m = 0.9.",
     ),
+    (
+        "velocity_m_s = 0\n",
+        "velocity_m_s = 0\nat_m = 3.0, -4.0\n",
+        "19: inlet.at_m = 3.0, -4.0 is several numbers, which must be in brackets. Write at_m = [3.0, -4.0].",
+    ),
+    (
+        "velocity_m_s = 0\n",
+        "velocity_m_s = 0\nat_m = 0,2; -0,6\n",
+        "19: inlet.at_m = 0,2; -0,6 is several numbers, which must be in brackets, with decimal points."
+        " Write at_m = [0.2, -0.6].",
+    ),
     (RATE, "rate_t_h = 1'000", "8: flow.rate_t_h = 1'000 is not a number as TOML writes it. Write rate_t_h = 1000."),
     (RATE, "rate_t_h = 1 000", "8: flow.rate_t_h = 1 000 is not a number as TOML writes it. Write rate_t_h = 1000."),
     (
