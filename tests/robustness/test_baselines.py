@@ -13,7 +13,7 @@ from chutecalc.errors import SpecError
 from chutecalc.output.printer import Printer
 from chutecalc.studies.regression.compare import compare
 from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
-from chutecalc.studies.regression.report import check_document, print_verdicts, write_junit
+from chutecalc.studies.regression.report import check_dataset, print_verdicts, write_junit
 from chutecalc.studies.regression.verdict import DRIFTED, Verdict
 from chutecalc.studies.regression.write import write_baseline
 from tests.conftest import ROOT
@@ -72,5 +72,5 @@ def test_any_line_changed(solved, changes):
         if drifts:
             print_verdicts(Printer(stream=io.StringIO()), [verdict], [])
             write_junit(io.StringIO(), [verdict])
-            json.dumps(check_document([verdict], 1e-10), allow_nan=False)
+            json.dumps(check_dataset([verdict], 1e-10).document(), allow_nan=False)
         was.document()

@@ -10,7 +10,7 @@ import pytest
 
 import chutecalc
 from chutecalc.fields.table import Table
-from chutecalc.spec.chute_spec import ChuteSpec
+from chutecalc.spec.chute_spec import ChuteSpec, Project
 from tests import seeds
 from tests.robustness.chutes import MAKERS, ClosedMaker, Maker, drawn, draws, noting_spec
 from tests.robustness.faults import check_faults
@@ -54,14 +54,15 @@ def test_what_is_drawn_is_mostly_solved_and_ends_in_every_way():
 
 
 def test_what_is_drawn_has_every_key_of_every_table():
-    """But names and titles, which nothing is worked out from."""
+    """But words, which nothing is worked out from, and `use`, in whose place a library has keys."""
     schema = ChuteSpec.model_json_schema()
     tables = {"ChuteSpec": schema} | schema["$defs"]
     every = {(table, key) for table, described in tables.items() for key in described["properties"]}
     drawn_ones = chain.from_iterable(islice(draws(2, maker=maker), 400) for maker in MAKERS)
     chutes = (data for data, solution, _ in drawn_ones if solution is not None)
     given = {pair for data in chutes for pair in given_keys(ChuteSpec.model_validate(data))}
-    assert {key for _, key in every - given} == {"format", "title", "name"}
+    words = {"format", "title", "name", "source", "use", "project", *Project.model_fields}
+    assert {key for _, key in every - given} == words
     assert given <= every
 
 
