@@ -1,6 +1,6 @@
 """Reports of chutes, for a client to read, print and sign."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -46,17 +46,14 @@ def write_report(file: str, *chutes: Chute, units: str = "metric", rtol: float =
         count = several[0].count
         raise UsageError(f"a report is that of one design, and a chute has {count}: take one with `chute.put`")
     cases = [solve_cases(chute, rtol) for chute in chutes]
-    bands = [
-        band_or_none(chute, rtol) if of.main_solution.ok[0] else None for chute, of in zip(chutes, cases, strict=True)
-    ]
-    write_solved(file, chutes, cases, bands, units)
+    write_solved(file, chutes, cases, lambda number: band_or_none(chutes[number], rtol), units)
 
 
 def write_solved(
     file: str,
     chutes: Sequence[Chute],
     cases: Sequence[Cases],
-    bands: Sequence[Band | None],
+    band: Callable[[int], Band | None],
     units: str,
     settings: Sequence[str] = (),
 ) -> None:
@@ -66,7 +63,8 @@ def write_solved(
         file: its path; the ending gives the format.
         chutes: of one design each.
         cases: the same, solved in all their states.
-        bands: the band of each that gets through; else None, as where it could not be solved.
+        band: returns the band of a chute by its number from 0, None where it cannot be solved. It is asked for those
+            that get through: the stream of others ends here and there, so that their shares do not compare.
         units: ``metric`` or ``us``.
         settings: keys that were changed for this run, as ``PATH=VALUE``.
     """
@@ -81,9 +79,9 @@ def write_solved(
             sha256(_content(chute)).hexdigest() if chute.text else "",
             chute.library.source if chute.library and is_used(chute.written) else "",
             tuple(settings) or _changed(chute),
-            band,
+            band(number) if states.main_solution.ok[0] else None,
         )
-        for chute, states, band in zip(chutes, cases, bands, strict=True)
+        for number, (chute, states) in enumerate(zip(chutes, cases, strict=True))
     ]
     write_report(file, reported, units)
 

@@ -16,6 +16,7 @@ from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.files import open_whole
 
 if TYPE_CHECKING:
+    from chutecalc.api.chute import Chute
     from chutecalc.results.cases import Cases
 
 EXAMPLES = (
@@ -91,10 +92,25 @@ def run(
             for states in cases
         ]
     studies = RunStudies(chutes, cases, rtol, band=band, sensitivity=sensitivity)
+    _write(chutes, cases, tables, studies, names or list(COLUMNS), outputs, settings)
+    _print(cases, tables, studies, names, outputs)
+    return _status(cases, strict)
+
+
+def _write(
+    chutes: Sequence[Chute],
+    cases: Sequence[Cases],
+    tables: Sequence[dict[str, dict[str, Any]]] | None,
+    studies: RunStudies,
+    columns: Sequence[str],
+    outputs: RunOutputs,
+    settings: Sequence[str],
+) -> None:
+    """Write the files that a user asks for."""
     if outputs.files:
         from chutecalc.output.run import run_dataset
 
-        outputs.write(run_dataset(cases, tables, names or list(COLUMNS), studies.document))
+        outputs.write(run_dataset(cases, tables, columns, studies.document))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
@@ -107,10 +123,7 @@ def run(
     if outputs.report:
         from chutecalc.api.report import write_solved
 
-        bands = [studies.band(number) if of.main_solution.ok[0] else None for number, of in enumerate(cases)]
-        write_solved(outputs.report, chutes, cases, bands, outputs.units, settings)
-    _print(cases, tables, studies, names, outputs)
-    return _status(cases, strict)
+        write_solved(outputs.report, chutes, cases, studies.band, outputs.units, settings)
 
 
 def _print(

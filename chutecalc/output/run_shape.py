@@ -23,13 +23,12 @@ from chutecalc.output.shape import (
     record,
     ref,
 )
-from chutecalc.results import findings  # noqa: F401 - the criteria register themselves
 from chutecalc.results.band import COLUMNS as BAND_COLUMNS
 from chutecalc.results.belts import RECEIVER_COLUMNS
 from chutecalc.results.columns import COLUMNS, NUMERIC, REPORTED
-from chutecalc.results.criterion import CRITERIA
 from chutecalc.results.edges import EDGE_NUMBERS
 from chutecalc.results.finding import Severity
+from chutecalc.results.findings import CRITERIA
 from chutecalc.results.impacts import IMPACT_COLUMNS
 from chutecalc.results.inlet import INLET_NUMBERS
 from chutecalc.results.loads import LOAD_COLUMNS

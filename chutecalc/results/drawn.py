@@ -1,11 +1,12 @@
 """The steel as it is drawn: where each segment begins and ends, and the arc or the straight between."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from chutecalc.physics.surface import centre, point
+from chutecalc.design import Contact
+from chutecalc.physics.surface import Surface, centre, point
 from chutecalc.results.solved import SolvedChute
 from chutecalc.solver.steel import drawn_surface
 
@@ -34,37 +35,41 @@ class DrawnSegment(NamedTuple):
     """Of an arc; None for a straight."""
 
 
-def drawn_segments(solution: SolvedChute) -> list[DrawnSegment]:
-    """Return the segments that have a place, in the order of the spec, whether the stream reaches them or not.
+def drawn_surfaces(solution: SolvedChute) -> Iterator[tuple[Contact, Surface]]:
+    """Yield the segments that have a place, in the order of the spec, whether the stream reaches them or not.
 
     Args:
         solution: solution of one design.
     """
     visits = {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}
-    found = []
     for _, solved in sorted(visits.items()):
-        if solved.contact is None:
-            continue
-        surface, segment = drawn_surface(solved.contact), solved.contact.segment
-        x, z, slope = (values[:, 0].tolist() for values in point(surface, np.array([[0.0], [1.0]])))
-        if not np.isfinite([*x, *z, *slope]).all():
-            continue
-        cx, cz, radius = (float(each[0]) for each in centre(surface))
-        bent = bool(np.isfinite(radius))
-        found.append(
-            DrawnSegment(
-                segment.name,
-                segment.kind,
-                segment.side,
-                (x[0], z[0]),
-                (x[1], z[1]),
-                (slope[0], slope[1]),
-                float(surface.length[0]),
-                radius if bent else None,
-                (cx, cz) if bent else None,
-            )
-        )
-    return found
+        if solved.contact is not None:
+            surface = drawn_surface(solved.contact)
+            if all(np.isfinite(each).all() for each in (surface.x, surface.z, surface.slope, surface.length)):
+                yield solved.contact.segment, surface
+
+
+def drawn_segment(segment: Contact, surface: Surface) -> DrawnSegment:
+    """Return where a segment begins and ends, and what is between.
+
+    Args:
+        segment: the segment.
+        surface: its surface where it is drawn, of one design.
+    """
+    x, z, slope = (values[:, 0].tolist() for values in point(surface, np.array([[0.0], [1.0]])))
+    cx, cz, radius = (float(each[0]) for each in centre(surface))
+    bent = bool(np.isfinite(radius))
+    return DrawnSegment(
+        segment.name,
+        segment.kind,
+        segment.side,
+        (x[0], z[0]),
+        (x[1], z[1]),
+        (slope[0], slope[1]),
+        float(surface.length[0]),
+        radius if bent else None,
+        (cx, cz) if bent else None,
+    )
 
 
 def points_of(segments: Sequence[DrawnSegment]) -> dict[str, Position]:

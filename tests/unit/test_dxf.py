@@ -3,16 +3,15 @@
 import io
 from math import cos, hypot, radians, sin
 
+import ezdxf
+import ezdxf.units
 import numpy as np
 import pytest
 
 import chutecalc
+from chutecalc.output.dxf.drawing import draw, save
+from chutecalc.output.dxf.layers import LAYERS, case_layer
 from tests.conftest import LEVEL, ROOT, STANDARD_DESIGNS, chute
-
-ezdxf = pytest.importorskip("ezdxf")
-pytest.importorskip("ezdxf.units")
-from chutecalc.output.dxf.drawing import draw, save  # noqa: E402
-from chutecalc.output.dxf.layers import LAYERS, case_layer  # noqa: E402
 
 ROUNDING = 1e-9
 """mm: a few times the rounding of a place of 10 m."""

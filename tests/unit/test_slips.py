@@ -267,9 +267,10 @@ def test_a_slip(old, new, words):
 
 
 def test_all_that_is_no_slip():
-    chutecalc.parse(SPOON)
-    chutecalc.parse(SPOON.replace(" = ", "\t=\t").replace("\n", "  # a comment, with 'quotes\n"))
-    chutecalc.parse("\ufeff".encode().decode("utf-8-sig") + SPOON)
+    plain = chutecalc.parse(SPOON).data
+    spaced = SPOON.replace(" = ", "\t=\t").replace("\n", "  # a comment, with 'quotes\n")
+    assert chutecalc.parse(spaced).data == plain
+    assert chutecalc.parse("\ufeff".encode().decode("utf-8-sig") + SPOON).data == plain
 
 
 SETTINGS = [

@@ -1,16 +1,15 @@
 """What is written on a drawing: its title, its conventions, and the table of setting-out points."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from ezdxf.enums import TextEntityAlignment as Align
 
 from chutecalc.design import Contact
 from chutecalc.output.dxf.layers import TEXT
-from chutecalc.output.dxf.points import PER_METRE, Point, place
+from chutecalc.output.dxf.points import PER_METRE, Point
 from chutecalc.output.dxf.sheet import LARGE, NORMAL, SMALL, Sheet
 from chutecalc.output.plots.traces import Steel, View
-from chutecalc.physics.surface import centre, point
 from chutecalc.results.cases import Cases
 from chutecalc.results.described import status_words
 from chutecalc.spec.operating import DESIGN_POINT
@@ -110,14 +109,9 @@ def table_height(surfaces: Sequence[Steel]) -> float:
 
 def _row(steel: Steel) -> list[str]:
     """Return the cells of a segment."""
-    numbers = [*_end(steel, 0.0), *_end(steel, 1.0), float(steel.surface.length[0]) * PER_METRE]
-    if steel.surface.turn[0] != 0.0:
-        x, z, radius = (float(each[0]) * PER_METRE for each in centre(steel.surface))
-        numbers += [radius, x, z]
-    return [steel.name, steel.segment.kind, *(f"{number:z.1f}" for number in numbers)]
-
-
-def _end(steel: Steel, share: float) -> Iterator[float]:
-    """Yield place, mm, and slope, degrees, of an end of a segment."""
-    yield from place(steel.surface, share)
-    yield float(np.degrees(point(steel.surface, np.full(1, share))[2][0]))
+    drawn = steel.drawn
+    ends = ((*place, slope) for place, slope in zip((drawn.start, drawn.end), drawn.slopes, strict=True))
+    numbers = [each for x, z, slope in ends for each in (x * PER_METRE, z * PER_METRE, float(np.degrees(slope)))]
+    lengths = [drawn.length, *([drawn.radius, *drawn.centre] if drawn.radius and drawn.centre else [])]
+    numbers += [length * PER_METRE for length in lengths]
+    return [drawn.name, drawn.kind, *(f"{number:z.1f}" for number in numbers)]

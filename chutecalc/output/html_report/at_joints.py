@@ -47,14 +47,8 @@ def _impact(solution: SolvedChute, part: Part) -> Iterator[Worked]:
     before, after = number(arrival.velocity, "v_1", "m/s"), number(numbers["velocity_after_m_s"], "v_2", "m/s")
     at: Any = part.profile(np.zeros(1))
     at = at.with_velocity_squared(float(model.momentum_factor) * before.value**2)
-    flow, area, depth = (
-        number(values, symbol, unit)
-        for values, symbol, unit in (
-            (solution.design.volume_rate, "Q", "m³/s"),
-            (solution.design.volume_rate / before.value, "A_1", "m²"),
-            (at.depth, "H_1", "m"),
-        )
-    )
+    flow, depth = number(solution.design.volume_rate, "Q", "m³/s"), number(at.depth, "H_1", "m")
+    area = Number("A_1", flow.value / before.value, "m²")
     yield worked(area, "flow area of the stream that arrives", "{Q}/{v}", "continuity", Q=flow, v=before)
     yield from depth_formulas(at, area, depth)
     angle, density = number(numbers["incidence_deg"], "i", "°"), number(solution.design.density, "ρ", "kg/m³")

@@ -28,7 +28,7 @@ from chutecalc.output.told import against_each_other
 from chutecalc.results.cases import Cases
 from chutecalc.results.columns import IN_TABLES
 from chutecalc.results.described import status_words
-from chutecalc.results.drawn import drawn_segments, points_of
+from chutecalc.results.drawn import drawn_segment, drawn_surfaces, points_of
 from chutecalc.results.finding import Severity
 from chutecalc.results.solved import SolvedChute
 from chutecalc.spec.operating import DESIGN_POINT
@@ -110,7 +110,7 @@ def head(chute: Reported, units: str) -> dict[str, Any]:
 
 def _pictures(chute: Reported, solution: SolvedChute, marks: Any, units: str) -> dict[str, Any]:
     """Return the pictures, and the tables of the steel."""
-    segments = drawn_segments(solution)
+    segments = [drawn_segment(*each) for each in drawn_surfaces(solution)]
     points = points_of(segments)
     side, along = draw_parts(chute.states, marks, units, chute.band)
     name = solution.spec.title or solution.source

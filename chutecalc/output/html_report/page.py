@@ -8,7 +8,6 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from chutecalc import __version__
-from chutecalc.extras import PLOT, REPORT, require_extra
 from chutecalc.output.html_report.reported import Reported
 from chutecalc.output.html_report.worked import with_subscripts
 
@@ -25,12 +24,7 @@ def report_html(chutes: Sequence[Reported], units: str) -> str:
     Args:
         chutes: at least one.
         units: ``metric`` or ``us``.
-
-    Raises:
-        ExtraMissingError: Jinja2 or Matplotlib is not installed.
     """
-    for extra in (REPORT, PLOT):
-        require_extra("--report", extra)
     if len(chutes) == 1:
         from chutecalc.output.html_report.contents import contents
 

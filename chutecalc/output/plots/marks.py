@@ -1,6 +1,6 @@
 """What is written beside the stream: names of segments, incidences of impacts, numbers of findings."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -98,16 +98,24 @@ def mark_labels(stream: Sequence[Trace], marks: Sequence[Mark], size: float, uni
     return found
 
 
-def belt_label(line: Line, velocity: Array, share: float, receiver: Receiver | None, units: str) -> Label:
-    """Return the label of a belt: its velocity, and where it turns in plan, by how much. It is best below.
+def belt_labels(solution: SolvedChute, seen: View, units: str) -> Iterator[Label]:
+    """Yield the labels of the belts: the velocity of each, and where one turns in plan, by how much.
 
     Args:
-        line: of the belt, in the units of the axes.
-        velocity: of the belt, m/s, shape (1,).
-        share: of the belt's length at which it is.
-        receiver: the belt, if it is the receiving one.
+        solution: solution of one design.
+        seen: its lines.
         units: ``metric`` or ``us``.
     """
+    belt, receiver = solution.design.belt, solution.design.receiver
+    if belt is not None:
+        yield _belt_label(seen.feed[0], belt.velocity, 0.2, None, units)
+    if receiver is not None and seen.received:
+        yield _belt_label(seen.received[0], receiver.velocity, 0.6, receiver, units)
+
+
+def _belt_label(path: Line, velocity: Array, share: float, receiver: Receiver | None, units: str) -> Label:
+    """Return the label of a belt, at a share of its length, best below it."""
+    line = COLUMNS["x_m"].converted(path, units)
     column = COLUMNS["velocity_m_s"]
     text = f"belt, {float(column.converted(velocity[0], units)):.3g} {column.unit_text(units)}"
     if receiver is not None and receiver.plan_angle[0]:

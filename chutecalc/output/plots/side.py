@@ -15,9 +15,9 @@ from chutecalc.output.plots.cases import CaseLine, draw_paths
 from chutecalc.output.plots.flights import Line
 from chutecalc.output.plots.labels import Label, place_labels
 from chutecalc.output.plots.looks import EDGE, END, MISSED, ROOF, STRUCK, SURFACE, WALLS
-from chutecalc.output.plots.marks import Mark, belt_label, impact_labels, mark_labels, names
+from chutecalc.output.plots.marks import Mark, belt_labels, impact_labels, mark_labels, names
 from chutecalc.output.plots.style import INK, MAP, PALE, SMALL, STEEL
-from chutecalc.output.plots.traces import Trace, View
+from chutecalc.output.plots.traces import Steel, Trace, View
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.solved import SolvedChute
@@ -26,6 +26,41 @@ ROOM = 0.06
 """Margin for names and numbers, over the greater side of the picture."""
 FILLED_BETWEEN = np.linspace(0.0, 1.0, 5)
 """Shares of its depth at which lines stand for a stream where labels are placed."""
+
+
+def draw_surfaces(axes: Axes, surfaces: Sequence[Steel], units: str) -> dict[str, Any]:
+    """Draw the surfaces of a chute, and its roofs or the tops of its walls.
+
+    Args:
+        axes: axes to draw on.
+        surfaces: of the chute.
+        units: ``metric`` or ``us``.
+
+    Returns:
+        What a legend explains, by its text.
+    """
+    length = COLUMNS["x_m"]
+    handles: dict[str, Any] = {}
+    for steel in surfaces:
+        axes.plot(*length.converted(steel.path, units), **SURFACE)
+        handles.setdefault("surface", Line2D([], [], color=STEEL, linewidth=2.2))
+        if np.isfinite(steel.top).any():
+            (top,) = axes.plot(*length.converted(steel.top, units), **ROOF if steel.closed else WALLS)
+            handles.setdefault("roof" if steel.closed else "top of the walls", top)
+    return handles
+
+
+def set_scale(axes: Axes) -> None:
+    """Set the same scale in both directions, with a margin for names and numbers.
+
+    Args:
+        axes: axes on which all lines are drawn.
+    """
+    low, high = axes.dataLim.get_points()
+    room = ROOM * (high - low).max()
+    axes.update_datalim([low - room, high + room])
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.0)
 
 
 class SideView:
@@ -45,12 +80,7 @@ class SideView:
         self.handles: dict[str, Any] = {}
         """What the legend explains, by its text."""
         self.shades = self._shades()
-        for steel in seen.surfaces:
-            axes.plot(*self._long(steel.path), **SURFACE)
-            self._explain("surface", Line2D([], [], color=STEEL, linewidth=2.2))
-            if np.isfinite(steel.top).any():
-                (top,) = axes.plot(*self._long(steel.top), **ROOF if steel.closed else WALLS)
-                self._explain("roof" if steel.closed else "top of the walls", top)
+        self.handles |= draw_surfaces(axes, seen.surfaces, units)
         for trace in seen.stream:
             if np.ptp(trace.path, axis=1).any():  # not on a plate
                 self._draw_trace(trace)
@@ -75,11 +105,7 @@ class SideView:
         stream, size = self.seen.stream, self.seen.size
         struck = [label for label in impact_labels(self.solution, self.units) if label.text]
         labels: list[Label] = [*names(self.seen, self.units), *struck]
-        belt, receiver = self.solution.design.belt, self.solution.design.receiver
-        if belt is not None:
-            labels.append(belt_label(self.feed[0], belt.velocity, 0.2, None, self.units))
-        if receiver is not None and self.received:
-            labels.append(belt_label(self.received[0], receiver.velocity, 0.6, receiver, self.units))
+        labels += belt_labels(self.solution, self.seen, self.units)
         labels += mark_labels(stream, marks, size, self.units)
         lines = (*self.seen.lines, *self._inside(), *(line for case in self.cases for line in case.lines))
         place_labels(self.axes, labels, [self._long(line) for line in lines])
@@ -140,11 +166,7 @@ class SideView:
         if struck:
             (drawn,) = self.axes.plot([each.x for each in struck], [each.z for each in struck], **STRUCK)
             self._explain("impact and its incidence", drawn)
-        low, high = self.axes.dataLim.get_points()
-        room = ROOM * (high - low).max()
-        self.axes.update_datalim([low - room, high + room])
-        self.axes.set_aspect("equal", adjustable="datalim")
-        self.axes.margins(0.0)
+        set_scale(self.axes)
         for band in [artist for artist in self.axes.collections if artist.get_array() is not None][:1]:
             bar = self.axes.figure.colorbar(band, ax=self.axes, location="right", aspect=45, pad=0.01)
             column = COLUMNS["velocity_m_s"]

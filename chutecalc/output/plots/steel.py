@@ -1,6 +1,6 @@
 """The steel of a chute from the side, to scale, with its points and its key dimensions."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -8,11 +8,10 @@ from matplotlib.figure import Figure
 from chutecalc.output.plots.belts import draw_feed, draw_receiver
 from chutecalc.output.plots.labels import Label, place_labels
 from chutecalc.output.plots.layout import SIDE, SIDE_ALONE, page
-from chutecalc.output.plots.looks import ROOF, SURFACE, WALLS
-from chutecalc.output.plots.marks import belt_label
-from chutecalc.output.plots.side import ROOM
+from chutecalc.output.plots.marks import belt_labels
+from chutecalc.output.plots.side import draw_surfaces, set_scale
 from chutecalc.output.plots.style import INK, PALE, lay_out, styled
-from chutecalc.output.plots.traces import View, extent
+from chutecalc.output.plots.traces import extent
 from chutecalc.output.plots.view import view
 from chutecalc.physics.arrays import Array
 from chutecalc.results.columns import COLUMNS
@@ -41,10 +40,7 @@ def draw_steel(
         lines = [*(line for steel in seen.surfaces for line in (steel.path, steel.top)), *seen.feed, *seen.received]
         figure, axes = page("", extent(lines), units, arrangements=SIDE_ALONE)
         side = axes[SIDE]
-        for steel in seen.surfaces:
-            side.plot(*long(steel.path), **SURFACE)
-            if np.isfinite(steel.top).any():
-                side.plot(*long(steel.top), **ROOF if steel.closed else WALLS)
+        draw_surfaces(side, seen.surfaces, units)
         draw_feed(side, [long(line) for line in seen.feed])
         draw_receiver(side, [long(line) for line in seen.received], solution.design.receiver)
         ends = long(np.array([*points.values()]).T)
@@ -53,30 +49,15 @@ def draw_steel(
             if segment.centre and segment.radius and segment.radius < seen.size:
                 legs = long(np.array([segment.start, segment.centre, segment.end]).T)
                 side.plot(*legs, color=PALE, linewidth=0.5, linestyle=(0, (6, 3)), zorder=0.5, gid="radius")
-        low, high = side.dataLim.get_points()
-        room = ROOM * (high - low).max()
-        side.update_datalim([low - room, high + room])
-        side.set_aspect("equal", adjustable="datalim")
-        side.margins(0.0)
+        set_scale(side)
         lay_out(figure)
         letters = [
             Label(name, float(x), float(z), (-0.7, 0.7), leads=True, boxed=True)
             for name, (x, z) in zip(points, ends.T, strict=True)
         ]
         dimensions = [_dimension(each, units) for each in segments]
-        place_labels(side, [*letters, *dimensions, *_belts(solution, seen, units)], [long(line) for line in lines])
+        place_labels(side, [*letters, *dimensions, *belt_labels(solution, seen, units)], [long(line) for line in lines])
         return figure
-
-
-def _belts(solution: SolvedChute, seen: View, units: str) -> Iterator[Label]:
-    """Yield the labels of the belts."""
-    belt, receiver = solution.design.belt, solution.design.receiver
-    for lines, velocity, share, own in (
-        (seen.feed, belt and belt.velocity, 0.2, None),
-        (seen.received, receiver and receiver.velocity, 0.6, receiver),
-    ):
-        if lines and velocity is not None:
-            yield belt_label(COLUMNS["x_m"].converted(lines[0], units), velocity, share, own, units)
 
 
 def _dimension(segment: DrawnSegment, units: str) -> Label:

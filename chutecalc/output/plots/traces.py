@@ -10,6 +10,7 @@ from chutecalc.output.plots.flights import Line
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.surface import Surface
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.drawn import DrawnSegment, drawn_segment
 
 DEEPEST = 0.25
 """Greatest depth drawn, over the greater side of the chute: the depth has no bound where a stream nearly stops."""
@@ -69,6 +70,11 @@ class Steel(NamedTuple):
     """The same as a line."""
     top: Line
     """Where its walls end, or its roof; NaN where no height is given."""
+
+    @property
+    def drawn(self) -> DrawnSegment:
+        """Where it begins and ends, and what is between."""
+        return drawn_segment(self.segment, self.surface)
 
     @property
     def name(self) -> str:

@@ -10,9 +10,9 @@ from chutecalc.output.plots.flights import SHARES, STATIONS, Line, Throw, belt_t
 from chutecalc.output.plots.onwards import failing_end, flight_to_exit, lost_stream
 from chutecalc.output.plots.traces import DEEPEST, STRUCK, Lines, Steel, Trace, View, extent
 from chutecalc.results.columns import COLUMNS
+from chutecalc.results.drawn import drawn_surfaces
 from chutecalc.results.part import Part
 from chutecalc.results.solved import SolvedChute
-from chutecalc.solver.steel import drawn_surface
 
 
 def view(solution: SolvedChute) -> View:
@@ -67,15 +67,11 @@ def _landed(part: Part, surfaces: Sequence[Steel]) -> Line | None:
 
 def _surfaces(solution: SolvedChute) -> list[Steel]:
     """Return the surfaces that have a place, in the order of the spec."""
-    visits = {solved.number: solved for solved in reversed(solution.trajectory.segment_solutions)}
     found = []
-    for _, solved in sorted(visits.items()):
-        if solved.contact is not None:
-            segment, surface = solved.contact.segment, drawn_surface(solved.contact)
-            high = np.broadcast_to(segment.wall_height(SHARES), SHARES.shape)
-            top = surface_line(surface, np.where(np.isfinite(high), high, np.nan))
-            steel = Steel(segment, surface, surface_line(surface), top)
-            found += [steel] if np.isfinite(steel.path).all() else []
+    for segment, surface in drawn_surfaces(solution):
+        high = np.broadcast_to(segment.wall_height(SHARES), SHARES.shape)
+        top = surface_line(surface, np.where(np.isfinite(high), high, np.nan))
+        found.append(Steel(segment, surface, surface_line(surface), top))
     return found
 
 
