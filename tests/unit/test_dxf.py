@@ -1,6 +1,9 @@
 """Drawings for CAD, read back: steel as the design has it, the stream as it is solved, all of it on its layer."""
 
 import io
+import os
+import subprocess
+import sys
 from math import cos, hypot, radians, sin
 
 import ezdxf
@@ -267,3 +270,15 @@ def test_cases_that_differ_by_capitals_have_layers_of_their_own():
     text = chutecalc.STARTER + '[cases.Wet]\n"flow.rate_t_h" = 900\n[cases.wet]\n"flow.rate_t_h" = 800\n'
     document = drawn(chutecalc.parse(text))
     assert {"STREAM_Wet", "STREAM_wet_2"} <= {layer.dxf.name for layer in document.layers}
+
+
+def test_a_drawing_is_the_same_bytes_in_any_process(tmp_path):
+    """Python orders sets by a seed of its own in each process; these two once gave different files."""
+    found = []
+    for seed in ("1", "4"):
+        command = [sys.executable, "-m", "chutecalc", "run", "specs/fails/missed_spoon.toml", "--dxf"]
+        file = tmp_path / f"{seed}.dxf"
+        environment = os.environ | {"PYTHONHASHSEED": seed}
+        subprocess.run([*command, str(file)], cwd=ROOT, env=environment, check=False, capture_output=True, timeout=120)
+        found.append(file.read_bytes())
+    assert found[0] == found[1]

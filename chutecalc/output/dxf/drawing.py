@@ -98,6 +98,8 @@ def save(sheet: Sheet, stream: IO[bytes]) -> None:
         sheet: the drawing.
         stream: where it goes.
     """
+    for name in sorted(sheet.document.entitydb.dxf_types_in_use()):  # which ezdxf would add in the order of a set
+        sheet.document.classes.add_class(name)
     text = io.StringIO()
     fixed = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True
