@@ -5,7 +5,7 @@ own to the surface on which that line lands: the same chute is solved again for 
 surfaces where the stream found them.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +14,7 @@ import numpy as np
 from chutecalc.design import Design, Status
 from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.inlet import leaves_belt
-from chutecalc.results.landings import Landing, first_landing, landing_of_line
+from chutecalc.results.landings import Landing, Placed, first_landing, landing_of_line
 from chutecalc.results.part import Part
 from chutecalc.solver.segment_solution import SegmentSolution
 
@@ -73,13 +73,17 @@ def stream_edges(design: Design, parts: Sequence[Part], rtol: float, count: int)
     """
     guided = [part for part in parts if part.contact is not None]
     solutions = [part.solved for part in guided]
-    edges = [*_from_belt(design, solutions, rtol, count)]
+    placed = {solved.number: solved for solved in reversed(solutions)}
+    edges = [*_from_belt(design, solutions, placed, rtol, count)]
     for place, part in enumerate(guided):
-        edges += _from_surface(part, solutions, solutions[place + 1 :], rtol, count)
+        later = map(solutions.__getitem__, range(place + 1, len(solutions)))
+        edges += _from_surface(part, placed, later, rtol, count)
     return edges
 
 
-def _from_belt(design: Design, solutions: Sequence[SegmentSolution], rtol: float, count: int) -> Iterator[Edge]:
+def _from_belt(
+    design: Design, solutions: Sequence[SegmentSolution], placed: Placed, rtol: float, count: int
+) -> Iterator[Edge]:
     """Yield lower edge, middle and upper edge of a stream from a belt; none where it has no depth."""
     belt = design.belt
     if belt is None or not (belt.middle_radius > belt.lower_radius).any():
@@ -91,12 +95,12 @@ def _from_belt(design: Design, solutions: Sequence[SegmentSolution], rtol: float
         leaves = {"x_m": x, "z_m": z, "slope_deg": np.degrees(start.slope), "velocity_m_s": start.velocity}
         landing = middle
         if name != "middle":
-            landing = landing_of_line(_line(design, leaves, start.slope), solutions, 0, middle.number, rtol)
+            landing = landing_of_line(_line(design, leaves, start.slope), placed, 0, middle.number, rtol)
         yield _edge(design, name, "", leaves, landing, middle)
 
 
 def _from_surface(
-    part: Part, solutions: Sequence[SegmentSolution], later: Sequence[SegmentSolution], rtol: float, count: int
+    part: Part, placed: Placed, later: Iterable[SegmentSolution], rtol: float, count: int
 ) -> Iterator[Edge]:
     """Yield the free surface of a stream that leaves a segment through the air, beside the line that is solved.
 
@@ -107,7 +111,7 @@ def _from_surface(
     flies = np.broadcast_to(np.isin(solved.status, (Status.OK, Status.CONTACT_LOST)), count)
     along = first_landing(later, flies, exit_.distance)
     if contact.segment.closed:
-        inside = [solved.number for solved in later if solved.contact and solved.contact.segment.closed]
+        inside = [number for number in np.unique(along.number[along.number >= 0]) if _is_closed(placed[number])]
         along.number[np.isin(along.number, inside)] = -1
     lands = along.number >= 0
     if not lands.any():
@@ -126,9 +130,14 @@ def _from_surface(
     for some, first in ((again, solved.number), (lands & ~again, solved.number + 1)):
         if some.any():
             target = np.where(some, numbers, -1)
-            landing = landing_of_line(line, solutions, first, target, rtol)
+            landing = landing_of_line(line, placed, first, target, rtol)
             known = {name: np.where(some, values, np.nan) for name, values in leaves.items()}
             yield _edge(part.design, "free", part.name, known, landing, along._replace(number=target))
+
+
+def _is_closed(solved: SegmentSolution) -> bool:
+    """Return whether a segment that guides the stream is closed."""
+    return solved.contact is not None and solved.contact.segment.closed
 
 
 def _line(design: Design, leaves: Numbers, slope: Array) -> Design:
@@ -141,13 +150,13 @@ def _line(design: Design, leaves: Numbers, slope: Array) -> Design:
 
 def _edge(design: Design, name: str, left: str, leaves: Numbers, landing: Landing, solved: Landing) -> Edge:
     """Return an edge, from how it begins to fly, how it lands, and how the line lands that is solved."""
-    names = np.array([*(segment.name for segment in design.segments), ""])
+    names = [design.segments[number].name if number >= 0 else "" for number in landing.number]
     numbers = {**leaves, **landing.numbers, "gap_m": landing.gap, "before_m": landing.before}
     return Edge(
         name=name,
         leaves=left,
         numbers={key: np.broadcast_to(values, len(solved.number)) for key, values in numbers.items()},
-        segment=names[landing.number],
+        segment=np.array(names),
         number=landing.number,
         target=solved.number,
         s_m=solved.distance,

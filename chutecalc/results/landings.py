@@ -1,6 +1,6 @@
 """Where lines of a stream come down on surfaces that stand already."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,7 +30,11 @@ class Landing(NamedTuple):
     """Distance from the inlet along the stream, m."""
 
 
-def first_landing(segment_solutions: Sequence[SegmentSolution], flies: Mask, left: Array) -> Landing:
+Placed = Mapping[int, SegmentSolution]
+"""The first solution of each segment that guides the stream, by its number: its surface stays where that placed it."""
+
+
+def first_landing(segment_solutions: Iterable[SegmentSolution], flies: Mask, left: Array) -> Landing:
     """Return how streams first come down on a surface; those that go on without a flight do not.
 
     Args:
@@ -41,6 +45,8 @@ def first_landing(segment_solutions: Sequence[SegmentSolution], flies: Mask, lef
     count = len(flies)
     found, waiting = _nowhere(count), flies
     for solved in segment_solutions:
+        if not waiting.any():
+            break
         if solved.contact is None:
             continue
         arrival, entry = solved.contact.arrival, solved.entry
@@ -75,14 +81,14 @@ def before_start(solved: SegmentSolution) -> Array:
     return before
 
 
-def landing_of_line(line: Design, placed: Sequence[SegmentSolution], first: int, target: Index, rtol: float) -> Landing:
+def landing_of_line(line: Design, placed: Placed, first: int, target: Index, rtol: float) -> Landing:
     """Return how a line of the stream lands that flies on its own.
 
     It is solved up to the segment on which the stream itself lands, for each such segment in turn.
 
     Args:
         line: the chutes with this line as the stream that enters them.
-        placed: the solutions of the stream, whose surfaces stay where they are.
+        placed: the solutions of the stream.
         first: number of the first segment that is in its way.
         target: number of the segment on which each design's stream lands; -1 where there is none.
         rtol: relative error allowed to the velocity.
@@ -90,7 +96,7 @@ def landing_of_line(line: Design, placed: Sequence[SegmentSolution], first: int,
     found = _nowhere(len(target))
     for last in np.unique(target[target >= 0]):
         rows = np.flatnonzero(target == last)
-        visited = _visited(placed, first, last)
+        visited = [placed[number] for number in range(first, last + 1) if number in placed]
         some = select(line._replace(segments=_surfaces(visited)), rows)
         solutions, _ = run_chain(some, rtol, dense_output=False)
         here = first_landing(solutions, np.ones(length(some), dtype=bool), np.zeros(1))
@@ -110,12 +116,6 @@ def _surfaces(visited: Sequence[Any]) -> tuple[Any, ...]:
         slope = drawn.slope if segment.entry_slope is None else segment.entry_slope
         surfaces.append(segment._replace(start=(drawn.x, drawn.z), entry_slope=slope))
     return (Fall(name="", kind="", drop=None, run=None), *surfaces)
-
-
-def _visited(placed: Sequence[SegmentSolution], first: int, last: int) -> list[Any]:
-    """Return the first solution of each guiding segment from one of them to another."""
-    found = {solved.number: solved for solved in reversed(placed) if solved.contact and first <= solved.number <= last}
-    return [found[number] for number in sorted(found)]
 
 
 def _nowhere(count: int) -> Landing:

@@ -60,6 +60,12 @@ class Part(SegmentContext):
     @cached_property
     def start_time(self) -> Array:
         """Time from the inlet to the start of the part, s, shape (designs,)."""
+        behind, part = [], self.before
+        while part is not None and "end_time" not in vars(part):
+            behind.append(part)
+            part = part.before
+        for part in reversed(behind):  # one after the other: of thousands each would call the one before it
+            part.end_time  # noqa: B018 - works it out
         return np.zeros(1) if self.before is None else self.before.end_time
 
     @cached_property

@@ -107,11 +107,11 @@ class Trajectory:
 
     def flights(self) -> list[list[SegmentResult]]:
         """Return for each segment of the spec the flights that lead to it."""
-        pairs = list(zip(self.parts, self.results, strict=True))
-        return [
-            [result for part, result in pairs if part.solved.number == number and part.is_flight]
-            for number in range(len(self.design.segments))
-        ]
+        found: list[list[SegmentResult]] = [[] for _ in self.design.segments]
+        for part, result in zip(self.parts, self.results, strict=True):
+            if part.is_flight:
+                found[part.solved.number].append(result)
+        return found
 
     def findings(self, received: Numbers, inlet: Numbers, edges: Sequence[Edge]) -> list[Finding]:
         """Return all findings.

@@ -1,6 +1,7 @@
 """The names of segments, in tables and in key paths: their own, or else their kind."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import count
 
 
 def segment_names(segments: Sequence[tuple[str | None, str]]) -> list[str]:
@@ -14,9 +15,15 @@ def segment_names(segments: Sequence[tuple[str | None, str]]) -> list[str]:
     """
     names: list[str] = []
     taken = {name for name, _ in segments if name}
+    free = {kind: _numbered(kind) for _, kind in segments}
     for own, kind in segments:
-        free = (f"{kind}_{number}" for number in range(2, len(segments) + 2))
-        name = own or next(item for item in (kind, *free) if item not in taken)
+        name = own or next(item for item in free[kind] if item not in taken)
         taken.add(name)
         names.append(name)
     return names
+
+
+def _numbered(kind: str) -> Iterator[str]:
+    """Yield the names that segments of a kind may have."""
+    yield kind
+    yield from (f"{kind}_{number}" for number in count(2))

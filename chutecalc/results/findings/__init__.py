@@ -4,6 +4,7 @@ To add a criterion, write a function with :func:`chutecalc.results.criterion.cri
 one: the modules are found by the package itself, and a criterion is all that is known of its findings.
 """
 
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -47,26 +48,23 @@ def find(
     found: list[Finding] = []
     surfaces = [sampled.part for sampled in parts if sampled.part.guided]
     leaves = _leaving([sampled.part for sampled in parts], designs)
+    continues = _continuing([sampled.part for sampled in parts], designs)
+    first = {sampled.part.solved.number: sampled.part.solved for sampled in reversed(parts)}
+    met = _by_segment(edges)
     with np.errstate(all="ignore"):
         for number, sampled in enumerate(parts):
             if sampled.part.is_flight:
                 continue
-            continues = np.zeros(designs, dtype=bool)
-            for later in parts[number + 1 :]:
-                solved = later.part.solved
-                continues = continues | (solved.status != Status.NOT_REACHED) & (solved is not sampled.part.solved)
-            last = bool(surfaces) and sampled.part is surfaces[-1]
+            solved = sampled.part.solved
             at_end = {name: np.where(leaves[number], values, np.nan) for name, values in received.items()}
-            first = next(part for part in parts if part.part.solved.number == sampled.part.solved.number)
-            visited = first.part.solved is not sampled.part.solved
             scene = Scene(
                 sampled,
-                continues=continues,
-                last_surface=last,
+                continues=continues[number],
+                last_surface=bool(surfaces) and sampled.part is surfaces[-1],
                 received=at_end if leaves[number].any() else {},
                 exit_distance=exit_distance,
-                inlet=inlet if sampled.part.solved is parts[0].part.solved else {},
-                edges=() if visited else edges,
+                inlet=inlet if solved is parts[0].part.solved else {},
+                edges=met[solved.number] if solved is first[solved.number] else (),
                 designs=designs,
             )
             found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]
@@ -83,6 +81,23 @@ def _leaving(parts: Sequence[Part], designs: int) -> list[Mask]:
         through = through & ~np.isin(part.solved.status, (Status.STALL, Status.CHOKE, Status.MISSED))
     found = leaving(parts, through)
     found[-1] = found[-1] | through & ~np.any(found, axis=0)
+    return found
+
+
+def _continuing(parts: Sequence[Part], designs: int) -> list[Mask]:
+    """Return for each part the designs whose stream goes on to a later one."""
+    found = [np.zeros(designs, dtype=bool)]
+    for part in reversed(parts[1:]):
+        found.append(found[-1] | (part.solved.status != Status.NOT_REACHED))
+    return found[::-1]
+
+
+def _by_segment(edges: Iterable[Edge]) -> defaultdict[int, list[Edge]]:
+    """Return the edges by the number of the segment that they meet or miss, for any design."""
+    found: defaultdict[int, list[Edge]] = defaultdict(list)
+    for edge in edges:
+        for number in {*edge.number.tolist(), *edge.target.tolist()}:
+            found[number].append(edge)
     return found
 
 
