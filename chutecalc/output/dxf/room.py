@@ -1,6 +1,7 @@
 """Where a drawing has room for notes: beside a point, clear of lines, dimensions and other notes."""
 
 import math
+from itertools import product
 
 import numpy as np
 
@@ -16,8 +17,12 @@ NEARBY = [
 """Distances and turns at which notes are tried, mm on paper and rad."""
 
 
+CELL = 0.5
+"""Side of a cell of the map of what is taken, mm on paper."""
+
+
 class Room:
-    """Points of a drawing that notes stand clear of.
+    """A map of the places in a drawing that notes stand clear of, in cells.
 
     Args:
         scale: of the drawing, as in 1:scale.
@@ -25,7 +30,7 @@ class Room:
 
     def __init__(self, scale: float) -> None:
         self._scale = scale
-        self._taken: list[Line] = []
+        self._taken: set[tuple[int, int]] = set()
 
     def keep_clear(self, points: Line) -> None:
         """Keep notes off points.
@@ -33,7 +38,7 @@ class Room:
         Args:
             points: mm, shape (2, points), NaN where there is none.
         """
-        self._taken.append(points)
+        self._taken.update(zip(*self._cells(points[:, np.isfinite(points).all(axis=0)]), strict=True))
 
     def take(self, at: Point, towards: Point, half: Point) -> Point:
         """Return the middle of a free place beside a point, which is free no longer; the point itself if there is none.
@@ -58,6 +63,10 @@ class Room:
 
     def _is_clear(self, middle: Point, half: Point) -> bool:
         """Return whether nothing is taken in a box about a point."""
-        taken = np.concatenate([np.empty((2, 0)), *self._taken], axis=1)
-        inside = (np.abs(taken[0] - middle[0]) <= half[0]) & (np.abs(taken[1] - middle[1]) <= half[1])
-        return not inside.any()
+        (left, right), (bottom, top) = self._cells(np.array([middle, middle]).T + np.outer(half, (-1.0, 1.0)))
+        return self._taken.isdisjoint(product(range(left, right + 1), range(bottom, top + 1)))
+
+    def _cells(self, points: Line) -> list[list[int]]:
+        """Return columns and rows of the cells in which points lie."""
+        cells: list[list[int]] = np.floor(points / (CELL * self._scale)).astype(int).tolist()
+        return cells
