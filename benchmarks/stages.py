@@ -52,7 +52,7 @@ def stages(file: Path) -> Tasks:
         "stations, all columns": lambda: again().stations(),
         "extremes and findings": lambda: again().findings(),
         "table": lambda: print_report(Printer("metric", io.StringIO()), again()),
-        "CSV file": lambda: write_csv(run_dataset([Cases({DESIGN_POINT: solution})], [{DESIGN_POINT: table}])),
+        "CSV file": lambda: write_csv(run_dataset([Cases({DESIGN_POINT: solution})], lambda solution: table)),
     }
 
 

@@ -6,13 +6,16 @@ options instead.
 
 import inspect
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from typing import Any, get_type_hints
+from typing import TYPE_CHECKING, Any, get_type_hints
 
 import typer
 
 from chutecalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from chutecalc.results.solved import SolvedChute
 
 RTOL = typer.Option(1e-10, min=1e-13, max=1e-3, metavar="R", help="Relative tolerance of the velocity.")
 DASK = typer.Option(
@@ -80,6 +83,15 @@ class StationOptions(OptionGroup):
     def given(self) -> bool:
         """Whether there are any."""
         return self.points is not None or self.stations is not None
+
+    def of(self, solution: "SolvedChute", columns: Sequence[str]) -> dict[str, Any]:
+        """Return the stations of a solution.
+
+        Args:
+            solution: of one or several designs.
+            columns: names of the columns to work out.
+        """
+        return solution.stations(self.points, self.stations, columns)
 
 
 def with_groups(command: Callable[..., int]) -> Callable[..., int]:

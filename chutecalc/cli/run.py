@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -17,6 +18,7 @@ from chutecalc.output.files import open_whole
 
 if TYPE_CHECKING:
     from chutecalc.api.chute import Chute
+    from chutecalc.output.run import StationsOf
     from chutecalc.results.cases import Cases
 
 EXAMPLES = (
@@ -79,28 +81,23 @@ def run(
     if outputs.dxf and len(chutes) > 1:
         raise UsageError(f"--dxf draws one chute, not {len(chutes)}: give one spec")
     cases = [solve_cases(chute, rtol, case) for chute in chutes]
-    tables = None
+    stations_of = None
     if stations.given:
         from chutecalc.output.run import needed
 
-        shown = needed(names or list(COLUMNS))
-        tables = [
-            {
-                name: solution.stations(stations.points, stations.stations, shown)
-                for name, solution in states.solutions.items()
-            }
-            for states in cases
-        ]
+        stations_of = partial(stations.of, columns=needed(names or list(COLUMNS)))
+        for solution in (solution for states in cases for solution in states.solutions.values()):
+            stations.of(solution, ["s_m"])  # before anything is written: there may be too many
     studies = RunStudies(chutes, cases, rtol, band=band, sensitivity=sensitivity)
-    _write(chutes, cases, tables, studies, names or list(COLUMNS), outputs, settings)
-    _print(cases, tables, studies, names, outputs)
+    _write(chutes, cases, stations_of, studies, names or list(COLUMNS), outputs, settings)
+    _print(cases, stations_of, studies, names, outputs)
     return _status(cases, strict)
 
 
 def _write(
     chutes: Sequence[Chute],
     cases: Sequence[Cases],
-    tables: Sequence[dict[str, dict[str, Any]]] | None,
+    stations_of: StationsOf | None,
     studies: RunStudies,
     columns: Sequence[str],
     outputs: RunOutputs,
@@ -110,7 +107,7 @@ def _write(
     if outputs.files:
         from chutecalc.output.run import run_dataset
 
-        outputs.write(run_dataset(cases, tables, columns, studies.document))
+        outputs.write(run_dataset(cases, stations_of, columns, studies.document))
     if outputs.plot:
         from chutecalc.output.plots.run import draw_run
 
@@ -128,7 +125,7 @@ def _write(
 
 def _print(
     cases: Sequence[Cases],
-    tables: Sequence[dict[str, dict[str, Any]]] | None,
+    stations_of: StationsOf | None,
     studies: RunStudies,
     columns: Sequence[str],
     outputs: RunOutputs,
@@ -155,9 +152,9 @@ def _print(
         if len(states.names) > 1:
             print_cases(printer, states)
         studies.print(printer, number)
-        if tables:
+        if stations_of:
             printer.text()
-            printer.table(stream_tables.stations(tables[number][states.main]))
+            printer.table(stream_tables.stations(stations_of(states.main_solution)))
         if outputs.chart:
             from chutecalc.output.chart import print_chart
 

@@ -1,5 +1,6 @@
 """The results of a run as rows, a station each, and as a document."""
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -16,10 +17,13 @@ from chutecalc.results.inlet import INLET_NUMBERS
 from chutecalc.results.segments import SegmentResult
 from chutecalc.results.solved import SolvedChute
 
+StationsOf = Callable[[SolvedChute], Mapping[str, Any]]
+"""A function that returns the stations of a solution."""
+
 
 def run_dataset(
     chutes: Sequence[Cases],
-    stations: Sequence[Mapping[str, Mapping[str, Any]]] | None,
+    stations: StationsOf | None,
     columns: Sequence[str] = tuple(COLUMNS),
     more: Callable[[int], Mapping[str, Any]] = lambda number: {},
 ) -> Dataset:
@@ -27,21 +31,21 @@ def run_dataset(
 
     Args:
         chutes: chutes of one design each, in all their states. Rows and documents begin with the one shown in full.
-        stations: stations of each chute by the name of the state, if a user asked for some. The document holds those
-            of the state shown in full then. Without them the rows are the default stations, and the document has none.
+        stations: returns the stations of a solution, if a user asked for some. The document holds those of the state
+            shown in full then. Without them the rows are the default stations, and the document has none.
         columns: names of the station columns.
         more: returns further entries of the document of each chute, by its number from 0.
     """
 
     def blocks() -> Iterator[Block]:
-        for index, chute in enumerate(chutes):
-            for name, solution in chute.solutions.items():
-                table = stations[index][name] if stations else solution.stations(columns=needed(columns))
+        for chute in chutes:
+            for name, solution in chute.solutions.items():  # one after the other: each may have millions of numbers
+                table = stations(solution) if stations else solution.stations(columns=needed(columns))
                 yield _station_rows(solution.source, name, table, columns)
 
     def document() -> dict[str, Any]:
         found = [
-            _chute(chute, stations[number][chute.main] if stations else None, columns) | dict(more(number))
+            _chute(chute, stations(chute.main_solution) if stations else None, columns) | dict(more(number))
             for number, chute in enumerate(chutes)
         ]
         return tolerance | {"chutes": found}
@@ -89,25 +93,25 @@ def _results(
     solution: SolvedChute, stations: Mapping[str, Any] | None = None, columns: Sequence[str] = ()
 ) -> dict[str, Any]:
     """Return the results of one state."""
-    segments = []
+    segments, edges, shown = [], _edges(solution), _rows(stations, columns)
     for segment, flights in zip(solution.segments, solution.flights, strict=True):
-        flown = [_segment(flight, stations, columns) for flight in flights]
+        flown = [_segment(flight, shown) for flight in flights]
         more = {
             "impact": first(segment.impact) or None,
             "strikes_roof": bool(segment.strikes_roof[0]) if segment.impact else None,
             "loads": first(segment.loads) or None,
-            "edges": _edges(solution, segment.name),
+            "edges": edges[segment.name],
             "flight": flown[0] if flown else None,
             "flights_again": flown[1:],
         }
-        segments.append(_segment(segment, stations, columns) | more)
+        segments.append(_segment(segment, shown) | more)
     return {
         "error_estimate": number(solution.error_estimate[0]),
         "status": str(solution.status[0]),
-        "inlet": first(solution.inlet, INLET_NUMBERS) | {"edges": _edges(solution, "")},
+        "inlet": first(solution.inlet, INLET_NUMBERS) | {"edges": edges[""]},
         "exit": first(solution.exit),
         "segments": segments,
-        "last_flights": [_segment(flight, stations, columns) for flight in solution.last_flights],
+        "last_flights": [_segment(flight, shown) for flight in solution.last_flights],
         "receiver": first(solution.receiver) or None,
         "findings": [
             {
@@ -124,17 +128,17 @@ def _results(
     }
 
 
-def _edges(solution: SolvedChute, leaves: str) -> list[dict[str, Any]]:
-    """Return the edges of the flights that begin at the end of a segment; at the belt if its name is empty."""
-    return [
-        {"name": edge.name, "segment": edge.segment[0] or None, **first(edge.numbers, EDGE_NUMBERS)}
-        for edge in solution.edges
-        if edge.leaves == leaves
-    ]
+def _edges(solution: SolvedChute) -> dict[str, list[dict[str, Any]]]:
+    """Return the edges of the flights by the segment that the stream leaves; of one from the belt it is empty."""
+    found = defaultdict(list)
+    for edge in solution.edges:
+        numbers = first(edge.numbers, EDGE_NUMBERS)
+        found[edge.leaves].append({"name": edge.name, "segment": edge.segment[0] or None, **numbers})
+    return found
 
 
-def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, Any]:
-    """Return a segment or a flight."""
+def _segment(result: SegmentResult, shown: Mapping[str, list[dict[str, Any]]] | None) -> dict[str, Any]:
+    """Return a segment or a flight, with its stations if there are any."""
     return {
         "name": result.name,
         "kind": result.kind,
@@ -145,13 +149,18 @@ def _segment(result: SegmentResult, stations: Mapping[str, Any] | None, columns:
         "maximum": first(result.maximum),
         "duration_s": number(result.duration[0]),
         "landing_margin_m": number(result.landing_margin[0]),
-        "stations": None if stations is None else _rows(stations, result.name, columns),
+        "stations": None if shown is None else shown[result.name],
     }
 
 
-def _rows(stations: Mapping[str, Any], segment: str, columns: Sequence[str]) -> list[dict[str, Any]]:
-    """Return the stations of one segment or flight that the stream reached, an object each."""
+def _rows(stations: Mapping[str, Any] | None, columns: Sequence[str]) -> dict[str, list[dict[str, Any]]] | None:
+    """Return the stations that the stream reached by segment or flight, an object each; None if none are asked for."""
+    if stations is None:
+        return None
     names = [name for name in columns if name not in {"spec", "case", "segment", "kind"}]
-    chosen = (stations["segment"][0] == segment) & np.isfinite(stations["s_m"][0])
+    chosen = np.isfinite(stations["s_m"][0])
     values = [numbers(stations[name][0][chosen]) for name in names]
-    return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
+    found = defaultdict(list)
+    for segment, *row in zip(stations["segment"][0][chosen].tolist(), *values, strict=True):
+        found[segment].append(dict(zip(names, row, strict=True)))
+    return found

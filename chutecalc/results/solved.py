@@ -173,7 +173,7 @@ class SolvedChute:
             no such quantity there.
 
         Raises:
-            UsageError: both are given, they would make no stations or more than a million, or a name is unknown.
+            UsageError: both are given, they would make no stations or more than two million, or a name is unknown.
 
         >>> import chutecalc
         >>> table = chutecalc.solve(chutecalc.parse(chutecalc.STARTER)).stations(points=3)

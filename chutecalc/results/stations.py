@@ -15,7 +15,8 @@ from chutecalc.results.part import Part
 
 DEFAULT_POINTS = 101
 """Stations of a part by default."""
-MOST_STATIONS = 1_000_000
+MOST_STATIONS = 2_000_000
+"""Of all parts together: a table of more would need gigabytes."""
 
 
 def at_stations(
@@ -35,14 +36,27 @@ def at_stations(
     """
     if points is not None and spacing is not None:
         raise UsageError("points and spacing both set the stations: give one of them")
-    if points is not None and not 2 <= points <= MOST_STATIONS:
-        raise UsageError(f"points must be from 2 to {MOST_STATIONS}, not {points}")
+    if points is not None and points < 2:
+        raise UsageError(f"points must be at least 2, not {points}")
     if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
         raise UsageError(f"spacing must be greater than 0 m, not {spacing:g}")
     check_columns(names, AT_STATION, " at a station")
-    even = _even(points or DEFAULT_POINTS)
-    blocks = [_on_part(part, even if spacing is None else _spaced(part, spacing), count, names) for part in parts]
+    if spacing is None:
+        points = points or DEFAULT_POINTS
+        _check_number(points * len(parts), f"{points} points on each of {len(parts)} parts", "fewer")
+        shares = [_even(points)] * len(parts)
+    else:
+        length = sum(_furthest(part) for part in parts)
+        _check_number(length / spacing, f"a spacing of {spacing:g} m", "a larger one")
+        shares = [_spaced(part, spacing) for part in parts]
+    blocks = [_on_part(part, own, count, names) for part, own in zip(parts, shares, strict=True)]
     return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in names}
+
+
+def _check_number(number: float, what: str, instead: str) -> None:
+    """Raise an error about too many stations."""
+    if number > MOST_STATIONS:
+        raise UsageError(f"{what} makes {number:.0f} stations, more than {MOST_STATIONS}: take {instead}")
 
 
 @lru_cache(maxsize=8)
@@ -65,15 +79,23 @@ def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dic
 
 def _spaced(part: Part, spacing: float) -> Array:
     """Return shares at multiples of a spacing and at both ends, (stations, designs); NaN past a design's end."""
-    begin, end = part.span()
-    scale = 1.0 if part.contact is None else part.contact.surface.length
-    start, length = begin * scale, (end - begin) * scale
-    longest = float(np.nan_to_num(start + length).max())
-    if longest / spacing >= MOST_STATIONS:
-        raise UsageError(f"a spacing of {spacing:g} m makes more than {MOST_STATIONS} stations: take a larger one")
-    travelled = spacing * np.arange(int(longest / spacing) + 1)[:, None] - start
+    start, length = _travelled(part)
+    travelled = spacing * np.arange(int(_furthest(part) / spacing) + 1)[:, None] - start
     slack = 1e-12 * (start + length)
     inside = (travelled > slack) & (travelled < length - slack)
     shares = np.where(inside, travelled / np.where(length > 0.0, length, 1.0), np.nan)
     ends = np.where(np.isnan(length), np.nan, np.array([[0.0], [1.0]]))
     return np.concatenate([ends[:1], shares, ends[1:]])
+
+
+def _travelled(part: Part) -> tuple[Array, Array]:
+    """Return where each design enters a part, from its drawn start, and the length that it travels there, m."""
+    begin, end = part.span()
+    scale = 1.0 if part.contact is None else part.contact.surface.length
+    return begin * scale, (end - begin) * scale
+
+
+def _furthest(part: Part) -> float:
+    """Return how far from its drawn start any design leaves a part, m; 0 where none is on it."""
+    start, length = _travelled(part)
+    return float(np.nan_to_num(start + length).max())

@@ -197,7 +197,7 @@ def test_a_spec_from_standard_input(capsys, monkeypatch):
         (["run", "a.toml", "--csv", "a.toml"], "overwrite"),
         (["run", "a.toml", "--points", "5", "--stations", "0.1"], "give one of them"),
         (["run", "a.toml", "--stations", "-1"], "greater than 0"),
-        (["run", "a.toml", "--stations", "1e-9"], "more than 1000000 stations"),
+        (["run", "a.toml", "--stations", "1e-9"], "more than 2000000: take a larger one"),
         (["run", "a.toml", "--csv", "no/such/folder/x.csv"], "cannot be written"),
         (["run", "a.toml", "--csv", "folder"], "is a folder"),
         (["run", "a.toml", "--rtol", "1e-20"], "1e-13"),
