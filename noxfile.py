@@ -19,7 +19,7 @@ nox.options.error_on_missing_interpreters = True
 
 PROJECT = nox.project.load_toml("pyproject.toml")["project"]
 BIN = Path(".venv", "bin").absolute()
-BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep", "commands")
+BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep", "commands", "scale")
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
 EXAMPLES_SHIP = "from importlib.resources import files; assert (files('chutecalc') / 'examples' / 'vee.toml').is_file()"

@@ -49,7 +49,7 @@ def design_rows(
         prefix: [name.removeprefix(f"{prefix}_") for name in along if name.startswith(f"{prefix}_")]
         for prefix in ("exit", *EXTREME)
     }
-    if _at_ends(columns):
+    if at_ends(columns):
         ends = exits(variants, rtol, by_prefix["exit"], jobs=1)
         status, ok, error = ends.status, ends.ok, ends.error_estimate
         exit_, belt = ends.exit, ends.receiver
@@ -108,8 +108,12 @@ def station_rows(
     return numbers, {name: np.broadcast_to(table[name], shape)[there] for name in ("status", *columns)}
 
 
-def _at_ends(columns: Sequence[str]) -> bool:
-    """Return whether all columns are those of the end of the chute, so that nothing before it must be computed."""
+def at_ends(columns: Sequence[str]) -> bool:
+    """Return whether all columns are those of the end of the chute, so that nothing before it must be computed.
+
+    Args:
+        columns: Names of the columns.
+    """
     last = {f"exit_{name}" for name in AT_EXIT}
     return all(name in last or name == "error_estimate" or name.startswith("receiver_") for name in columns)
 

@@ -16,14 +16,15 @@ from chutecalc.errors import UsageError
 from chutecalc.studies.sweep.adjustment import SectionAdjustment
 from chutecalc.studies.sweep.block import TEXT, Top
 from chutecalc.studies.sweep.checks import chutes_by_names, selected_columns
-from chutecalc.studies.sweep.columns import CODES, own_columns
+from chutecalc.studies.sweep.columns import own_columns
+from chutecalc.studies.sweep.design_rows import at_ends
 from chutecalc.studies.sweep.grid import Grid
 from chutecalc.studies.sweep.parameters import AnyParameter
 
-WITH_FINDINGS, STATIONS = 1024, 262_144
-"""Designs of a block with findings or columns of segments, and stations of a block, roughly.
+WHOLE, STATIONS = 1024, 262_144
+"""Designs of a block that needs whole trajectories, a tenth of a gigabyte, and stations of a block, roughly.
 
-Other blocks are one chunk of a batch.
+Blocks of ends alone are one chunk of a batch.
 """
 
 
@@ -131,7 +132,7 @@ class Sweep:
         if self.profiles:
             stations = int(solve(self.chute, self.rtol).stations(self.points, self.spacing, ["s_m"])["s_m"].size)
             return max(1, min(CHUNK, STATIONS // max(stations, 1)))
-        return WITH_FINDINGS if self.own or not CODES.keys().isdisjoint(self.columns) else CHUNK
+        return CHUNK if at_ends(self.columns) else WHOLE
 
     @property
     def block_count(self) -> int:

@@ -2,6 +2,8 @@
 
 import itertools
 
+import pytest
+
 import chutecalc
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.parameters import read_parameters
@@ -10,10 +12,11 @@ from chutecalc.workers import Threads
 from tests.cli.sweep.commands import SPOON, swept
 
 
-def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch):
-    arguments = ("radius=1:4:#9", "phi=20:40:#7", SPOON)
+@pytest.mark.parametrize(("size", "columns"), [("WHOLE", ()), ("CHUNK", ("--columns", "exit_depth_m"))])
+def test_rows_depend_on_neither_blocks_nor_threads(capsys, monkeypatch, size, columns):
+    arguments = ("radius=1:4:#9", "phi=20:40:#7", SPOON, *columns)
     whole = swept(capsys, *arguments)
-    monkeypatch.setattr(rows_of, "CHUNK", 4)
+    monkeypatch.setattr(rows_of, size, 4)
     assert swept(capsys, *arguments, "--jobs", "3") == whole
     assert swept(capsys, *arguments, "--jobs", "1") == whole
 
@@ -22,7 +25,7 @@ def test_columns_of_segments_do_not_depend_on_blocks(capsys, monkeypatch):
     names = "segments.spoon.max_wear_w_m2,segments.spoon.status"
     arguments = ("radius=1:4:#9", "phi=20:40:#5", SPOON, "--columns", names)
     whole = swept(capsys, *arguments)
-    monkeypatch.setattr(rows_of, "WITH_FINDINGS", 4)
+    monkeypatch.setattr(rows_of, "WHOLE", 4)
     assert swept(capsys, *arguments) == whole
 
 
