@@ -10,6 +10,9 @@ from typing import Any
 from setuptools import build_meta
 from setuptools.build_meta import *  # noqa: F403 - a backend has all of these functions
 
+WHEEL_DATE = "315532800"
+"""Of every file in a wheel, 1980-01-01, the first that a ZIP file can hold: the same source makes the same bytes."""
+os.umask(0o022)  # of all that a build writes: permissions are in a wheel too
 ZIG = f"'{sys.executable}' -m ziglang cc -mcpu=baseline"  # for any processor, not only this one
 
 
@@ -29,6 +32,12 @@ def needs_zig() -> bool:
         return False
     usual = (sysconfig.get_config_var("CC") or "cc").split()[0]
     return not any(shutil.which(name) for name in (usual, "cc", "gcc", "clang"))
+
+
+def build_wheel(wheel_directory: str, config_settings: Any = None, metadata_directory: str | None = None) -> str:
+    """Build a wheel. Its bytes depend on the source, the interpreter and the compiler, not on the day or the folder."""
+    os.environ.setdefault("SOURCE_DATE_EPOCH", WHEEL_DATE)
+    return str(build_meta.build_wheel(wheel_directory, config_settings, metadata_directory))
 
 
 def _requirements() -> list[str]:

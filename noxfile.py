@@ -1,11 +1,15 @@
 """All checks of this project. `nox` runs what CI runs; `nox -l` lists the sessions, `nox -s style` runs one.
 
 `tests` installs the project into `.venv` with the command that README.md gives, and `style`, `designs`, `docs` and
-`benchmarks` use that environment. `package` and `oldest` have environments of their own.
+`benchmarks` use that environment. `package`, `interpreters` and `oldest` have environments of their own. Installing
+takes a network; no test does, and pytest refuses connections to other machines.
 """
 
 import os
+import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,12 +23,41 @@ nox.options.error_on_missing_interpreters = True
 
 PROJECT = nox.project.load_toml("pyproject.toml")["project"]
 BIN = Path(".venv", "bin").absolute()
-BENCHMARKS = ("work_precision", "estimates", "batches", "chains", "stages", "startup", "check", "sweep", "commands", "scale")
+BENCHMARKS = (
+    *("work_precision", "estimates", "batches", "chains", "stages"),
+    *("startup", "check", "sweep", "commands", "scale"),
+)
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
 EXAMPLES_SHIP = "from importlib.resources import files; assert (files('chutecalc') / 'examples' / 'vee.toml').is_file()"
 UNCOMPILED = ("tests/unit/test_solution.py", "tests/unit/test_function.py", "tests/regression")
 """What is tested with the core in plain Python, whose digits tests/verification/test_compiled.py compares."""
+COMMANDS = ("tests/cli/test_run.py", "tests/cli/test_other_commands.py")
+"""What is tested of the commands with each other version of Python."""
+
+
+def others() -> list[str]:
+    """Return the supported versions of Python on this machine, on the PATH or of pyenv, but the one that runs this."""
+    found = []
+    pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv"), "versions")
+    for name in (each.rpartition(" ")[2] for each in PROJECT["classifiers"] if re.search(r":: 3\.\d+$", each)):
+        places = [f"python{name}", *map(str, pyenv.glob(f"{name}.*/bin/python{name}"))]
+        if name != f"3.{sys.version_info.minor}" and (here := next(filter(runs, places), None)):
+            found.append(here)
+    return found
+
+
+def runs(python: str) -> bool:
+    """Return whether an interpreter is there; pyenv has programs that only say that it is not."""
+    return bool(shutil.which(python)) and subprocess.run([python, "-c", ""], capture_output=True).returncode == 0
+
+
+OTHERS = others()
+WHEELS_OF_OLDEST = 12
+"""The last Python 3.n for which there are wheels of the oldest libraries."""
+FOR_OLDEST = os.environ.get("PYTHON_OLDEST") or next(iter(OTHERS), None)
+if "PYTHON_OLDEST" not in os.environ and sys.version_info.minor <= WHEELS_OF_OLDEST:
+    FOR_OLDEST = None  # the one that runs this
 
 
 def project_tool(session: nox.Session, name: str, *arguments: str) -> None:
@@ -67,19 +100,36 @@ def docs(session: nox.Session) -> None:
 
 @nox.session
 def package(session: nox.Session) -> None:
-    """Build the packages where no C compiler is to be found, and install the wheel."""
-    session.install("build", "twine")
+    """Build the packages twice where no C compiler is to be found, install the wheel, and list what it comes with."""
+    session.install("build", "twine", "cyclonedx-bom")
     folder = Path(session.create_tmp()).absolute()
-    packages = folder / "dist"
-    shutil.rmtree(packages, ignore_errors=True)
+    packages, again, installed = folder / "dist", folder / "again", folder / "installed"
+    for old in (packages, again, installed):
+        shutil.rmtree(old, ignore_errors=True)
     no_programs = {"PATH": str(folder)}
     session.run("python", "-m", "build", "--outdir", str(packages), ".", env=no_programs, silent=True)
-    built = [str(path) for path in packages.iterdir()]
-    session.run("twine", "check", "--strict", *built)
-    session.install("--no-deps", "--force-reinstall", *(path for path in built if path.endswith(".whl")))
+    session.run("twine", "check", "--strict", *(str(path) for path in packages.iterdir()))
+    (source,), (wheel,) = packages.glob("*.tar.gz"), packages.glob("*.whl")
+    session.run("python", "-m", "tarfile", "-e", str(source), str(again))
+    unpacked = again / source.name.removesuffix(".tar.gz")
+    session.run("python", "-m", "build", "--wheel", "--outdir", str(again), str(unpacked), env=no_programs, silent=True)
+    if (again / wheel.name).read_bytes() != wheel.read_bytes():
+        session.error(f"{wheel} and {again / wheel.name} are of the same source, and differ")
+    session.run("python", "-m", "venv", "--without-pip", str(installed))
+    python = str(next(installed.glob("*/python*")))
+    session.run("pip", "--python", python, "install", "--quiet", str(wheel))
+    bill = str(wheel.with_suffix(".cdx.json"))
+    session.run("cyclonedx-py", "environment", "--pyproject", "pyproject.toml", "--output-file", bill, python)
     with session.chdir(folder):
-        session.run("python", "-c", "import chutecalc.core as core; assert core.compiled(), core")
-        session.run("python", "-c", EXAMPLES_SHIP)
+        session.run(python, "-c", "import chutecalc.core as core; assert core.compiled(), core", external=True)
+        session.run(python, "-c", EXAMPLES_SHIP, external=True)
+
+
+@nox.session(venv_backend="none")
+def audit(session: nox.Session) -> None:
+    """Look for known vulnerabilities of what is installed in `.venv`; without a database it says that it did not."""
+    project_tool(session, "pip", "install", "--quiet", "pip-audit")
+    session.run(str(BIN / "python"), ".ci/audit.py", external=True)
 
 
 @nox.session(venv_backend="none")
@@ -99,12 +149,24 @@ def uncompiled(session: nox.Session) -> None:
         session.run(str(BIN / "python"), "-m", "pytest", "-n", "auto", *UNCOMPILED, env=FIXED_CASES, external=True)
 
 
-@nox.session(python=os.environ.get("PYTHON_OLDEST"))
+@nox.session(python=OTHERS or None)
+def interpreters(session: nox.Session) -> None:
+    """Test with each other version of Python that is found, the core in plain Python."""
+    if not OTHERS:
+        session.warn("NOT TESTED: there is no other version of Python on this machine")
+        return
+    with without_compiled_core():
+        session.install("--editable", ".[test]", env={"CHUTECALC_COMPILE": "0"})
+        session.run("python", "-m", "pytest", "-n", "auto", *UNCOMPILED, *COMMANDS, env=FIXED_CASES)
+
+
+@nox.session(python=FOR_OLDEST)
 def oldest(session: nox.Session) -> None:
     """Test with the oldest dependencies that pyproject.toml allows. The solver itself, tests/verification, needs none.
 
-    They need wheels for the interpreter: PYTHON_OLDEST names another one, such as 3.11. The core is the one that the
-    session `tests` has compiled; another interpreter than that one's takes it in plain Python.
+    They need wheels for the interpreter: where this one is too new the oldest that is found is taken, or the one that
+    PYTHON_OLDEST names. The core is the one that the session `tests` has compiled; another interpreter than that one's
+    takes it in plain Python.
     """
     constraints = Path(session.create_tmp(), "constraints.txt").absolute()
     pins = session.run("python", ".ci/oldest.py", "pyproject.toml", silent=True)

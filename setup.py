@@ -10,6 +10,7 @@ import sys
 import sysconfig
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -69,6 +70,10 @@ class BuildPython(build_py):
                 target = Path(self.build_lib, "chutecalc", "examples", spec.relative_to(SPECS))
                 self.mkpath(str(target.parent))
                 self.copy_file(str(spec), str(target))
+
+    def copy_file(self, infile: str, outfile: str, *_: Any, **options: Any) -> Any:
+        """Copy a file without its permissions, which differ from checkout to checkout."""
+        return super().copy_file(infile, outfile, **options | {"preserve_mode": False})
 
 
 def remove(folder: Path) -> None:
