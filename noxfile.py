@@ -1,7 +1,7 @@
 """All checks of this project. `nox` runs what CI runs; `nox -l` lists the sessions, `nox -s style` runs one.
 
 `tests` installs the project into `.venv` with the command that README.md gives, and `style`, `designs`, `docs` and
-`benchmarks` use that environment. `package`, `interpreters` and `oldest` have environments of their own. Installing
+`benchmarks` use that environment. `package`, `plain` and `oldest` have environments of their own. Installing
 takes a network; no test does, and pytest refuses connections to other machines.
 """
 
@@ -30,10 +30,11 @@ BENCHMARKS = (
 FIXED_CASES = {"CHUTECALC_SEED": None, "CHUTECALC_STRESS": None}
 """Random tests draw the same cases in every run; the session `nightly` draws new ones."""
 EXAMPLES_SHIP = "from importlib.resources import files; assert (files('chutecalc') / 'examples' / 'vee.toml').is_file()"
-UNCOMPILED = ("tests/unit/test_solution.py", "tests/unit/test_function.py", "tests/regression")
+PLAIN = (
+    *("tests/unit/test_solution.py", "tests/unit/test_function.py", "tests/regression"),
+    *("tests/cli/test_run.py", "tests/cli/test_other_commands.py"),
+)
 """What is tested with the core in plain Python, whose digits tests/verification/test_compiled.py compares."""
-COMMANDS = ("tests/cli/test_run.py", "tests/cli/test_other_commands.py")
-"""What is tested of the commands with each other version of Python."""
 
 
 def others() -> list[str]:
@@ -141,23 +142,15 @@ def benchmarks(session: nox.Session) -> None:
         session.run(str(BIN / "python"), f"benchmarks/{name}.py", *arguments, external=True, silent=True)
 
 
-@nox.session(venv_backend="none")
-def uncompiled(session: nox.Session) -> None:
-    """Test the core in plain Python, as it is installed where it cannot be compiled."""
-    with without_compiled_core():
-        project_tool(session, "python", "-c", "import chutecalc.core as core; assert not core.compiled(), core")
-        session.run(str(BIN / "python"), "-m", "pytest", "-n", "auto", *UNCOMPILED, env=FIXED_CASES, external=True)
-
-
 @nox.session(python=OTHERS or None)
-def interpreters(session: nox.Session) -> None:
-    """Test with each other version of Python that is found, the core in plain Python."""
+def plain(session: nox.Session) -> None:
+    """Test the core in plain Python, as where it cannot be compiled, with each other version of Python there is."""
     if not OTHERS:
-        session.warn("NOT TESTED: there is no other version of Python on this machine")
-        return
+        session.warn("there is no other version of Python on this machine: it is this one again")
     with without_compiled_core():
         session.install("--editable", ".[test]", env={"CHUTECALC_COMPILE": "0"})
-        session.run("python", "-m", "pytest", "-n", "auto", *UNCOMPILED, *COMMANDS, env=FIXED_CASES)
+        session.run("python", "-c", "import chutecalc.core as core; assert not core.compiled(), core")
+        session.run("python", "-m", "pytest", "-n", "auto", *PLAIN, env=FIXED_CASES)
 
 
 @nox.session(python=FOR_OLDEST)

@@ -42,6 +42,9 @@ def test_licence_and_versions_of_python_are_what_is_built_and_tested():
     prefix = "Programming Language :: Python :: 3."
     assert [f"3.{each.removeprefix(prefix)}" for each in PROJECT["classifiers"] if each.startswith(prefix)] == built
     assert PROJECT["requires-python"] == f">={built[0]}"
+    matrix = re.search(r"python: \[(.*)\]", (ROOT / ".github/workflows/tests.yml").read_text(encoding="utf-8"))
+    assert matrix
+    assert [each.strip(' "') for each in matrix[1].split(",")] == built
 
 
 def test_addresses_are_left_to_be_filled_in():
