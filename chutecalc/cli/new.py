@@ -38,7 +38,7 @@ def new(
     """
     from chutecalc.spec.examples import SCHEMA_FILE, SCHEMA_LINE, example_text
     from chutecalc.spec.library import LIBRARY_NAME
-    from chutecalc.spec.parse import BASELINE_SUFFIX
+    from chutecalc.spec.reader import BASELINE_SUFFIX
     from chutecalc.spec.starter import STARTER
 
     if list_them:

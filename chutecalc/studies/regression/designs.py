@@ -8,7 +8,8 @@ from typing import NamedTuple
 from chutecalc.api.chute import Chute
 from chutecalc.api.load import library_for
 from chutecalc.errors import AllSpecsError, Fault, SpecError, UsageError
-from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
+from chutecalc.spec.parse import parse_text, read_text
+from chutecalc.spec.reader import BASELINE_SUFFIX
 from chutecalc.studies.regression.record import baseline_path, spec_path
 
 MARKS = {"flow", "segments"}
