@@ -1,5 +1,7 @@
 """Text of a user made safe to show: what would move a cursor, forge a line or break a file stands as its escape."""
 
+from unicodedata import category
+
 JOINERS = "\u200c\u200d"
 """Characters that do not show and that words of some languages are not spelt without."""
 LONGEST_LINE = 2000
@@ -10,7 +12,8 @@ def printable(text: str, keep: str = "") -> str:
     r"""Return text with escape sequences in place of characters that do not show.
 
     These are control characters, line ends, marks that turn the direction of writing, halves of characters that a file
-    name that is not UTF-8 consists of, and what Unicode has not assigned. XML 1.0 allows all that is left.
+    name that is not UTF-8 consists of, and what Unicode has not assigned. Spaces of all widths stay. XML 1.0 allows
+    all that is left.
 
     Args:
         text: any text.
@@ -22,10 +25,20 @@ def printable(text: str, keep: str = "") -> str:
     if text.isprintable():
         return text
     kept = JOINERS + keep
-    return "".join(each if each.isprintable() or each in kept else _escaped(each) for each in text)
+    shown = (each.isprintable() or each in kept or category(each) == "Zs" for each in text)
+    return "".join(each if show else _escape(each) for each, show in zip(text, shown, strict=True))
 
 
-def _escaped(character: str) -> str:
+def encodable(text: str) -> str:
+    """Return text that UTF-8 can hold: halves of characters, as in a file name that is not UTF-8, stand as escapes.
+
+    Args:
+        text: any text.
+    """
+    return text.encode("utf-8", "backslashreplace").decode("utf-8")
+
+
+def _escape(character: str) -> str:
     """Return the escape sequence of a character."""
     return character.encode("unicode_escape").decode()
 

@@ -19,6 +19,8 @@ COMMANDS = (
     *("new", "run", "sweep", "place", "aim", "optimise", "uncertain", "check", "freeze"),
     *("explain", "schema", "columns", "limits", "dem"),
 )
+MOST_FAULTS = 1000
+"""Faults of specs that are shown."""
 HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
 
@@ -114,7 +116,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except typer.TyperException as error:
         return _complain(_explained(error, given), ExitStatus(error.exit_code))
     except SpecError as error:
-        return _complain(str(error), error.exit_status)
+        more = len(error.args) - MOST_FAULTS
+        end = f"\n{more:,} more faults are not shown" if more > 0 else ""
+        error.args = error.args[:MOST_FAULTS]
+        return _complain(f"{error}{end}", error.exit_status)
     except ChutecalcError as error:
         return _complain(f"chutecalc: {error}", error.exit_status)
     except KeyboardInterrupt:

@@ -9,6 +9,8 @@ from chutecalc.errors import Fault
 from chutecalc.printable import abbreviated
 from chutecalc.spec.reader import LARGEST, too_large
 
+MOST = 1_000_000
+"""Words, numbers, texts, line ends and marks such as = in a text. A spec of 10,000 segments has half as many."""
 DEEPEST = 50
 """Tables and lists within each other, parts of a dotted key among them. A spec needs six."""
 DIGITS = 40
@@ -46,7 +48,7 @@ def excess(text: str) -> Fault | None:
         return too_large()
     above: list[int] = []  # dots of the key before each bracket that is open
     depth, dots, last = 0, 0, ""
-    for found in _TOKEN.finditer(text):
+    for number, found in enumerate(_TOKEN.finditer(text)):
         kind, part, fault = found.lastgroup, found[0], None
         if kind == "comment":
             continue
@@ -66,6 +68,8 @@ def excess(text: str) -> Fault | None:
         if depth > DEEPEST:
             problem = f"is nested more than {DEEPEST} deep, parts of dotted keys included"
             fault = Fault("", problem, "use at most four levels of tables")
+        if number == MOST:
+            fault = Fault("", f"has more than {MOST:,} words and marks up to here", "make it several specs")
         if fault:
             return fault._replace(line=text.count("\n", 0, found.start()) + 1)
         last = part
