@@ -54,12 +54,17 @@ def _read_dxf(content: bytes) -> None:
     assert not ezdxf.read(io.StringIO(content.decode("utf-8"))).audit().has_errors
 
 
+def _read_html(content: bytes) -> None:
+    text = content.decode("utf-8")
+    assert printable(text, keep="\n") == text
+
+
 READERS: dict[str, Any] = {
     "csv": _read_csv,
     "json": json.loads,
     "xml": ElementTree.fromstring,
     "svg": ElementTree.fromstring,
-    "html": lambda content: check_lines(content.decode("utf-8")),
+    "html": _read_html,
     "parquet": _read_parquet,
     "xlsx": _read_xlsx,
     "dxf": _read_dxf,
