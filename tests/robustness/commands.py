@@ -29,7 +29,7 @@ NAMES = ("x.toml", "=x.toml", "a b.toml", f"x\n{FORGED}.toml", "\x1b[2J.toml", "
 PIPE = "pipe.toml"
 OTHERS = ("-", "missing.toml", ".", PIPE, "/dev/zero", "x.baseline.toml", "", "chute-library.toml", "no/x.toml")
 DATA = ("", "--csv -", "--json -", "--csv x.csv", "--json x.json", "--parquet x.parquet", "--xlsx x.xlsx")
-CHANGES = ("--band", "--points 3", "--units us", "--strict", "--case wet", "--columns depth_m", "--sensitivity")
+CHANGES = ("--band", "--points 3", "--units us", "--strict", "--case wet", "--columns depth_m", "--library x.toml")
 PICTURES = ("--plot x.svg", "--plot x.png", "--plot x.pdf", "--dxf x.dxf", "--report x.html")
 BEDS = ("--area 1000 --diameter 1e-4", "--area 0.05", "--beta 1:90:1e-9", "--read no", "--slice 1e300")
 ENDS = ("1", "4", "#3", "1e299", "1e-299", "0", "-1")
@@ -128,7 +128,8 @@ def _limited() -> Iterator[None]:
 def folder(line: Line) -> Iterator[Path]:
     """Enter a folder with the spec of a command, or a named pipe that looks like one."""
     with TemporaryDirectory() as name, chdir(name):
-        Path(line.name).write_bytes(line.content)
+        with suppress(OSError, UnicodeError):  # where no file can have such a name
+            Path(line.name).write_bytes(line.content)
         if PIPE in line.arguments:
             with suppress(OSError, AttributeError):
                 os.mkfifo(PIPE)
