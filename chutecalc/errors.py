@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from enum import IntEnum
 from typing import Any, NamedTuple
 
+from chutecalc.printable import abbreviated, printable
+
 
 class ExitStatus(IntEnum):
     """Exit statuses of the commands, each with its meaning. ``chutecalc --help`` lists them."""
@@ -25,10 +27,21 @@ class ExitStatus(IntEnum):
     INTERRUPTED = 130, "Interrupted with Ctrl-C."
 
 
+SHOWN = 200
+"""Characters that a fault shows of a key or a value."""
+
+
 class ChutecalcError(Exception):
-    """Base of all errors that a user can correct."""
+    r"""Base of all errors that a user can correct. Each argument is a line of its text.
+
+    >>> print(UsageError("there is no column x\n42 designs: ok"))
+    there is no column x\n42 designs: ok
+    """
 
     exit_status = ExitStatus.USAGE
+
+    def __str__(self) -> str:
+        return "\n".join(abbreviated(printable(str(line))) for line in self.args)
 
 
 class Fault(NamedTuple):
@@ -48,7 +61,7 @@ class Fault(NamedTuple):
     """What gave the value instead of the file, such as ``--set segments.2.radius_m=-3``."""
 
     def text(self, source: str) -> str:
-        """Return the fault as a line of text; a character that would not print stands as its escape sequence.
+        """Return the fault as a line of text, with a short piece of whatever is long.
 
         Args:
             source: name of the file.
@@ -57,15 +70,11 @@ class Fault(NamedTuple):
         'spoon.toml:12: segments.2.radius_m = -3 must be greater than 0 m. Change it.'
         """
         location = source if self.line is None else f"{source}:{self.line}"
-        what = self.argument or " = ".join(part for part in (self.path, self.given) if part)
-        remedy = self.remedy[:1].upper() + self.remedy[1:]
-        text = (
-            f"{location}: "
-            + " ".join(part for part in (what, self.problem) if part)
-            + f". {remedy.rstrip('?.')}"
-            + ("?" if remedy.endswith("?") else ".")
-        )
-        return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+        key = " = ".join(abbreviated(part, SHOWN) for part in (self.path, self.given) if part)
+        what = abbreviated(self.argument, SHOWN) or key
+        words, remedy = " ".join(part for part in (what, self.problem) if part), self.remedy
+        end = "?" if remedy.endswith("?") else "."
+        return abbreviated(printable(f"{location}: {words}. {remedy[:1].upper()}{remedy[1:].rstrip('?.')}{end}"))
 
 
 class SpecError(ChutecalcError):
@@ -81,7 +90,7 @@ class SpecError(ChutecalcError):
         self.faults = tuple(faults)
         self.source = source
         self.designs = designs
-        super().__init__("\n".join(fault.text(source) for fault in self.faults))
+        super().__init__(*(fault.text(source) for fault in self.faults))
 
     def __reduce__(self) -> tuple[type[Exception], tuple[object, ...]]:
         """Return how to make the error again, for other processes."""
@@ -97,7 +106,7 @@ class AllSpecsError(SpecError):
 
     def __init__(self, errors: Sequence[SpecError]) -> None:
         super().__init__([fault for error in errors for fault in error.faults])
-        self.args = ("\n".join(str(error) for error in errors),)
+        self.args = tuple(line for error in errors for line in error.args)
 
 
 class UsageError(ChutecalcError):

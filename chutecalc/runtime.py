@@ -6,7 +6,9 @@ Nothing else in the package touches the state of the host program. Importing thi
 import gc
 import os
 import signal
+import sys
 import threading
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
@@ -31,10 +33,12 @@ def prepare_command() -> None:
 
     Modules and classes loaded at the start live until the end. Searching them for garbage takes a few per cent of a
     short run, and solving creates no reference cycles that need collecting. Looking for pydantic plugins reads
-    the metadata of every installed package.
+    the metadata of every installed package. Warnings of libraries are for programmers: python -W shows them.
     """
     gc.set_threshold(COLLECTOR_THRESHOLD)
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")
 
 
 def in_processes(work: Callable[[Item], Result], items: Sequence[Item], processes: int) -> Iterator[Result]:

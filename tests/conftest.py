@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import chutecalc
-from chutecalc.spec.parse import BASELINE_SUFFIX
+from chutecalc.spec.reader import BASELINE_SUFFIX
 from tests import seeds, skips
 
 # A shell's background job ignores Ctrl-C, and so would the programs that tests start and interrupt.

@@ -1,5 +1,6 @@
 """Chutes read from files, text or tables."""
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -93,7 +94,7 @@ def library_for(
         SpecError: the library has faults.
     """
     beside = file.with_name(LIBRARY_NAME) if given is None and file and is_used(data) else None
-    path = beside if beside and beside.exists() else given
+    path = beside if beside and os.path.exists(beside) else given
     if path is None or isinstance(path, Library):
         return path
     from chutecalc.spec.library_file import read_library  # what most runs do not need

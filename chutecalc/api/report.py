@@ -12,7 +12,8 @@ from chutecalc.results.band import Band
 from chutecalc.results.cases import Cases
 from chutecalc.results.column import Units
 from chutecalc.spec.library import is_used
-from chutecalc.spec.parse import decode, parse_text, read_bytes
+from chutecalc.spec.parse import decode, parse_text
+from chutecalc.spec.reader import read_bytes
 
 
 def write_report(file: str, *chutes: Chute, units: str = "metric", rtol: float = 1e-10) -> None:

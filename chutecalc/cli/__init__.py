@@ -13,11 +13,14 @@ from chutecalc import __version__
 from chutecalc.cli.command import Command, explained
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
+from chutecalc.printable import abbreviated, printable
 
 COMMANDS = (
     *("new", "run", "sweep", "place", "aim", "optimise", "uncertain", "check", "freeze"),
     *("explain", "schema", "columns", "limits", "dem"),
 )
+MOST_FAULTS = 1000
+"""Faults of specs that are shown."""
 HELP = "Compute how a stream of bulk material flows through a transfer chute, by a lumped-mass continuum model."
 
 
@@ -113,7 +116,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except typer.TyperException as error:
         return _complain(_explained(error, given), ExitStatus(error.exit_code))
     except SpecError as error:
-        return _complain(str(error), error.exit_status)
+        more = len(error.args) - MOST_FAULTS
+        end = f"\n{more:,} more faults are not shown" if more > 0 else ""
+        error.args = error.args[:MOST_FAULTS]
+        return _complain(f"{error}{end}", error.exit_status)
     except ChutecalcError as error:
         return _complain(f"chutecalc: {error}", error.exit_status)
     except KeyboardInterrupt:
@@ -124,7 +130,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if debug:
             traceback.print_exc()
         return _complain(
-            f"chutecalc {__version__} failed, which is a fault of the program: {error!r}\n"
+            f"chutecalc {__version__} failed, which is a fault of the program: {abbreviated(repr(error))}\n"
             "Keep the command, the spec and what it says with --debug added: who maintains your copy of chutecalc needs"
             " them. Another value of what was changed last may get you on meanwhile.",
             ExitStatus.INTERNAL,
@@ -137,7 +143,7 @@ def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
         return error.format_message()
     called = given[0] in COMMANDS
     examples = import_module(f"chutecalc.cli.{given[0]}").EXAMPLES if called else ()
-    return f"chutecalc: {explained(error, given, examples, COMMANDS)}"
+    return abbreviated(printable(f"chutecalc: {explained(error, given, examples, COMMANDS)}"))
 
 
 def _use_unicode() -> None:

@@ -84,7 +84,7 @@ def explained(
         if type(error).__name__ == "MissingParameter":
             return f"{name.split('.')[0]} is missing. For example: {examples[0]}"
         return f"{name} {_worded(error)}"
-    if found := re.match(r"No such command '(.*?)'\.", message):
+    if found := re.match(r"No such command '(.*?)'\.", message, re.DOTALL):
         close = get_close_matches(found[1], commands, n=1)
         if found[1].endswith(".toml"):
             remedy = f"To solve a chute: chutecalc run {found[1]}"
@@ -94,7 +94,7 @@ def explained(
     option = getattr(error, "option_name", None)
     if option and message.startswith("No such option"):
         close = list(getattr(error, "possibilities", None) or ())
-        if word := next((word for word in given if re.match(rf"{option}\w", word)), None):
+        if word := next((word for word in given if re.match(rf"{re.escape(option)}\w", word)), None):
             return f"there is no option {word}. Names of options have two minus signs: -{word}."
         remedy = f"Did you mean {' or '.join(close)}?" if close else f"chutecalc {given[0]} --help lists the options."
         return f"there is no option {option}. {remedy}"

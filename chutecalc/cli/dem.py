@@ -11,6 +11,7 @@ from chutecalc.cli.dem_options import CaseOptions, EngineOptions, PourOptions, T
 from chutecalc.cli.options import LIBRARY, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus, UsageError
+from chutecalc.printable import printable
 
 if TYPE_CHECKING:
     from chutecalc.dem.campaign import Campaign
@@ -100,7 +101,7 @@ def _beds(
 def _write(campaign: Campaign) -> int:
     """Write the cases that are needed next, and say how to run them."""
     needed = campaign.write()
-    folder = campaign.store.folder
+    folder = printable(str(campaign.store.folder))
     typer.echo(f"wrote {len(needed)} cases to {folder}", err=True)
     if needed:
         typer.echo(
@@ -129,7 +130,7 @@ def _run(campaign: Campaign, options: EngineOptions) -> None:
     minutes = max(round(seconds / pool.at_once / options.mpi / 60), 1)
     typer.echo(
         f"{count} cases, {pool.at_once} at once: about {minutes} min. A second call continues from"
-        f" {campaign.store.folder}",
+        f" {printable(str(campaign.store.folder))}",
         err=True,
     )
     with progress("cases", slow=True) as show:
@@ -145,4 +146,4 @@ def _print(study: Study, outputs: DemOutputs) -> None:
         print_study(Printer(), study)
         return
     for line in failures(study):
-        print(line, file=sys.stderr)
+        print(printable(line), file=sys.stderr)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
@@ -88,7 +88,7 @@ class CaseOptions(OptionGroup):
             raise UsageError("--write and --read are two steps: give --write first, then --read in a second call")
         if self.write is not None and (outputs.files or outputs.plot):
             raise UsageError("--write runs nothing, so there are no results to write: remove the other outputs")
-        if self.read is not None and not Path(self.read).is_dir():
+        if self.read is not None and not os.path.isdir(self.read):
             raise UsageError(f"--read {self.read}: no such folder. Give the one that --write or --cases named")
 
     @property

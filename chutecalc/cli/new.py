@@ -6,6 +6,7 @@ import typer
 
 from chutecalc.errors import UsageError
 from chutecalc.output.files import STANDARD_STREAM, open_new
+from chutecalc.printable import printable
 
 EXAMPLES = (
     "chutecalc new",
@@ -38,7 +39,7 @@ def new(
     """
     from chutecalc.spec.examples import SCHEMA_FILE, SCHEMA_LINE, example_text
     from chutecalc.spec.library import LIBRARY_NAME
-    from chutecalc.spec.parse import BASELINE_SUFFIX
+    from chutecalc.spec.reader import BASELINE_SUFFIX
     from chutecalc.spec.starter import STARTER
 
     if list_them:
@@ -58,7 +59,7 @@ def new(
     beside = "" if schema.exists() else f", and {schema} for editors"
     if beside:
         _write_schema(str(schema))
-    typer.echo(f"wrote {target}{beside}. To run it: chutecalc run {target}")
+    typer.echo(printable(f"wrote {target}{beside}. To run it: chutecalc run {target}"))
     return 0
 
 

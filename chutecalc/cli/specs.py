@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import re
-import sys
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from chutecalc.errors import AllSpecsError, SpecError, UsageError
+from chutecalc.errors import SHOWN, AllSpecsError, SpecError, UsageError
+from chutecalc.printable import abbreviated
 from chutecalc.spec.slips import value_fault
 
 if TYPE_CHECKING:
     from chutecalc.api.chute import Chute
-
-STANDARD_INPUT = "standard input"
 
 
 def read_chute(spec: str, settings: Sequence[str] = (), library: str | None = None) -> Chute:
@@ -47,7 +44,7 @@ def read_with_content(spec: str, settings: Sequence[str] = (), library: str | No
     """
     from chutecalc.api.load import read
 
-    changes = {setting: read_setting(setting) for setting in settings}
+    changes = read_settings(settings)
     text, content, source = read_source(spec)
     try:
         return read(text, source, dict(changes.values()), library, file_of(spec)), content
@@ -78,13 +75,14 @@ def read_source(spec: str) -> tuple[str, bytes, str]:
     Raises:
         UsageError: the file is a baseline.
     """
-    from chutecalc.spec.parse import BASELINE_SUFFIX, decode, read_bytes
+    from chutecalc.spec.parse import decode
+    from chutecalc.spec.reader import BASELINE_SUFFIX, STANDARD_INPUT, read_bytes, read_standard_input
 
     if spec.endswith(BASELINE_SUFFIX):
         chute = spec.removesuffix(BASELINE_SUFFIX) + ".toml"
         raise UsageError(f"{spec} is a baseline, not a chute. Run {chute}.")
     if spec == "-":
-        content, source = sys.stdin.buffer.read(), STANDARD_INPUT
+        content, source = read_standard_input(), STANDARD_INPUT
     else:
         content, source = read_bytes(Path(spec)), str(Path(spec))
     return decode(content, source), content, source
@@ -104,7 +102,7 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str], library: str | No
         UsageError: a setting that is not ``PATH=VALUE``, or no spec but baselines.
     """
     from chutecalc.spec.library import LIBRARY_NAME
-    from chutecalc.spec.parse import BASELINE_SUFFIX
+    from chutecalc.spec.reader import BASELINE_SUFFIX
 
     chutes: list[Chute] = []
     errors: list[SpecError] = []
@@ -117,6 +115,26 @@ def read_chutes(specs: Sequence[str], settings: Sequence[str], library: str | No
     if errors:
         raise AllSpecsError(errors)
     return chutes
+
+
+def read_settings(texts: Sequence[str]) -> dict[str, tuple[str, Any]]:
+    """Return key path and value of each setting, by its text.
+
+    Args:
+        texts: ``PATH=VALUE`` each.
+
+    Raises:
+        UsageError: one is wrong, or two are of the same key.
+    """
+    first: dict[str, str] = {}
+    changes = {}
+    for text in texts:
+        changes[text] = read_setting(text)
+        path = changes[text][0]
+        if path in first:
+            raise UsageError(f"--set {first[path]} and --set {text} are of the same key. Keep one of them.")
+        first[path] = text
+    return changes
 
 
 def read_setting(text: str) -> tuple[str, Any]:
@@ -134,11 +152,16 @@ def read_setting(text: str) -> tuple[str, Any]:
     path, equals, value = text.partition("=")
     if not (path and equals):
         raise UsageError(f"--set takes PATH=VALUE, such as segments.1.drop_m=2, not {text!r}")
+    from chutecalc.spec.parse import NotValue, parse_value
+
+    path = path.strip()
     try:
-        return path.strip(), tomllib.loads(f"value = {value}")["value"]
-    except tomllib.TOMLDecodeError:
+        return path, parse_value(value)
+    except NotValue:
         value = value.strip()
-        if re.match(r"[\[{\"'“„]|[-+−–]?[\d.,'’ ]+$", value) and (fault := value_fault(path, value)):
-            remedy = fault.remedy.replace(f"{path} = ", f"--set {path}=")
-            raise UsageError(f"--set {text} {fault.problem}. {remedy[0].upper()}{remedy[1:]}.") from None
-        return path.strip(), value
+        if not re.match(r"[\[{\"'“„]|[-+−–]?[\d.,'’ ]++$", value) or not (fault := value_fault(path, value)):
+            return path, value
+    except SpecError as error:
+        (fault,) = error.faults
+    remedy = fault.remedy.replace(f"{path} = ", f"--set {path}=")
+    raise UsageError(f"--set {abbreviated(text, SHOWN)} {fault.problem}. {remedy[0].upper()}{remedy[1:]}.")

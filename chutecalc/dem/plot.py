@@ -43,7 +43,8 @@ def draw_study(study: Study) -> Figure:
             _frictions(friction, study, one, colour, mark, stroke, by_slope)
         pressure.set(xlabel="inclination of the wall, °", ylabel="pressure ratio K", xlim=(0, 92), ylim=(0, None))
         friction.set(xlabel="chamfer angle β, °" if by_slope else "depth of the bed, m")
-        friction.set_ylabel(mathematical(f"equivalent friction μ_e at φ = {math.degrees(study.wall_friction):.4g}°"))
+        label = mathematical(f"equivalent friction μ_e at φ = {math.degrees(study.wall_friction):.4g}°")
+        friction.set_ylabel(label, parse_math=True)
         friction.ticklabel_format(axis="y", useOffset=False)
         if not by_slope:  # a few depths, perhaps one: something to see them against
             friction.axhline(math.tan(study.wall_friction), color=PALE, label="tan φ of the wall")

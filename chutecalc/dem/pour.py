@@ -12,21 +12,29 @@ TRIES = 2000
 """Positions drawn for a particle before giving up."""
 FEWEST = 100
 """Smallest number of particles in a bed."""
+MOST = 1_000_000
+"""Largest number of particles in a bed. LAMMPS takes days for as many on a processor."""
 SETTLED = 0.4
 """Time that a bed takes to come to rest after the pour, s under 1 g, roughly."""
 
 
 def check_room(case: Case) -> None:
-    """Check that a bed is large enough for its particles.
+    """Check that a bed is large enough for its particles, and has no more of them than can be poured.
 
     Args:
         case: The case to check.
 
     Raises:
-        UsageError: The bed has fewer than 100 particles, or is less than 4 diameters wide or 3 long.
+        UsageError: The bed has fewer than 100 particles or more than a million, or is less than 4 diameters wide or
+            3 long.
 
     >>> check_room(Case(base=0.2, lengths=(), inclinations=(), area=0.01, friction=0.75, pour="rain", seed=1))
     """
+    if case.count > MOST:
+        raise UsageError(
+            f"a bed of {case.area:g} m² has {case.count:.3g} particles of {1000 * case.diameter:g} mm, and at most"
+            f" {MOST:,} are poured. Use a larger --diameter, a smaller --area or a shorter --slice"
+        )
     wide, long = float(case.trough.wetting(case.area).width[0]) / case.diameter, case.slice / case.diameter
     if case.count < FEWEST or wide < 4.0 or long < 3.0:
         raise UsageError(

@@ -11,7 +11,11 @@ from chutecalc.dem import script
 from chutecalc.dem.bed import Bed
 from chutecalc.dem.case import Case
 from chutecalc.dem.pour import column
+from chutecalc.errors import SpecError
+from chutecalc.spec.reader import read_bytes
 
+LONGEST = 200
+"""Bytes of a line of a dump, at most."""
 DUMP_HEADER = 9
 """Lines before the particles in a dump of one time step."""
 
@@ -67,16 +71,17 @@ class Store:
             case: The case.
 
         Returns:
-            The bed; None where the case has not been run to its end.
+            The bed; None where the case has not been run to its end, or its files are damaged.
         """
         folder = self.case_folder(case)
         try:
-            numbers = [float(word) for word in (folder / script.WALLS).read_text(encoding="utf-8").split()]
-            rows = np.loadtxt(folder / script.BED, skiprows=DUMP_HEADER, ndmin=2)
-        except (OSError, ValueError):
+            walls, bed = read_bytes(folder / script.WALLS), read_bytes(folder / script.BED, most=case.count * LONGEST)
+            numbers = np.array([float(word) for word in walls.decode().split()])
+            rows = np.array([line.split() for line in bed.decode().splitlines()[DUMP_HEADER:]], dtype=float)
+        except (SpecError, ValueError):
             return None
-        walls = len(case.trough.walls)
-        if len(numbers) != 1 + 2 * walls or rows.shape != (case.count, 4):
+        if numbers.size != 1 + 2 * len(case.trough.walls) or rows.shape != (case.count, 4):
             return None
-        forces = np.array(numbers[1:]).reshape(walls, 2)
-        return Bed(case, forces, kinetic_energy=numbers[0], positions=rows[:, 1:])
+        if not (np.isfinite(numbers).all() and np.isfinite(rows).all()):
+            return None
+        return Bed(case, numbers[1:].reshape(-1, 2), kinetic_energy=float(numbers[0]), positions=rows[:, 1:])

@@ -11,6 +11,8 @@ from chutecalc.physics.arrays import Array
 
 MOST = 100_000_000
 """Most numbers that a range may have, unless a caller allows fewer."""
+DECADES, LONGEST = 300, 40
+"""Powers of ten between which numbers are, and characters that one has at most."""
 
 
 def read_values(name: str, text: str, most: int = MOST) -> Array:
@@ -60,7 +62,8 @@ def _item(name: str, item: str, most: int) -> Array:
             )
         count = math.floor((last - first) / step) + 1
     if count > most:
-        raise UsageError(f"{name}: {item} has {count:.3g} values, and the limit is {most:,}. Use fewer.")
+        counted = f"{count:.3g}" if count < 10**DECADES else f"more than 1e+{DECADES}"
+        raise UsageError(f"{name}: {item} has {counted} values, and the limit is {most:,}. Use fewer.")
     common = math.lcm(first.denominator, step.denominator)
     start, stride = int(first * common), int(step * common)
     return np.array([(start + k * stride) / common for k in range(count)])  # integers: each rounded once
@@ -69,8 +72,8 @@ def _item(name: str, item: str, most: int) -> Array:
 def _number(name: str, text: str) -> Fraction:
     """A decimal number, exactly."""
     try:
-        number = Decimal(text.strip())
-        if number.is_finite() and (number == 0 or -300 < number.adjusted() < 300):
+        number = Decimal(text.strip() if len(text) <= LONGEST else "")
+        if number.is_finite() and (number == 0 or -DECADES < number.adjusted() < DECADES):
             return Fraction(number)
     except InvalidOperation:
         pass

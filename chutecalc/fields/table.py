@@ -74,11 +74,8 @@ class Table(BaseModel):
         known: dict[str, tuple[str, str]] = {}
         for name in cls.model_fields:
             quantity = cls.quantities().get(name)
-            known |= (
-                {key: (name, unit) for key, unit in unit_keys(name, quantity.dimension).items()}
-                if quantity
-                else {name: (name, "")}
-            )
+            units = unit_keys(name, quantity.dimension) if quantity else {name: ""}
+            known |= {key: (name, unit) for key, unit in units.items()}
         return known
 
     @model_validator(mode="wrap")
@@ -111,8 +108,8 @@ class Table(BaseModel):
         table: dict[str, Any] = {}
         written: dict[str, str] = {}
         meant: set[str] = set()
+        known = cls.keys()
         for key, value in data.items():
-            known = cls.keys()
             if key not in known:
                 unknown = cls._unknown(str(key))
                 broken.append(Violation((key,), unknown.problem, unknown.remedy))
@@ -134,15 +131,19 @@ class Table(BaseModel):
     @classmethod
     def _unknown(cls, key: str) -> Unknown:
         """Return the fault of an unknown key."""
-        kinds = {name: (field.annotation, *get_args(field.annotation)) for name, field in cls.model_fields.items()}
-        below = {
+        return unknown_key(key, cls.keys(), cls.quantities(), list(cls.model_fields), cls._below())
+
+    @classmethod
+    @cache
+    def _below(cls) -> dict[str, dict[str, tuple[str, str]]]:
+        """Return the keys of the tables in it, by name of the table."""
+        return {
             name: kind.keys()
-            for name, some in kinds.items()
-            if get_origin(some[0]) not in (dict, list)
-            for kind in some
+            for name, field in cls.model_fields.items()
+            if get_origin(field.annotation) not in (dict, list)
+            for kind in (field.annotation, *get_args(field.annotation))
             if isinstance(kind, type) and issubclass(kind, Table)
         }
-        return unknown_key(key, cls.keys(), cls.quantities(), list(cls.model_fields), below)
 
     @classmethod
     def _explained(cls, item: Any, meant: set[str]) -> bool:

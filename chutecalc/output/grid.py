@@ -10,6 +10,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, NamedTuple
 
 from chutecalc.output.cells import padded, shortened, width
+from chutecalc.printable import printable
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -46,12 +47,12 @@ class Grid:
     """
 
     def __init__(self, title: str = "", indent: str = "") -> None:
-        self.title, self.indent = title, indent
+        self.title, self.indent = printable(title), indent
         self.columns: list[GridColumn] = []
         self.rows: list[Sequence[str]] = []
 
     def column(self, heading: str, left: bool = False, label: bool = False, words: bool = False) -> None:
-        """Add a column.
+        """Add a column. What does not print in its heading and its cells stands as its escape sequence.
 
         Args:
             heading: its heading, with a line break before the unit.
@@ -59,7 +60,7 @@ class Grid:
             label: whether it says what a row is, and so stands in each of the tables that a wide one becomes.
             words: whether its cells may be broken between words.
         """
-        self.columns.append(GridColumn(heading, left, label, words))
+        self.columns.append(GridColumn(printable(heading, keep="\n"), left, label, words))
 
     def row(self, cells: Iterable[str]) -> None:
         """Add a row. Missing cells at its end are empty.
@@ -67,7 +68,7 @@ class Grid:
         Args:
             cells: text of the cells, from the first column on.
         """
-        row = tuple(cells)
+        row = tuple(map(printable, cells))
         self.rows.append(row + ("",) * (len(self.columns) - len(row)))
 
     def fitted(self, most: int) -> list[Grid]:

@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from chutecalc.output.grid import Grid
+from chutecalc.printable import printable
 from chutecalc.results.finding import Severity
 
 if TYPE_CHECKING:
@@ -60,11 +61,14 @@ class Printer:
     def text(self, text: str = "", plain: str = "", style: str = "") -> None:
         """Print a line. On a terminal it is wrapped between words; elsewhere it stays one line, for grep.
 
+        What does not print stands as its escape sequence.
+
         Args:
             text: the line, or its beginning if there is ``plain``.
             plain: the rest of the line, without style.
             style: style of ``text`` on a terminal, as rich takes it.
         """
+        text, plain = printable(text), printable(plain)
         if self.is_terminal:
             from rich.text import Text
 

@@ -8,7 +8,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from chutecalc.errors import UsageError
-from chutecalc.spec.parse import BASELINE_SUFFIX
+from chutecalc.spec.reader import BASELINE_SUFFIX
 
 SCHEMA_FILE = "chute.schema.json"
 """Name of the file that a new spec's first line tells editors to read."""

@@ -8,9 +8,12 @@ from typing import NamedTuple
 
 from chutecalc.fields.faults import Location
 
-_PART = r"""(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')"""
-_HEADER = r"^\s*(\[\[?)\s*([^\]]+?)\s*\]"
-_KEY = rf"^\s*({_PART}(?:\s*\.\s*{_PART})*)\s*=\s*(.*)$"
+PART = r"""(?:[A-Za-z0-9_-]++|"[^"]*+"|'[^']*+')"""
+"""Part of a dotted key. This and what follows is possessive, so that no line takes longer than its length."""
+KEY = rf"{PART}(?:\s*+\.\s*+{PART})*+"
+"""A key, dotted or not."""
+_HEADER = r"\s*+(\[\[?+)([^\]]++)\]"
+_ASSIGNMENT = rf"\s*+({KEY})\s*+=(.*+)"
 
 
 class Place(NamedTuple):
@@ -44,7 +47,7 @@ def places(text: str) -> Iterator[Place]:
         if header := re.match(_HEADER, line):
             table = _numbered(_keys(header[2]), counts, is_list=header[1] == "[[")
             yield Place(number, table, header[1])
-        elif key := re.match(_KEY, line):
+        elif key := re.match(_ASSIGNMENT, line):
             yield Place(number, table + _keys(key[1]), "")
             quote = next((mark for mark in ('"""', "'''") if key[2].count(mark) == 1), "")
 
@@ -67,7 +70,7 @@ def key_lines(text: str) -> dict[Location, int]:
 
 def _keys(dotted: str) -> Location:
     """Return the parts of a dotted key."""
-    return tuple(_unquoted(part) for part in re.findall(_PART, dotted))
+    return tuple(_unquoted(part) for part in re.findall(PART, dotted))
 
 
 def _unquoted(key: str) -> str:

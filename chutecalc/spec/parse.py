@@ -1,16 +1,14 @@
-"""Reads the text of a spec from a file, and parses it."""
+"""Turns what a user gives into tables: the one way to TOML, for specs, libraries, baselines and single values."""
 
 import tomllib
 from codecs import BOM_UTF8, BOM_UTF16_BE, BOM_UTF16_LE
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from chutecalc.errors import Fault, SpecError
+from chutecalc.spec.bounded import excess
+from chutecalc.spec.reader import read_bytes
 from chutecalc.spec.syntax import syntax_fault
-
-BASELINE_SUFFIX = ".baseline.toml"
-"""Ending of a baseline's file, in place of the ``.toml`` of the spec beside it."""
 
 
 def read_text(path: Path) -> str:
@@ -23,38 +21,6 @@ def read_text(path: Path) -> str:
         SpecError: The file does not exist, cannot be read, or is not UTF-8.
     """
     return decode(read_bytes(path), str(path))
-
-
-def read_bytes(path: Path) -> bytes:
-    """Return the content of a spec file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        SpecError: The file does not exist, or cannot be read.
-    """
-    try:
-        return path.read_bytes()
-    except FileNotFoundError:
-        raise SpecError([Fault("", "there is no such file", _meant(path))], str(path)) from None
-    except IsADirectoryError:
-        raise SpecError([Fault("", "is a folder", "name a .toml file in it")], str(path)) from None
-    except OSError as error:
-        raise SpecError([Fault("", f"cannot be read: {error.strerror}", "check the path")], str(path)) from None
-
-
-def _meant(path: Path) -> str:
-    """Return what to do about a file that does not exist."""
-    name = str(path)
-    if name[:1] in "–—":
-        return f"if it is an option, write --{name.lstrip('–—-')}, with two minus signs"
-    if "=" in name:
-        return f"to change a key write --set {name}"
-    there = [each.name for each in path.parent.glob("*.toml") if not each.name.endswith(BASELINE_SUFFIX)]
-    if close := get_close_matches(path.name, there, n=1) or get_close_matches(f"{path.name}.toml", there, n=1):
-        return f"did you mean {path.with_name(close[0])}?"
-    return "check the name, or create one with chutecalc new"
 
 
 def decode(data: bytes, source: str) -> str:
@@ -105,14 +71,45 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
     >>> parse_text("[flow]\nrate_t_h = 1000", "spoon.toml")
     {'flow': {'rate_t_h': 1000}}
     """
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise SpecError([syntax_fault(text, str(error))], source) from None
-    except RecursionError:
-        raise SpecError([Fault("", "is nested too deeply", "use at most four levels of tables")], source) from None
-    except ValueError as error:  # what tomllib lets through: an integer of thousands of digits
-        raise SpecError([Fault("", f"is not valid TOML: {error}", "see https://toml.io")], source) from None
+    data = _tables(text, source)
     if not data:
         raise SpecError([Fault("", "is empty", "run chutecalc new, which writes one to start from")], source)
     return data
+
+
+class NotValue(Exception):  # noqa: N818 - it says what a text is
+    """Raised for a text that is not a value of TOML."""
+
+
+def parse_value(text: str) -> Any:
+    """Return the value that a text is, as TOML writes it.
+
+    Args:
+        text: in one line.
+
+    Raises:
+        SpecError: It is larger than it may be.
+        NotValue: It is none.
+
+    >>> parse_value("[1.5, 2]")
+    [1.5, 2]
+    """
+    if fault := excess(text):
+        raise SpecError([fault._replace(line=None)])
+    try:
+        data = tomllib.loads(f"value = {text}")
+    except tomllib.TOMLDecodeError:
+        raise NotValue(text) from None
+    if len(data) > 1:  # a second line with another key
+        raise NotValue(text)
+    return data["value"]
+
+
+def _tables(text: str, source: str) -> dict[str, Any]:
+    """Return a text as nested tables, once it is known to be no larger than it may be."""
+    if fault := excess(text):
+        raise SpecError([fault], source)
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise SpecError([syntax_fault(text, str(error))], source) from None

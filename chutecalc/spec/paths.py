@@ -161,4 +161,4 @@ def is_number(item: str) -> bool:
     >>> is_number("2"), is_number("spoon")
     (True, False)
     """
-    return item.isascii() and item.isdecimal()
+    return len(item) < 10 and item.isascii() and item.isdecimal()  # a longer one is out of any list, and slow to read

@@ -11,6 +11,8 @@ from typing import NamedTuple
 
 from chutecalc.errors import Fault
 
+LONGEST = 300
+"""Characters of a line in which slips are looked for. Some of the patterns take a time that grows with its square."""
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _QUOTES = "“”„‟«»‹›‘’‚`´"
 _DASHES = "−–—‒‑"
@@ -123,6 +125,8 @@ def value_fault(key: str, value: str) -> Fault | None:
     >>> value_fault("radius_m", "3 m").text("spoon.toml")
     'spoon.toml: radius_m = 3 m must be a number alone: its unit is in the name of the key. Write radius_m = 3.'
     """
+    if len(value) > LONGEST:
+        return None
     if fault := invisible_fault(re.sub(r"\"[^\"]*\"|'[^']*'", "", value)):
         return fault._replace(path=key)
     for slip in SLIPS:
@@ -174,5 +178,5 @@ def without_comment(line: str) -> str:
     >>> without_comment("title = 'No. #3'  # a chute")
     "title = 'No. #3'  "
     """
-    found = re.match(r"""(?:[^#"']|"[^"]*"|'[^']*')*(?:["'][^#]*)?""", line)
+    found = re.match(r"""(?:[^#"']++|"[^"]*+"|'[^']*+')*+(?:["'][^#]*+)?+""", line)
     return found[0] if found else line

@@ -8,14 +8,14 @@ import re
 import tomllib
 
 from chutecalc.errors import Fault
-from chutecalc.spec.lines import places
-from chutecalc.spec.slips import invisible_fault, value_fault, without_comment
+from chutecalc.printable import abbreviated
+from chutecalc.spec.lines import KEY, places
+from chutecalc.spec.slips import LONGEST, invisible_fault, value_fault, without_comment
 
 LISTS = ("segments",)
 """Tables of which there are several: their headers have double brackets."""
 OTHER_FORMATS = {r"\{": "JSON", "---|- |\\w+:$": "YAML", "<": "XML", "```": "Markdown"}
 """How files in other formats begin."""
-KEY = r"""(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*"""
 COMMENT = r"\s*(?://+|/\*+|;+|--+|%+|!+|REM\b)\s*(.*)"
 """Comments of other languages."""
 
@@ -35,19 +35,20 @@ def syntax_fault(text: str, message: str) -> Fault:
     found = re.search(r"\(at line (\d+), column (\d+)\)", message)
     number = int(found[1]) if found else len(lines)
     line = lines[number - 1]
-    fault = (
-        _other_format(lines)
-        or _given_twice(lines, number)
-        or _not_closed(lines, number)
-        or _header(line)
-        or (_assignment(line) if re.search("[^=]=", line) else _statement(line))
-    )
+    fault = _other_format(lines) or _given_twice(lines, number) or _not_closed(lines, number) or _slip(line)
     if fault is None:
-        problem = "is not valid TOML: " + re.sub(r"\s*\(at .*\)$", "", message)
+        problem = f"is not valid TOML: {abbreviated(message.rpartition('(at ')[0].rstrip() or message, LONGEST)}"
         fault = Fault("", f"{problem}, column {found[2]}" if found else problem, "see https://toml.io")
     fault = fault if fault.line else fault._replace(line=number)
     place = next((place for place in places(text) if place.line == fault.line and not place.header), None)
     return fault._replace(path=place.path) if fault.path and place else fault  # with the tables that it is in
+
+
+def _slip(line: str) -> Fault | None:
+    """Return the fault of a line by itself."""
+    if len(line) > LONGEST:
+        return None
+    return _header(line) or (_assignment(line) if re.search("[^=]=", line) else _statement(line))
 
 
 def _other_format(lines: list[str]) -> Fault | None:
@@ -62,7 +63,7 @@ def _given_twice(lines: list[str], number: int) -> Fault | None:
     """Return the fault of a table or a key that stands above already."""
     before = list(places("\n".join(lines[:number])))
     here = before.pop() if before else None
-    if here is None:
+    if here is None or not here.location:
         return None
     if here.header and here.location[0] in LISTS and (own := _one_table(lines[:number], str(here.location[0]))):
         listed = here.location[0]

@@ -145,3 +145,18 @@ def test_an_interruption_ends_what_runs(make_campaign):
     with pytest.raises(KeyboardInterrupt):
         campaign.run(store.engine, Threads(1), interrupt)
     assert store.engine.stopped
+
+
+@pytest.mark.parametrize("file", ["walls.txt", "bed.dump"])
+@pytest.mark.parametrize("word", ["nan", "inf", "1e999", "x", "\xff"])
+def test_numbers_that_are_none_make_a_case_unread(tmp_path, file, word):
+    store = Store(tmp_path)
+    engine = Engine(store)
+    engine.learn(SMALL)
+    folder = store.write(SMALL)
+    assert store.read(SMALL) is None
+    engine.run(folder)
+    assert store.read(SMALL) is not None
+    *before, _ = (folder / file).read_text(encoding="utf-8").split(" ")
+    (folder / file).write_text(" ".join([*before, word]), encoding="latin-1")
+    assert store.read(SMALL) is None

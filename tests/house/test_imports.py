@@ -9,10 +9,10 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"errors", "registry", "runtime", "core"},
-    {"extras", "physics"},
-    {"design", "fields", "workers"},
-    {"sections"},
+    {"printable", "registry", "runtime", "core"},
+    {"errors", "physics"},
+    {"extras", "design", "fields"},
+    {"workers", "sections"},
     {"segments"},
     {"spec", "solver"},
     {"results"},

@@ -4,6 +4,8 @@ from collections.abc import Iterator
 from typing import Any
 
 import chutecalc
+from chutecalc.errors import SHOWN
+from chutecalc.printable import printable
 
 
 def check_faults(error: chutecalc.SpecError, data: Any) -> None:
@@ -15,7 +17,8 @@ def check_faults(error: chutecalc.SpecError, data: Any) -> None:
         assert "nan" not in fault.problem, fault
         text = fault.text("x.toml")
         assert text.startswith("x.toml"), fault
-        assert fault.problem in text, fault
+        assert printable(fault.problem)[:SHOWN] in text, fault
+        assert printable(text) == text, fault
     if isinstance(data, dict):
         known = set(paths(data))
         for fault in error.faults:

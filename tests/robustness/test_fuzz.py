@@ -1,16 +1,20 @@
-"""Whatever a spec says: a solution, or faults to correct. Never a traceback, a NaN that counts, or a hang."""
+"""Whatever a spec or a command line says: a result, or faults to correct. Never a traceback, a hang, a forged line."""
 
 import copy
 import tomllib
+import warnings
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import HealthCheck, assume, given
 from hypothesis import strategies as st
 
 import chutecalc
+from chutecalc.spec.parse import decode
 from tests.conftest import BASE, spec
+from tests.robustness.commands import command_lines, judge
 from tests.robustness.faults import check_faults
+from tests.robustness.hostile import contents
 from tests.seeds import fuzzed
 
 junk = st.one_of(
@@ -74,17 +78,28 @@ def test_a_key_misspelt(location, name):
     assert solution is None or name == location[-1] or location[:-1] in {("liners",), ("sections",)}
 
 
-@fuzzed()
-@given(st.text(max_size=200))
-def test_any_text(text):
-    check(text)
+def judge_content(content: bytes) -> str:
+    """Read and solve the content of a file, and return how that ends."""
+    try:
+        solution = check(decode(content, "x.toml"))
+    except chutecalc.SpecError as error:  # of its encoding
+        check_faults(error, content)
+        return "refused"
+    return "solved" if solution else "refused"
 
 
-@fuzzed()
-@given(st.integers(0, 6000), st.integers(0, 60))
-def test_text_cut_out_of_a_spec(start, count):
-    start %= len(chutecalc.STARTER)
-    check(chutecalc.STARTER[:start] + chutecalc.STARTER[start + count :])
+@fuzzed(200)
+@given(contents)
+def test_any_content_of_a_file(content):
+    judge_content(content)
+
+
+@fuzzed(60, suppress=(HealthCheck.data_too_large,))
+@given(command_lines())
+def test_any_command_line(line):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # as a command does
+        judge(line)
 
 
 def quantity(low, high):

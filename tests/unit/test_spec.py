@@ -67,7 +67,7 @@ def test_a_metre_in_millimetres_is_exact():
         ("rate_t_h = 1000", "rate_t_h = nan", "flow.rate_t_h", "nan", "finite", "finite number"),
         ("rate_t_h = 1000", "rate_t_h = 1979-05-27", "flow.rate_t_h", "1979-05-27", "a number", "write a number"),
         ("rate_t_h = 1000", "rate_t_h = inf", "flow.rate_t_h", "inf", "finite", "finite number"),
-        ("rate_t_h = 1000", f"rate_t_h = 1{'0' * 400}", "flow.rate_t_h", "1" + "0" * 400, "finite", "finite number"),
+        ("rate_t_h = 1000", f"rate_t_h = 1{'0' * 400}", "", "", "a number of 401 digits, 1000", "shorten it"),
         ("base_m = 0.5", "base_m = 0.5\nbase_in = 20", "sections.body.base_in", "20", "is given twice", "keep one"),
         ("base_m = 0.5", "bse_m = 0.5", "sections.body.bse_m", "0.5", "is not a key", "did you mean base_m?"),
         ("radius_m = 3.0", "radius_mm = -3", "segments.2.radius_mm", "-3", "greater than 0 mm", "larger"),

@@ -16,6 +16,7 @@ from chutecalc.output.dxf.room import Room
 from chutecalc.output.plots.flights import Line
 from chutecalc.physics.arrays import Mask
 from chutecalc.physics.surface import Surface, centre
+from chutecalc.printable import printable
 
 VERSION = "R2010"
 """Oldest AutoCAD that reads the drawing."""
@@ -187,5 +188,5 @@ def plain(words: str) -> str:
     >>> plain("50 %%d\n2^3")
     '50 %%%%%%d 2^ 3'
     """
-    line = "".join(letter if letter.isprintable() else " " for letter in words)
+    line = printable(words.replace("\n", " "))
     return line.replace("^", "^ ").replace("%%", "%%%%%%")

@@ -6,6 +6,7 @@ from chutecalc.extras import PARQUET
 from chutecalc.fields.units import TEXT, unit_of
 from chutecalc.output.dataset import Block, Dataset
 from chutecalc.output.formats import OutputFormat
+from chutecalc.printable import encodable
 
 ROWS_OF_A_GROUP = 131_072
 """A row group is written once it has as many rows; it has at most one block more."""
@@ -49,7 +50,7 @@ class ParquetRows:
             pyarrow.field(name, types[kind], metadata=unit_metadata(name) if kind is not str else None)
             for name, kind in dataset.columns.items()
         ]
-        told = json.dumps(dataset.head | dict(dataset.asked), allow_nan=False, ensure_ascii=False)
+        told = encodable(json.dumps(dataset.head | dict(dataset.asked), allow_nan=False, ensure_ascii=False))
         self._schema = pyarrow.schema(fields, metadata={KEY: told})
         # Floating-point results rarely repeat: a dictionary of them would be work for nothing.
         texts = [name for name, kind in dataset.columns.items() if kind is str]
@@ -79,7 +80,8 @@ class ParquetRows:
         words: dict[str, int] = {}
         codes = [words.setdefault(word, len(words)) for word in values.tolist()]  # five times as fast as sorting them
         indices = self._arrow.array(codes, self._arrow.int32())
-        return self._arrow.DictionaryArray.from_arrays(indices, self._arrow.array(list(words), self._arrow.string()))
+        known = self._arrow.array([*map(encodable, words)], self._arrow.string())
+        return self._arrow.DictionaryArray.from_arrays(indices, known)
 
     def _flush(self) -> None:
         if self._waiting:

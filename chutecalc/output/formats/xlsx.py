@@ -9,6 +9,7 @@ from chutecalc.errors import UsageError
 from chutecalc.extras import XLSX
 from chutecalc.output.dataset import Block, Dataset
 from chutecalc.output.formats import OutputFormat
+from chutecalc.printable import printable
 
 ROWS_OF_A_SHEET = 1_048_576
 """Rows that Excel allows, the heading among them."""
@@ -54,7 +55,7 @@ class Sheet:
                 elif value in ("", None) or value != value:
                     continue  # an empty cell
                 elif isinstance(value, str) or not math.isfinite(value):
-                    self._sheet.write_string(self._row, number, str(value))
+                    self._sheet.write_string(self._row, number, printable(str(value), keep="\n"))
                 else:
                     self._sheet.write_number(self._row, number, value)
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from chutecalc import __version__
 from chutecalc.output.html_report.reported import Reported
 from chutecalc.output.html_report.worked import with_subscripts
+from chutecalc.printable import printable
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -41,22 +42,26 @@ def _rendered(template: str, values: dict[str, Any]) -> str:
 
 @cache
 def environment() -> Environment:
-    """Return the templates of this package. What they are given is escaped unless it is marked as HTML."""
+    """Return the templates of this package. What they are given is made printable and escaped, unless it is HTML."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
     from markupsafe import Markup, escape
 
     def formula(text: str) -> Markup:
-        pieces = (f"<sub>{escape(piece)}</sub>" if low else str(escape(piece)) for piece, low in with_subscripts(text))
-        return Markup("".join(pieces))
+        parts = with_subscripts(shown(text))
+        return Markup("".join(f"<sub>{escape(part)}</sub>" if low else str(escape(part)) for part, low in parts))
 
     def css_text(text: str) -> Markup:
         plain = Markup(text).unescape()  # a block's text is escaped for HTML, which a style sheet is not
         return Markup(re.sub(r"[^A-Za-z0-9]", lambda one: f"\\{ord(one[0]):06x}", plain))
 
+    def shown(value: Any) -> Any:
+        return printable(value, keep="\n") if isinstance(value, str) and not isinstance(value, Markup) else value
+
     found = Environment(
         loader=PackageLoader(__package__ or "", "templates"),
         autoescape=True,
         undefined=StrictUndefined,
+        finalize=shown,
         trim_blocks=True,
         lstrip_blocks=True,
     )

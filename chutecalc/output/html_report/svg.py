@@ -6,6 +6,8 @@ import io
 import re
 from typing import TYPE_CHECKING
 
+from chutecalc.printable import printable
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -23,11 +25,10 @@ def inline_svg(figure: Figure, name: str, description: str) -> str:
     """
     from html import escape
 
-    from chutecalc.output.plots.style import styled
+    from chutecalc.output.plots.style import write
 
     stream = io.BytesIO()
-    with styled():
-        figure.savefig(stream, format="svg", metadata=NOTHING_MORE)
+    write(figure, stream, "svg", NOTHING_MORE)
     text = stream.getvalue().decode()
     text = text[text.index("<svg") :].strip()
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
@@ -36,4 +37,4 @@ def inline_svg(figure: Figure, name: str, description: str) -> str:
     text = re.sub(r'( id="|href="#|url\(#)', rf"\1{name}-", text)
     text = re.sub(r'(<svg[^>]*?) width="[^"]*" height="[^"]*"', r"\1", text, count=1)
     first, rest = text.split(">", 1)
-    return f'{first} role="img">\n<title>{escape(description)}</title>{rest}'
+    return f'{first} role="img">\n<title>{escape(printable(description))}</title>{rest}'

@@ -38,7 +38,6 @@ def save(figure: "Figure", stream: IO[bytes], ending: str) -> None:
         stream: where it goes.
         ending: its format, from :func:`picture_format`.
     """
-    from chutecalc.output.plots.style import styled
+    from chutecalc.output.plots.style import write
 
-    with styled():
-        figure.savefig(stream, format=ending, metadata=PICTURE_FORMATS[ending])
+    write(figure, stream, ending, PICTURE_FORMATS[ending])

@@ -1,9 +1,10 @@
 """The style of pictures: readable in print, without colour, and by people with colour vision deficiency."""
 
 import re
-from collections.abc import Sequence
-from contextlib import AbstractContextManager
-from typing import Any
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import IO, Any
 
 import matplotlib
 import numpy as np
@@ -12,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
+from chutecalc.output.plots.letters import make_printable, wide_fonts
 from chutecalc.results.column import Column
 
 MAP = "viridis"
@@ -45,14 +47,22 @@ _STYLE = {
     "pdf.fonttype": 42,  # text stays text
     "savefig.dpi": 200,
     "svg.hashsalt": "chutecalc",  # the same names each time
+    "text.parse_math": False,  # a dollar sign in text of a user is a dollar sign
     "xtick.labelsize": SMALL,
     "ytick.labelsize": SMALL,
 }
 
 
-def styled() -> AbstractContextManager[None]:
-    """Return a context with the style of all pictures, whatever the settings of the user. Draw and save in it."""
-    return style.context(["default", _STYLE])
+@contextmanager
+def styled() -> Iterator[None]:
+    """Set the style of all pictures, whatever the settings of the user. Draw and save in it.
+
+    A letter that no font has is drawn as a box, without a warning.
+    """
+    families = {"font.family": ["sans-serif", *wide_fonts()]}
+    with style.context(["default", _STYLE, families]), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph .* missing")
+        yield
 
 
 def lay_out(figure: Figure) -> None:
@@ -61,11 +71,26 @@ def lay_out(figure: Figure) -> None:
     Args:
         figure: the figure.
     """
+    make_printable(figure)
     engine = figure.get_layout_engine()
     assert engine is not None
     engine.execute(figure)
     for axes in figure.axes:
         axes.apply_aspect()
+
+
+def write(figure: Figure, stream: IO[bytes], ending: str, metadata: Mapping[str, Any]) -> None:
+    """Write a figure in the style of all pictures.
+
+    Args:
+        figure: the figure.
+        stream: where it goes.
+        ending: its format, as the ending of a file.
+        metadata: of the format, as Matplotlib takes them.
+    """
+    with styled():
+        make_printable(figure)
+        figure.savefig(stream, format=ending, metadata=dict(metadata))
 
 
 def colours(count: int, name: str = MAP, darkest: float = DARKEST, lightest: float = LIGHTEST) -> list[str]:
@@ -104,8 +129,8 @@ def label_axes(axes: Axes, x: Column, y: Column, units: str) -> None:
         y: column of the vertical axis.
         units: ``metric`` or ``us``.
     """
-    axes.set_xlabel(mathematical(x.label(units)))
-    axes.set_ylabel(mathematical(y.label(units)))
+    axes.set_xlabel(mathematical(x.label(units)), parse_math=True)
+    axes.set_ylabel(mathematical(y.label(units)), parse_math=True)
 
 
 def parts_of(title: str) -> list[str]:

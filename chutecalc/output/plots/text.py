@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from matplotlib.textpath import TextPath
 
 from chutecalc.output.plots.style import SMALL
+from chutecalc.printable import printable
 
 CHARACTER_WIDTH = 0.6
 """Width of a character over its height, about."""
@@ -24,7 +25,7 @@ def width_of(text: str, size: float = SMALL) -> float:
         text: without line breaks.
         size: of its letters, points.
     """
-    return float(TextPath((0.0, 0.0), text, size=size).get_extents().width) if text.strip() else 0.0
+    return float(TextPath((0.0, 0.0), printable(text), size=size).get_extents().width) if text.strip() else 0.0
 
 
 def fitted(text: str, width: float, size: float = SMALL, most: int = 0, indent: str = "") -> str:

@@ -103,7 +103,7 @@ class FrictionStudy:
         self.keep, self.wall_friction_deg, self.base_m, self.area_m2 = keep, wall_friction_deg, base_m, area_m2
         faults = list(self._faults())
         if faults:
-            raise UsageError("\n".join(faults))
+            raise UsageError(*faults)
         beta, delta = np.meshgrid(self.chamfer_deg, self.internal_friction_deg)
         self.columns: Columns = self._columns(beta.ravel(), delta.ravel())
         """Arrays by column name, with a row for each chamfer angle of the first material, then of the next, and so on.

@@ -65,7 +65,7 @@ def _neighbourhood(found: Optimum, units: str) -> Figure:
     else:
         _draw_line(axes, near, name, hatches, units)
         place = near.best[0], float(column.converted(found.worst[name][0], units))
-    axes.set_title(mathematical(f"{column.label(units)}{_which(found)}"))
+    axes.set_title(mathematical(f"{column.label(units)}{_which(found)}"), parse_math=True)
     text = "best design" if found.feasible else "no design keeps all limits; this one comes closest"
     axes.plot(*place, **BEST)
     shown: list[Any] = [Line2D([], [], label=fitted(text, LEGEND), **BEST)]
@@ -109,7 +109,7 @@ def _draw_line(axes: Axes, near: Neighbourhood, name: str, hatches: list[str], u
             look: dict[str, Any] = COVER | {"facecolor": shade, "hatch": hatch}
             axes.axvspan(edges[low], edges[high], **look, zorder=0.5, gid="excluded")
     axes.set_xlim(key.values[0], key.values[-1])
-    axes.set_xlabel(mathematical(parameter_label(column_of(near.sweep, key.name))))
+    axes.set_xlabel(mathematical(parameter_label(column_of(near.sweep, key.name))), parse_math=True)
 
 
 def _patch(text: str, hatch: str, shade: Any = "white") -> Patch:
@@ -153,8 +153,8 @@ def _front(found: Optimum, units: str) -> Figure:
     first, second = (found.columns[each.column] for each in found.objectives)
     x, y = (column.converted(found.worst[column.name], units) for column in (first, second))
     _points(axes, x, y)
-    axes.set_xlabel(mathematical(first.label(units)))
-    axes.set_ylabel(mathematical(second.label(units)))
+    axes.set_xlabel(mathematical(first.label(units)), parse_math=True)
+    axes.set_ylabel(mathematical(second.label(units)), parse_math=True)
     axes.set_title(found.chute.spec.title or found.chute.source, loc="left")
     parts = [f"subject to {', '.join(found.subject)}"]
     if len(found.states) > 1 or found.states != (DESIGN_POINT,):

@@ -74,7 +74,7 @@ def read_wish(segment: str, given: Mapping[str, Any]) -> Wish:
     if not faults and not {"incidence", "x", "z"} & found.keys():
         faults.append(f"{segment}: nothing is asked. Give incidence=DEG, x=M or z=M, such as incidence=10 x=1.2.")
     if faults:
-        raise UsageError("\n".join(faults))
+        raise UsageError(*faults)
     return Wish(found.get("incidence"), found.get("x"), found.get("z"), found.get("share", 0.0), edges_margin)
 
 

@@ -8,7 +8,8 @@ from typing import NamedTuple
 from chutecalc.api.chute import Chute
 from chutecalc.api.load import library_for
 from chutecalc.errors import AllSpecsError, Fault, SpecError, UsageError
-from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
+from chutecalc.spec.parse import parse_text, read_text
+from chutecalc.spec.reader import BASELINE_SUFFIX
 from chutecalc.studies.regression.record import baseline_path, spec_path
 
 MARKS = {"flow", "segments"}
@@ -50,11 +51,11 @@ def find_designs(paths: Iterable[str], library: str | None = None) -> Designs:
     orphaned: list[Path] = []
     given = list(paths)
     for file, named in _files(given):
-        if file.name.endswith(BASELINE_SUFFIX) and file.exists():
+        if file.name.endswith(BASELINE_SUFFIX) and os.path.exists(file):
             orphaned.append(file)
             continue
         try:
-            chute = _read(file, named or baseline_path(file).exists(), library)
+            chute = _read(file, named or os.path.exists(baseline_path(file)), library)
         except SpecError as error:
             errors.append(error)
         else:
@@ -70,10 +71,10 @@ def _files(paths: Iterable[str]) -> Iterator[tuple[Path, bool]]:
     """Yield TOML files, and whether they were named themselves; a baseline only where its spec does not exist."""
     met: set[str] = set()
     for path in map(Path, paths):
-        for file in _below(path) if path.is_dir() else [path]:
+        for file in _below(path) if os.path.isdir(path) else [path]:
             if file.name.endswith(BASELINE_SUFFIX):
                 spec = spec_path(file)
-                file = spec if spec.exists() else file
+                file = spec if os.path.exists(spec) else file
             if (real := os.path.realpath(file)) not in met:
                 met.add(real)
                 yield file, file == path
@@ -88,7 +89,7 @@ def _below(folder: Path) -> Iterator[Path]:
 
 def _read(file: Path, sure: bool, library: str | None) -> Chute | None:
     """Read a design, or None from TOML that need not be a spec and is not."""
-    if not file.exists() and file.suffix != ".toml":
+    if not os.path.exists(file) and file.suffix != ".toml":
         raise SpecError([Fault("", "there is no such file or folder", "check the name")], str(file))
     text = read_text(file)
     data = parse_text(text, str(file))

@@ -16,7 +16,8 @@ from chutecalc.errors import SpecError
 from chutecalc.results.columns import NUMERIC
 from chutecalc.results.finding import Finding
 from chutecalc.spec.faults import faults_of
-from chutecalc.spec.parse import BASELINE_SUFFIX, parse_text, read_text
+from chutecalc.spec.parse import parse_text, read_text
+from chutecalc.spec.reader import BASELINE_SUFFIX
 from chutecalc.studies.regression.baseline import (
     EXTREME_MARGIN,
     RECEIVER,

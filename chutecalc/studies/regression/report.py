@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 from chutecalc.output.dataset import Dataset, block_of
 from chutecalc.output.grid import GAP, Grid
 from chutecalc.output.printer import Printer
+from chutecalc.printable import printable
 from chutecalc.results.columns import COLUMNS
 from chutecalc.results.described import status_words
 from chutecalc.studies.regression.verdict import NO_BASELINE, OK, Drift, Verdict, first_and_largest
@@ -147,10 +148,12 @@ def write_junit(stream: IO[str], verdicts: Sequence[Verdict]) -> None:
     root = ElementTree.Element("testsuites", total)
     suite = ElementTree.SubElement(root, "testsuite", {"name": "chutecalc check"} | total)
     for verdict in verdicts:
-        case = {"classname": "chutecalc.check", "name": verdict.spec, "file": verdict.spec}
+        name = printable(verdict.spec)  # XML allows all of this
+        case = {"classname": "chutecalc.check", "name": name, "file": name}
         element = ElementTree.SubElement(suite, "testcase", case | {"time": f"{verdict.seconds:.3f}"})
         if verdict.outcome != OK:
             lines = [*verdict.lines, *(_line(*pair) for pair in first_and_largest(verdict.drifts))]
+            lines = [printable(line) for line in lines]
             failure = {"type": verdict.outcome, "message": f"{status_words(verdict.outcome)}: {lines[0]}"}
             ElementTree.SubElement(element, "failure", failure).text = "\n".join(lines)
     ElementTree.indent(root)

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from chutecalc.output.files import open_whole
+from chutecalc.printable import printable
 from chutecalc.studies.regression.record import baseline_path
 
 
@@ -26,8 +27,7 @@ def write_baseline(spec: str, document: Mapping[str, Any]) -> Path:
 
     path = baseline_path(Path(spec))
     with open_whole(str(path)) as stream:
-        stream.write(
-            f"# What came out of {Path(spec).name}, by chutecalc check --update. The tolerance is yours to set.\n"
-        )
+        name = printable(Path(spec).name)
+        stream.write(f"# What came out of {name}, by chutecalc check --update. The tolerance is yours to set.\n")
         stream.write(tomli_w.dumps(document))
     return path

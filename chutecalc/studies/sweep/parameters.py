@@ -65,7 +65,7 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[AnyParameter]:
     names = [parameter.name for parameter in found]
     faults += [f"{name} is given twice. Keep one of them." for name in dict.fromkeys(names) if names.count(name) > 1]
     if faults:
-        raise UsageError("\n".join(faults))
+        raise UsageError(*faults)
     return found
 
 

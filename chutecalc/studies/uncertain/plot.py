@@ -109,7 +109,7 @@ def _draw_tornado(axes: Axes, result: Outcome, units: str) -> None:
     axes.set_yticks(range(len(order)), labels)
     axes.invert_yaxis()
     axes.grid(axis="y", visible=False)
-    axes.set_xlabel(mathematical(column.label(units)))
+    axes.set_xlabel(mathematical(column.label(units)), parse_math=True)
     axes.set_title("each key alone at its 5 % (dark) and 95 % (light) quantile")
 
 
