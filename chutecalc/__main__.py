@@ -1,11 +1,16 @@
 """``python -m chutecalc``, and the console script: what Ctrl-C does from the first import to the last moment."""
 
+from __future__ import annotations
+
 import _thread
 import os
 import signal
 import sys
-from types import FrameType
-from typing import Any
+
+TYPE_CHECKING = False  # typing is slow to import, and an interrupt before the handler stands is a traceback
+if TYPE_CHECKING:
+    from types import FrameType
+    from typing import Any
 
 INTERRUPTED = 130
 """The exit status after Ctrl-C; imports do not wait for :class:`chutecalc.errors.ExitStatus`."""
@@ -32,7 +37,7 @@ def _interrupted(number: int, frame: FrameType | None) -> None:
     if _Command.running and not _importing(frame):
         raise KeyboardInterrupt
     if _Command.status == INTERRUPTED:
-        _say_so()
+        _clean_up()
     os._exit(_Command.status)
 
 
@@ -43,7 +48,11 @@ def _importing(frame: FrameType | None) -> bool:
     return frame is not None
 
 
-def _say_so() -> None:
+def _clean_up() -> None:
+    """Remove what is not written to its end, and say why."""
+    held = sys.modules.get("chutecalc.output.held")
+    if release := getattr(held, "release", None):  # not imported yet, there is nothing
+        release()
     try:  # noqa: SIM105 - contextlib is not imported yet
         os.write(2, b"chutecalc: interrupted\n")
     except OSError:

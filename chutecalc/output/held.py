@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from chutecalc.errors import OutputError, WriteError
-from chutecalc.output.locks import HeldError, Lock
+from chutecalc.output.locks import OPEN, HeldError, Lock
 from chutecalc.output.targets import STANDARD_STREAM
 
 SUFFIX = ".chutecalc"
@@ -64,9 +64,10 @@ def take(path: Path) -> Lock | None:
 
 
 def release() -> None:
-    """Release all that is held: a command is at its end."""
-    while _held:
-        _held.popitem()[1].release()
+    """Release all that this process has locked: its command is at its end."""
+    _held.clear()
+    for each in list(OPEN):
+        each.release()
 
 
 def reserve(target: str | None) -> None:

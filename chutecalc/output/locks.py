@@ -19,6 +19,10 @@ NOTE = "chutecalc process {}\n"
 NOTE_SIZE = 64
 
 
+OPEN: "set[Lock]" = set()
+"""All locks of this process."""
+
+
 class HeldError(Exception):
     """Another holds the lock.
 
@@ -46,6 +50,7 @@ class Lock:
         """
         self.path, self.gone = path, False
         self.descriptor = _opened(path)
+        OPEN.add(self)
         try:
             self.empty()
             os.write(self.descriptor, NOTE.format(os.getpid()).encode())
@@ -80,10 +85,12 @@ class Lock:
         self.gone = True
 
     def release(self) -> None:
-        """Give up the lock, and remove the file unless it was moved."""
+        """Give up the lock, and remove the file unless it was moved. Once more does nothing."""
+        OPEN.discard(self)
         if sys.platform == "win32":
             self._close()
         if not self.gone:
+            self.gone = True
             with suppress(OSError):  # another has taken it by now, or the folder is gone
                 os.unlink(self.path)
         self._close()

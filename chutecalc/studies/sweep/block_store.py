@@ -85,11 +85,16 @@ class BlockStore:
         Raises:
             WriteError: it could not be written.
         """
+        path = self.folder / self._name(number)
         try:
-            with open_whole(str(self.folder / self._name(number)), "wb") as stream:
+            if not path.is_file():
+                path.unlink(missing_ok=True)  # a pipe would wait for a reader
+            with open_whole(str(path), "wb") as stream:
                 stream.writelines(packed(block, number, self.digest))
         except (OutputError, WriteError) as error:
             raise WriteError(str(error).replace(str(self.folder), self.name)) from None
+        except OSError as error:
+            raise WriteError(f"{self.name}/{path.name} could not be written: {error.strerror}") from None
 
     def load(self, number: int, rows: int | None) -> Block:
         """Return a stored block.
