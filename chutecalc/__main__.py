@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import _signal  # type: ignore[import-not-found]  # signal itself imports enum first
 import _thread
 import os
-import signal
 import sys
 
 TYPE_CHECKING = False  # typing is slow to import, and an interrupt before the handler stands is a traceback
@@ -71,8 +71,8 @@ def _unraisable(error: Any) -> None:
         sys.__unraisablehook__(error)
 
 
-if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # jobs in the background ignore it
-    signal.signal(signal.SIGINT, _interrupted)
+if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:  # jobs in the background ignore it
+    _signal.signal(_signal.SIGINT, _interrupted)
     sys.unraisablehook = _unraisable
 
 from chutecalc.runtime import prepare_command  # noqa: E402 - from here on an interrupt is no traceback

@@ -9,7 +9,7 @@ import typer
 
 from chutecalc import __version__
 from chutecalc.cli.command import Command, explained
-from chutecalc.cli.streams import prepare_streams
+from chutecalc.cli.streams import finish_streams, prepare_streams
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
 from chutecalc.output.held import release
@@ -133,6 +133,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
     finally:
         release()
+        finish_streams()
 
 
 def _explained(error: typer.TyperException, given: Sequence[str]) -> str:

@@ -40,15 +40,15 @@ class _Printed(io.FileIO):
             content: the bytes.
 
         Raises:
-            WriteError: once, if they cannot be written for another reason.
+            WriteError: they cannot be written for another reason.
         """
         if self.gone:
             return len(content)
         try:
             return super().write(content) or 0
         except OSError as error:
-            self.gone = True
             if error.errno in NO_READER:
+                self.gone = True
                 return len(content)
             raise WriteError(f"standard output could not be written: {error.strerror}") from None
 
@@ -59,6 +59,14 @@ def prepare_streams() -> None:
         if getattr(sys, name) is None:  # closed before the start
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - stays open until the end
     sys.stdout, sys.stderr = _prepared(sys.stdout, _Printed), _prepared(sys.stderr, _Told)
+
+
+def finish_streams() -> None:
+    """Lose what standard output has not taken, which has been said by now; Python would say it again at exit."""
+    try:
+        sys.stdout.flush()
+    except WriteError:
+        _raw(sys.stdout).gone = True
 
 
 def reader_is_gone() -> bool:

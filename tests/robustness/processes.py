@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from tests.conftest import ROOT
 
-MARKED = "import os, sys; sys.path[0] = {!r}; os.write(1, b'.'); from chutecalc.__main__ import entry; entry()"
-"""What a console script does, with a sign that Python itself has started."""
+MARKED = "import os, sys; sys.path[0] = {!r}; from chutecalc.__main__ import entry; os.write(1, b'.'); entry()"
+"""What a console script does, with a sign that Python has started: before, Ctrl-C is its own affair."""
 
 
 class Ended(NamedTuple):
