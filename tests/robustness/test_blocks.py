@@ -21,7 +21,7 @@ BLOCKS = 5
 @pytest.fixture
 def stopped(tmp_path, monkeypatch, capsys):
     """Return the path of a file whose blocks are all stored, and what the file is to be."""
-    monkeypatch.setattr(rows_of, "CHUNK", 4)
+    monkeypatch.setattr(rows_of, "WHOLE", 4)
     target = tmp_path / "rows.csv"
     with monkeypatch.context() as patch:
         patch.setattr(BlockStore, "remove", lambda self: None)

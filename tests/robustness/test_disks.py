@@ -106,7 +106,7 @@ def test_a_reader_who_has_enough_stops_no_other_output(more, tmp_path):
 
 
 def test_where_nobody_reads_a_sweep_to_standard_output_ends(monkeypatch, capsys):
-    monkeypatch.setattr(rows_of, "CHUNK", 4)
+    monkeypatch.setattr(rows_of, "WHOLE", 4)
     monkeypatch.setattr("chutecalc.cli.outputs.reader_is_gone", lambda: True)
     assert main(["sweep", "phi=15:24:#100", VEE, "--csv", "-"]) == 0
     assert capsys.readouterr().out.count("\n") == 1
