@@ -15,10 +15,14 @@ Many variants are solved together:
 array([5.603, 6.222])
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from __future__ import annotations
 
+from importlib import import_module
+
+TYPE_CHECKING = False  # as that of typing, which takes longer to import than all else before a command begins
 if TYPE_CHECKING:
+    from typing import Any
+
     from chutecalc.api.band import solve_band
     from chutecalc.api.batch import exits
     from chutecalc.api.cases import solve_cases

@@ -1,7 +1,5 @@
 """The command line, one file for each command. ``main`` alone prints errors and sets the exit status."""
 
-import io
-import os
 import sys
 import traceback
 from collections.abc import Sequence
@@ -11,8 +9,10 @@ import typer
 
 from chutecalc import __version__
 from chutecalc.cli.command import Command, explained
+from chutecalc.cli.streams import finish_streams, prepare_streams
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
+from chutecalc.output.held import release
 from chutecalc.printable import abbreviated, printable
 
 COMMANDS = (
@@ -102,17 +102,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
     debug, given = "--debug" in given, [each for each in given if each != "--debug"]  # of every command
-    _use_unicode()
+    prepare_streams()
     try:
         status = _app(given)(args=given, prog_name="chutecalc", standalone_mode=False)
         if status == ExitStatus.INTERRUPTED:
             raise KeyboardInterrupt  # Typer has caught it
         sys.stdout.flush()
         return int(status or ExitStatus.OK)
-    except (BrokenPipeError, SystemExit):
-        # The reader closed the pipe, which Typer may turn into SystemExit. Python would complain again at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return ExitStatus.OK
     except typer.TyperException as error:
         return _complain(_explained(error, given), ExitStatus(error.exit_code))
     except SpecError as error:
@@ -135,6 +131,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             " them. Another value of what was changed last may get you on meanwhile.",
             ExitStatus.INTERNAL,
         )
+    finally:
+        release()
+        finish_streams()
 
 
 def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
@@ -144,19 +143,6 @@ def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
     called = given[0] in COMMANDS
     examples = import_module(f"chutecalc.cli.{given[0]}").EXAMPLES if called else ()
     return abbreviated(printable(f"chutecalc: {explained(error, given, examples, COMMANDS)}"))
-
-
-def _use_unicode() -> None:
-    """Write UTF-8 to files and pipes whatever the locale, and replace characters that a terminal cannot show."""
-    for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # closed before the start
-            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - stays open until the end
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper) and stream.encoding.lower().replace("-", "") != "utf8":
-            if stream.isatty():
-                stream.reconfigure(errors="replace")
-            else:
-                stream.reconfigure(encoding="utf-8")
 
 
 def _complain(text: str, status: ExitStatus) -> int:

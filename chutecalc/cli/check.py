@@ -10,7 +10,8 @@ import typer
 from chutecalc.cli.options import LIBRARY, RTOL, with_groups
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import AllSpecsError, ExitStatus, SpecError
-from chutecalc.output.files import STANDARD_STREAM, open_whole
+from chutecalc.output.files import open_whole
+from chutecalc.output.targets import STANDARD_STREAM
 
 if TYPE_CHECKING:
     from chutecalc.studies.regression.designs import Designs
@@ -45,11 +46,13 @@ def check(
     from chutecalc.studies.regression.record import baseline_path
     from chutecalc.studies.regression.report import check_dataset, print_verdicts, write_junit
     from chutecalc.studies.regression.verdict import OK
-    from chutecalc.studies.regression.write import write_baseline
+    from chutecalc.studies.regression.write import hold_baselines, write_baseline
 
     designs = find_designs(paths or ["."], library)
     specs = [chute.source for chute in designs.chutes]
     outputs.check([*specs, library, *(str(baseline_path(Path(spec))) for spec in specs)], junit=junit)
+    if update:
+        hold_baselines(specs)
     verdicts = _verdicts(designs, rtol, update)
     written = [str(write_baseline(verdict.spec, verdict.document)) for verdict in verdicts if verdict.document]
     if junit:

@@ -3,7 +3,9 @@
 import typer
 
 from chutecalc.cli.options import LIBRARY
-from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
+from chutecalc.output.files import open_whole
+from chutecalc.output.held import reserve
+from chutecalc.output.targets import STANDARD_STREAM, check_targets
 
 EXAMPLES = ("chutecalc freeze chute.toml -o frozen.toml", "chutecalc freeze chute.toml")
 PAGE = "spec.md#steel"
@@ -25,7 +27,7 @@ def freeze(
     from chutecalc.spec.parse import encode
 
     check_targets({"--output": output}, [spec, library])
-    check_openable(output)
+    reserve(output)
     chute, content = read_with_content(spec, library=library)
     frozen_content = encode(frozen(chute), like=content)
     with open_whole(output, "wb") as stream:

@@ -5,7 +5,8 @@ from pathlib import Path
 import typer
 
 from chutecalc.errors import UsageError
-from chutecalc.output.files import STANDARD_STREAM, open_new
+from chutecalc.output.files import open_new
+from chutecalc.output.targets import STANDARD_STREAM
 from chutecalc.printable import printable
 
 EXAMPLES = (
@@ -47,6 +48,8 @@ def new(
             raise UsageError("--list lists the examples and writes nothing: give it alone")
         return _list()
     text = STARTER if example is None else example_text(example)
+    if file == "":
+        raise UsageError("the name of the file is empty: leave it out for the usual one")
     target = file or f"{(example or 'chute').rpartition('/')[2]}.toml"
     if target == STANDARD_STREAM:
         typer.echo(text, nl=False)  # without the line: nobody knows where the schema would have to be
@@ -54,11 +57,11 @@ def new(
     if target.endswith((SCHEMA_FILE, LIBRARY_NAME, BASELINE_SUFFIX)):
         raise UsageError(f"{target} is not the name of a spec, but of a file beside one: choose another")
     with open_new(target) as stream:
+        schema = Path(target).with_name(SCHEMA_FILE)
+        beside = "" if schema.exists() else f", and {schema} for editors"
         stream.write(SCHEMA_LINE + text)
-    schema = Path(target).with_name(SCHEMA_FILE)
-    beside = "" if schema.exists() else f", and {schema} for editors"
-    if beside:
-        _write_schema(str(schema))
+        if beside:  # before the spec is there: both or none
+            _write_schema(str(schema))
     typer.echo(printable(f"wrote {target}{beside}. To run it: chutecalc run {target}"))
     return 0
 

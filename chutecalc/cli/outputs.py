@@ -10,14 +10,17 @@ from typing import TYPE_CHECKING, ClassVar
 import typer
 
 from chutecalc.cli.options import OptionGroup, option
+from chutecalc.cli.streams import reader_is_gone
 from chutecalc.errors import UsageError
 from chutecalc.extras import CHART, require_extra
 from chutecalc.output.dataset import without_negative_zeros
 from chutecalc.output.dxf import check_drawing
-from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
+from chutecalc.output.files import open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
+from chutecalc.output.held import reserve
 from chutecalc.output.html_report.write import check_report
 from chutecalc.output.plots.save import PICTURE_FORMATS, picture_format, save
+from chutecalc.output.targets import STANDARD_STREAM, check_targets
 from chutecalc.results.column import Units
 
 if TYPE_CHECKING:
@@ -98,7 +101,7 @@ class Outputs(OptionGroup):
         return next((output_formats()[name] for name in names), None)
 
     def check(self, inputs: Sequence[str | None] = (), **others: str | None) -> None:
-        """Check that all outputs can be written. Call it before anything is solved.
+        """Check that all outputs can be written, and keep others from writing them. Call it before anything is solved.
 
         Args:
             inputs: files that the command reads; None for one that was not given.
@@ -107,7 +110,7 @@ class Outputs(OptionGroup):
         Raises:
             UsageError: two outputs are the same, one is an input, or a format does not fit its target.
             ExtraMissingError: an optional library is not installed.
-            OutputError: a file cannot be opened.
+            OutputError: a file cannot be opened, or another process is writing it.
         """
         own = {"plot": self.plot, "dxf": self.dxf, "report": self.report}
         targets = {f"--{name}": file for name, file in {**self.files, **own, **others}.items()}
@@ -123,10 +126,10 @@ class Outputs(OptionGroup):
         if self.chart:
             require_extra("--chart", CHART)
         for target in targets.values():
-            check_openable(target)
+            reserve(target)
 
     def write(self, dataset: Dataset, *more: RowWriter) -> None:
-        """Write all data files, each whole or not at all.
+        """Write all data files, each whole or not at all; stop where nobody reads the only one any more.
 
         Args:
             dataset: the results.
@@ -142,11 +145,18 @@ class Outputs(OptionGroup):
                 else:
                     writers.append(form.rows(stream, dataset))
             for block in dataset.blocks if writers else ():
+                if self._only_standard_output and reader_is_gone():
+                    return
                 rows = without_negative_zeros(block)
                 for writer in writers:
                     writer.write(rows)
             for writer in writers:
                 writer.close()
+
+    @property
+    def _only_standard_output(self) -> bool:
+        """Whether there is no other output than standard output."""
+        return {*self.files.values(), self.plot, self.dxf, self.report} <= {STANDARD_STREAM, None}
 
     def draw(self, figure: Figure) -> None:
         """Write the picture. Call it only where there is a ``plot``.

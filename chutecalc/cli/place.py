@@ -8,7 +8,9 @@ import typer
 
 from chutecalc.cli.options import LIBRARY
 from chutecalc.errors import UsageError
-from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
+from chutecalc.output.files import open_whole
+from chutecalc.output.held import reserve
+from chutecalc.output.targets import STANDARD_STREAM, check_targets
 
 if TYPE_CHECKING:
     from chutecalc.studies.place.placement import Placement
@@ -51,12 +53,12 @@ def place(
         raise UsageError("--write changes the file of the spec: leave out --output, or name a file instead of -")
     check_targets({"--output": output, "--json": json_file}, [spec, library])
     for target in (spec if write else output, json_file):
-        check_openable(target)
+        reserve(target)
     text, content, source = read_source(spec)
     known = library_for(parse_text(text, source), library, file_of(spec))
     placement = placed(text, read_wishes(arguments), source, known)
     if (target := spec if write else output) is not None:
-        with open_whole(target, "wb") as stream:
+        with open_whole(target, "wb", read=content if write else None) as stream:
             stream.write(encode(placement.text, like=content))
     if json_file is not None:
         with open_whole(json_file) as stream:

@@ -9,6 +9,7 @@ import typer
 
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import UsageError
+from chutecalc.output.held import reserve
 
 if TYPE_CHECKING:
     from chutecalc.studies.found import Found
@@ -49,7 +50,7 @@ def spec_and_keys(arguments: Sequence[str]) -> tuple[str, list[str]]:
 
 
 def check_writing(spec: str, write: bool, take: int | None) -> None:
-    """Check that a solution can be written, before anything is solved.
+    """Check that a solution can be written, and keep others from writing. Call it before the spec is read.
 
     Args:
         spec: name of its file.
@@ -58,11 +59,14 @@ def check_writing(spec: str, write: bool, take: int | None) -> None:
 
     Raises:
         UsageError: the spec is no file, or there is nothing to take a solution for.
+        OutputError: it cannot be written, or another process is writing it.
     """
     if take is not None and not write:
         raise UsageError("--take says what --write takes: add --write")
     if write and spec == "-":
         raise UsageError("--write needs a spec in a file, not standard input")
+    if write:
+        reserve(spec)
 
 
 def number_of(option: str, text: str, value: str) -> float:

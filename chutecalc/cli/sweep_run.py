@@ -2,19 +2,20 @@
 
 import os
 import sys
-from collections.abc import Generator, Iterable
-from contextlib import closing
+from collections.abc import Generator, Iterable, Iterator
+from contextlib import closing, suppress
 
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.dataset import Block
-from chutecalc.output.files import STANDARD_STREAM
 from chutecalc.output.printer import Printer
 from chutecalc.output.progress import progress
+from chutecalc.output.targets import STANDARD_STREAM
 from chutecalc.studies.sweep.block import best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
 from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
-from chutecalc.studies.sweep.solved_blocks import solve_blocks
+from chutecalc.studies.sweep.solved_blocks import solve_block, solve_blocks
+from chutecalc.studies.sweep.stored_block import DamagedError
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import MOST_SHOWN, SHOWN_WITH_FILE, FirstRows
 from chutecalc.workers import Pool
@@ -55,22 +56,49 @@ class SweepRun:
                 self._write((block for _, block in blocks), complete=True)
             return ExitStatus.OK
         try:
-            with closing(self._solved([number for number in range(count) if number not in store])) as blocks:
+            with closing(self._solved(self._needed(store))) as blocks:
                 for number, block in blocks:
                     store.save(number, block)
         except KeyboardInterrupt:
-            self._write(store.blocks(count), complete=False)
-            blocks_done = next((number for number in range(count) if number not in store), count)
-            designs_done = min(blocks_done * self.sweep.block_size, self.sweep.count)
+            done: list[int] = []
+            self._write(self._first_blocks(store, done), complete=False)
             print(
-                f"chutecalc: wrote {designs_done:,} of {self.sweep.count:,} designs; --resume continues from"
-                f" {store.name}",
+                f"chutecalc: wrote {sum(done):,} of {self.sweep.count:,} designs; --resume continues from {store.name}",
                 file=sys.stderr,
             )
             raise
-        self._write(store.blocks(count), complete=True)
+        self._write((self._block(store, number) for number in range(count)), complete=True)
         store.remove()
         return ExitStatus.OK
+
+    def _needed(self, store: BlockStore) -> list[int]:
+        """Return the numbers of the blocks that are not stored whole; say which of them should be."""
+        numbers = range(self.sweep.block_count)
+        last = max((number for number in numbers if number in store), default=-1)
+        needed = list(numbers[last + 1 :])
+        for number in numbers[: last + 1]:
+            try:
+                store.load(number, self._rows(number))
+            except DamagedError as error:
+                _tell_again(error)
+                needed.append(number)
+        return sorted(needed)
+
+    def _block(self, store: BlockStore, number: int) -> Block:
+        """Return a block from the store, or solve it where somebody has damaged it meanwhile."""
+        try:
+            return store.load(number, self._rows(number))
+        except DamagedError as error:
+            _tell_again(error)
+            return solve_block(self.sweep, number)
+
+    def _first_blocks(self, store: BlockStore, done: list[int]) -> Iterator[Block]:
+        """Yield the stored blocks up to the first that is not whole, and note how many designs each has."""
+        with suppress(DamagedError):
+            for number in range(self.sweep.block_count):
+                block = store.load(number, self._rows(number))
+                done.append(self._size(number))
+                yield block
 
     def _solved(self, numbers: list[int]) -> Generator[tuple[int, Block], None, None]:
         """Yield blocks as they are solved, with a progress bar."""
@@ -85,6 +113,10 @@ class SweepRun:
     def _size(self, number: int) -> int:
         """Return the number of designs in a block."""
         return min(self.sweep.block_size, self.sweep.count - number * self.sweep.block_size)
+
+    def _rows(self, number: int) -> int | None:
+        """Return the number of rows in a block; None where only its solution tells."""
+        return None if self.sweep.profiles or self.sweep.top else self._size(number)
 
     def _write(self, blocks: Iterable[Block], complete: bool) -> None:
         """Write the data files and, once all blocks are there, draw and print."""
@@ -112,6 +144,11 @@ class SweepRun:
             from chutecalc.studies.sweep.chart import print_sweep_chart
 
             print_sweep_chart(printer, self.sweep, collected.block)
+
+
+def _tell_again(error: DamagedError) -> None:
+    """Say that a block is solved again."""
+    print(f"chutecalc: {error}: it is solved again", file=sys.stderr)
 
 
 def _is_regular(target: str) -> bool:

@@ -10,7 +10,8 @@ from chutecalc.dem.case import Case
 from chutecalc.dem.engine import Engine, RunError
 from chutecalc.dem.pour import steps
 from chutecalc.dem.store import Store
-from chutecalc.errors import UsageError
+from chutecalc.errors import OutputError, UsageError, WriteError
+from chutecalc.output.held import held_folder
 from chutecalc.workers import Pool
 
 LEVEL_ENOUGH = 0.5 * LEVEL
@@ -143,7 +144,7 @@ class Campaign:
                 case = running.pop(future)
                 try:
                     future.result()
-                except (RunError, UsageError, OSError) as error:
+                except (RunError, UsageError, OutputError, WriteError, OSError) as error:
                     self._errors[case.name] = f"{case.name}: {error}"
 
     def _waiting(self, outcomes: Sequence[Outcome]) -> int:
@@ -165,9 +166,11 @@ def run_case(store: Store, engine: Engine, case: Case) -> None:
 
     Raises:
         RunError: It failed, or has not written all results.
+        OutputError: Another process runs it.
     """
     folder = store.write(case)
-    engine.run(folder)
+    with held_folder(folder, str(folder)):
+        engine.run(folder)
     if store.read(case) is None:
         raise RunError(f"LAMMPS ended without writing all results. Is the disk full? See {folder}")
 

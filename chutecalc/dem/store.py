@@ -12,6 +12,8 @@ from chutecalc.dem.bed import Bed
 from chutecalc.dem.case import Case
 from chutecalc.dem.pour import column
 from chutecalc.errors import SpecError
+from chutecalc.output.files import open_whole
+from chutecalc.output.held import named
 from chutecalc.spec.reader import read_bytes
 
 LONGEST = 200
@@ -51,17 +53,20 @@ class Store:
 
         Returns:
             The folder of the case.
+
+        Raises:
+            OutputError: it cannot be written.
+            WriteError: writing failed.
         """
         folder = self.case_folder(case)
         if not (folder / script.SCRIPT).is_file():
             positions = column(case)
-            folder.mkdir(parents=True, exist_ok=True)
+            with named(str(self.folder)):
+                folder.mkdir(parents=True, exist_ok=True)
             known = asdict(case) | {"lengths": [None if length == math.inf else length for length in case.lengths]}
-            (folder / "case.json").write_text(json.dumps(known, indent=1, allow_nan=False) + "\n", encoding="utf-8")
-            (folder / script.PARTICLES).write_text(script.particles_text(case, positions), encoding="utf-8")
-            part = folder / f"{script.SCRIPT}.part"
-            part.write_text(script.script_text(case, float(positions[-1, 2])), encoding="utf-8")
-            part.replace(folder / script.SCRIPT)
+            _write(folder / "case.json", json.dumps(known, indent=1, allow_nan=False) + "\n")
+            _write(folder / script.PARTICLES, script.particles_text(case, positions))
+            _write(folder / script.SCRIPT, script.script_text(case, float(positions[-1, 2])))
         return folder
 
     def read(self, case: Case) -> Bed | None:
@@ -85,3 +90,8 @@ class Store:
         if not (np.isfinite(numbers).all() and np.isfinite(rows).all()):
             return None
         return Bed(case, numbers[1:].reshape(-1, 2), kinetic_energy=float(numbers[0]), positions=rows[:, 1:])
+
+
+def _write(path: Path, text: str) -> None:
+    with open_whole(str(path)) as stream:
+        stream.write(text)

@@ -7,13 +7,13 @@ from typing import Any
 
 from chutecalc.api.chute import Chute
 from chutecalc.api.written import changed_text
-from chutecalc.errors import UsageError
+from chutecalc.errors import UsageError, WriteError
 from chutecalc.output.dataset import Block, numbers
 from chutecalc.output.files import open_whole
 from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Column
 from chutecalc.results.described import html_table
-from chutecalc.spec.parse import encode
+from chutecalc.spec.parse import decode, encode
 from chutecalc.studies.keys import Key
 from chutecalc.studies.sweep.table import column_of
 from chutecalc.studies.variants import Variants
@@ -78,12 +78,17 @@ class Found:
 
         Raises:
             UsageError: the chute has no file of its own.
+            OutputError: the file cannot be written, or another process is writing it.
+            WriteError: writing failed, or the chute's own file has changed since it was read.
         """
         if file is None and not Path(self.chute.source).is_file():
             raise UsageError(f"{self.chute.source} is no file to write to: name one")
-        own = Path(self.chute.source)
-        content = encode(self.text(take), like=own.read_bytes() if own.is_file() else b"")
-        with open_whole(str(file or own), "wb") as stream:
+        own, target = Path(self.chute.source), str(file or self.chute.source)
+        was = own.read_bytes() if own.is_file() else b""
+        if file is None and decode(was, target) != self.chute.text:
+            raise WriteError(f"{target} has changed since it was read, and is left as it is. Repeat the command.")
+        content = encode(self.text(take), like=was)
+        with open_whole(target, "wb", read=was if file is None else None) as stream:
             stream.write(content)
 
     def _described(self) -> str:

@@ -1,12 +1,31 @@
 """Baselines as TOML, one number on a line, so that differences are easy to read."""
 
-from collections.abc import Mapping
+import os
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from chutecalc.output.files import open_whole
+from chutecalc.output.held import hold_folder
 from chutecalc.printable import printable
 from chutecalc.studies.regression.record import baseline_path
+
+MOST_HELD = 200
+"""Folders that are held at once: a process can open 256 files on some systems."""
+
+
+def hold_baselines(specs: Iterable[str]) -> None:
+    """Keep other processes from updating baselines in the same folders, until the command ends.
+
+    Args:
+        specs: paths of their specs.
+
+    Raises:
+        OutputError: another process is updating them.
+    """
+    folders = {os.path.realpath(Path(spec).parent) for spec in specs}
+    for folder in sorted(folders)[:MOST_HELD]:
+        hold_folder(folder, f"baselines in {folder}")
 
 
 def write_baseline(spec: str, document: Mapping[str, Any]) -> Path:

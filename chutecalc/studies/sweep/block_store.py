@@ -1,22 +1,24 @@
-"""Blocks of a sweep, stored in a folder beside its data file until that is written. Each block is whole or absent."""
+"""Blocks of a sweep, kept in a folder beside its data file until that is written. None is trusted before it is read."""
 
+import hashlib
 import json
 import os
-import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from chutecalc.errors import OutputError, UsageError, WriteError
 from chutecalc.output.dataset import Block
+from chutecalc.output.files import open_whole
+from chutecalc.output.held import hold_folder, let_folder_go
+from chutecalc.studies.sweep.stored_block import DamagedError, packed, unpacked
 
 IDENTITY = "sweep.json"
 
 
 class BlockStore:
-    """The folder ``FILE.part``."""
+    """The folder ``FILE.part``, which one process has to itself."""
 
     def __init__(self, target: str, identity: Mapping[str, Any], resume: bool) -> None:
         """Create the folder, or open the one that exists.
@@ -28,26 +30,29 @@ class BlockStore:
 
         Raises:
             UsageError: the folder belongs to another sweep, was not to be used, or is not there to be continued.
-            OutputError: it cannot be created.
+            OutputError: it cannot be created, or another process uses it.
+            WriteError: the disk is full.
         """
         self.folder = Path(f"{os.path.realpath(target)}.part")
         self.name = f"{target}.part"
+        text = json.dumps(identity)
+        self.digest = hashlib.sha256(text.encode()).hexdigest()
+        if resume and not self._has(IDENTITY):
+            raise UsageError(f"there is no {self.name} to continue. To start the sweep anew, leave out --resume.")
         try:
-            if (self.folder / IDENTITY).exists():
-                self._open(json.loads((self.folder / IDENTITY).read_text(encoding="utf-8")), identity, resume)
-                return
-            if resume:
-                raise UsageError(f"there is no {self.name} to continue. To start the sweep anew, leave out --resume.")
             self.folder.mkdir(exist_ok=True)
+            hold_folder(str(self.folder), self.name)
+            if self._has(IDENTITY):
+                self._open(json.loads(text), resume)
+                return
             if any(self.folder.glob("[!.]*")):
                 raise UsageError(f"{self.name} does not belong to a sweep: move or rename it")
-            self._put(IDENTITY, lambda file: Path(file).write_text(json.dumps(identity), encoding="utf-8"))
-        except (OSError, WriteError) as error:
-            raise OutputError(f"{self.name} cannot be written: {getattr(error, 'strerror', error)}") from None
-        except ValueError:
-            raise UsageError(f"{self.name}/{IDENTITY} cannot be read: remove {self.name} and start again") from None
+        except OSError as error:
+            raise OutputError(f"{self.name} cannot be written: {error.strerror}") from None
+        with open_whole(str(self.folder / IDENTITY)) as stream:
+            stream.write(text)
 
-    def _open(self, before: Mapping[str, Any], identity: Mapping[str, Any], resume: bool) -> None:
+    def _open(self, now: Mapping[str, Any], resume: bool) -> None:
         """Check that the blocks in the folder fit this sweep.
 
         Raises:
@@ -55,16 +60,20 @@ class BlockStore:
         """
         if not resume:
             raise UsageError(f"{self.name} is left from an interrupted sweep: add --resume to continue, or remove it")
-        now = json.loads(json.dumps(identity))
+        before: Any = None
+        with suppress(OSError, ValueError, RecursionError, MemoryError):
+            before = json.loads((self.folder / IDENTITY).read_bytes())
+        if not isinstance(before, dict):
+            raise UsageError(f"{self.name}/{IDENTITY} cannot be read: remove {self.name} and start again")
         other = [name for name in {**now, **before} if now.get(name) != before.get(name)]
         if other:
-            what = ", ".join(WORDS.get(name, f"--{name}") for name in other)
+            what = ", ".join(WORDS.get(name, f"--{name}" if name in now else "unknown entries") for name in other)
             raise UsageError(
                 f"{self.name} belongs to another sweep, which differs in {what}. Repeat that command, or remove it"
             )
 
     def __contains__(self, number: int) -> bool:
-        return self._file(number).exists()
+        return self._has(self._name(number))
 
     def save(self, number: int, block: Block) -> None:
         """Store a block.
@@ -76,37 +85,52 @@ class BlockStore:
         Raises:
             WriteError: it could not be written.
         """
-        self._put(self._file(number).name, lambda file: np.savez(file, **block))
+        path = self.folder / self._name(number)
+        try:
+            if not path.is_file():
+                path.unlink(missing_ok=True)  # a pipe would wait for a reader
+            with open_whole(str(path), "wb") as stream:
+                stream.writelines(packed(block, number, self.digest))
+        except (OutputError, WriteError) as error:
+            raise WriteError(str(error).replace(str(self.folder), self.name)) from None
+        except OSError as error:
+            raise WriteError(f"{self.name}/{path.name} could not be written: {error.strerror}") from None
 
-    def blocks(self, count: int) -> Iterator[Block]:
-        """Yield the stored blocks in order, up to the first that is missing.
+    def load(self, number: int, rows: int | None) -> Block:
+        """Return a stored block.
 
         Args:
-            count: number of blocks of the sweep.
+            number: number of the block.
+            rows: how many rows it has; None where only its solution tells.
+
+        Raises:
+            DamagedError: it is missing, or is not what was stored.
         """
-        for number in range(count):
-            if number not in self:
-                return
-            with np.load(self._file(number), allow_pickle=False) as stored:
-                yield dict(stored)
+        name = self._name(number)
+        if not self._has(name):
+            raise DamagedError(f"{self.name}/{name} is missing")
+        try:
+            return unpacked((self.folder / name).read_bytes(), number, self.digest, rows)
+        except DamagedError as error:
+            raise DamagedError(f"{self.name}/{name} {error}") from None
+        except OSError as error:
+            raise DamagedError(f"{self.name}/{name} cannot be read: {error.strerror}") from None
 
     def remove(self) -> None:
-        """Remove the folder."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+        """Remove what was stored: the blocks first, so that what is left of it can be continued at any moment."""
+        for name in ("*.npz", ".*.npz.*", IDENTITY):
+            for file in self.folder.glob(name):
+                with suppress(OSError):
+                    file.unlink()
+        let_folder_go(str(self.folder))
+        with suppress(OSError):  # what others have put there stays
+            self.folder.rmdir()
 
-    def _file(self, number: int) -> Path:
-        return self.folder / f"{number:08d}.npz"
+    def _name(self, number: int) -> str:
+        return f"{number:08d}.npz"
 
-    def _put(self, name: str, write: Any) -> None:
-        """Write a file of the folder, whole or not at all."""
-        part = self.folder / f".{name}"
-        try:
-            write(str(part))
-            with open(part, "rb") as stream:
-                os.fsync(stream.fileno())
-            os.replace(part, self.folder / name)
-        except OSError as error:
-            raise WriteError(f"{self.name} could not be written: {error.strerror}") from None
+    def _has(self, name: str) -> bool:
+        return (self.folder / name).is_file()
 
 
 WORDS = {

@@ -35,7 +35,7 @@ def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
     assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
     status, _ = stopped(target, signal.SIGKILL)
     assert status == -signal.SIGKILL
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv.part", "whole.csv"]
+    assert sorted(path.name for path in tmp_path.glob("[!.]*")) == ["rows.csv.part", "whole.csv"]
     capsys.readouterr()
     assert "--resume" in refused(capsys, *LONG, SPOON, "--csv", str(target))
     other = refused(capsys, LONG[0], "phi=15:25:#300", SPOON, "--csv", str(target), "--resume")
