@@ -12,7 +12,7 @@ import typer
 from chutecalc.cli.options import OptionGroup, option
 from chutecalc.errors import UsageError
 from chutecalc.extras import CHART, require_extra
-from chutecalc.output.dataset import without_negative_zeros
+from chutecalc.output.dataset import finite_numbers
 from chutecalc.output.dxf import check_drawing
 from chutecalc.output.files import STANDARD_STREAM, check_openable, check_targets, open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
@@ -142,7 +142,7 @@ class Outputs(OptionGroup):
                 else:
                     writers.append(form.rows(stream, dataset))
             for block in dataset.blocks if writers else ():
-                rows = without_negative_zeros(block)
+                rows = finite_numbers(block)
                 for writer in writers:
                     writer.write(rows)
             for writer in writers:
