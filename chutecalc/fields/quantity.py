@@ -132,7 +132,7 @@ class Quantity:
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
             quoted = isinstance(value, str) and re.fullmatch(r"\s*([+-]?\d+(?:\.\d+)?)\b.*", value)
-            raise _fault("must be a number", f"write {quoted[1]}, the number alone" if quoted else "write a number")
+            raise _fault("must be a number,", f"write {quoted[1]}, the number alone" if quoted else "write a number")
         else:
             try:
                 value = smallest = largest = float(value)

@@ -89,12 +89,14 @@ def out_of_bounds(
     'did you mean width_m = 0.01?'
     """
     number, remedy, first = context["number"], context["remedy"], first_unit(quantity.dimension)
-    problem = f"{problem} {quantity.bounds_text(unit)}".rstrip()
+    problem = f"{problem} {quantity.bounds_text(unit)}".rstrip(" ,")
     if number is None:
         return problem, remedy
     low = number < quantity.bounds.get("ge", quantity.bounds.get("gt", -np.inf)) or quantity.is_too_small(number)
-    side = "less" if low and number > 0.0 else "more"
-    if why := quantity.reasons().get(side, "") if number >= 0.0 or not low else "":
+    if number <= 0.0:
+        return problem, remedy
+    side = "less" if low else "more"
+    if why := quantity.reasons().get(side, ""):
         problem += f": {side} {why}"
     written = convert(np.array([number]), quantity.dimension, first, unit)
     fits = {other: float(far[0]) for other, far in quantity.distances(written, unit).items() if np.isfinite(far[0])}

@@ -27,21 +27,21 @@ def check_entry(spec: ChuteSpec, velocity: Array, first: Segment, faults: Geomet
         first: the first segment.
         faults: collects what is wrong.
     """
+    at, written = ("inlet", "velocity_m_s"), spec.inlet.velocity_m_s
+    rest = "give a velocity above 0, or begin with a fall"
+    if isinstance(first, Contact):
+        faults.note(velocity == 0.0, at, written, "leaves the stream at rest on the first segment", rest)
+    if faults.found:  # a section that is none makes any stream deep
+        return
     rate = in_si(spec.flow.rate_t_h, "mass rate") / in_si(spec.material.density_kg_m3, "density")
     location, given = ("flow", "rate_t_h"), spec.flow.rate_t_h
     remedy = "check the rate, the density, and the velocity and the width where it enters: is one in another unit?"
-    large = rate > LARGEST_AREA * velocity
-    large = large & (velocity > 0.0)
-    if large.any():
-        problem = "makes the stream larger where it enters than any section, {} m²"
-        faults.note(large, location, given, problem.format(with_unit(LARGEST_AREA, "").strip()), remedy)
+    large = (rate > LARGEST_AREA * velocity) & (velocity > 0.0)
+    problem = f"makes the stream larger than {with_unit(LARGEST_AREA, 'm2')} where it enters"
+    faults.note(large, location, given, problem, remedy)
     if not isinstance(first, Contact):
         return
-    at, written = ("inlet", "velocity_m_s"), spec.inlet.velocity_m_s
-    rest = "give a velocity above 0, or begin with a fall"
-    faults.note(velocity == 0.0, at, written, "leaves the stream at rest on the first segment", rest)
-    deep = rate > DEEPEST * velocity * greatest_width(first.section)
-    deep = deep & (velocity > 0.0)
+    deep = (rate > DEEPEST * velocity * greatest_width(first.section)) & (velocity > 0.0)
     problem = f"makes the stream deeper than {with_unit(DEEPEST, 'm')} where it enters"
     faults.note(deep & ~large, location, given, problem, remedy)
 

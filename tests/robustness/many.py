@@ -10,6 +10,7 @@ import sys
 import time
 import warnings
 from collections import Counter
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -74,9 +75,10 @@ class Tally:
 def run(chutes: int, first: int, folder: Path) -> Tally:
     """Try so many chutes, from a seed on."""
     tally, number = Tally(folder), first
-    while tally.outcomes.total() < chutes:
-        try_spec(tally, number)
-        number += 1
+    with suppress(KeyboardInterrupt):  # Ctrl-C ends a long run, and it still prints its figures
+        while tally.outcomes.total() < chutes:
+            try_spec(tally, number)
+            number += 1
     return tally
 
 

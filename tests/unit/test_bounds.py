@@ -79,7 +79,7 @@ def test_a_stream_that_no_chute_holds_is_refused_with_its_design():
         base.vary({"inlet.velocity_m_s": [3.0, 0.001]})
     assert caught.value.designs.tolist() == [False, True]
     assert (
-        "larger where it enters than any section"
+        "larger than 10,000 m² where it enters"
         in refused(
             flow={"rate_t_h": 1e6}, material={"density_kg_m3": 2}, inlet={"velocity_m_s": 0.01, "slope_deg": 40}
         )[0]

@@ -144,7 +144,7 @@ def test_what_the_receiver_gets():
 
 def test_a_value_out_of_bounds_is_told():
     f = starter().function([SPOON])
-    with pytest.raises(chutecalc.SpecError, match="greater than 0"):
+    with pytest.raises(chutecalc.SpecError, match="at least 0.001 m"):
         f(-1.0)
     with pytest.raises(chutecalc.SpecError, match="finite"):
         f(np.array([1.0, np.nan]))
