@@ -100,6 +100,7 @@ class Parameter(NamedTuple):
         table |= {} if self.indices else {self.key: value}
         finite = bool(value - value == 0.0)
         bounded = [bool(COMPARISONS[name](value, limit)) for name, limit in self.quantity.bounds.items()]
+        bounded += [bool(value == 0.0) or bool(value >= self.quantity.least)] if self.quantity.least else []
         return finite and all(bounded) and not any(True for rule in self.table.rules for _ in rule(table))
 
 

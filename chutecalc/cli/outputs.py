@@ -13,7 +13,7 @@ from chutecalc.cli.options import OptionGroup, option
 from chutecalc.cli.streams import reader_is_gone
 from chutecalc.errors import UsageError
 from chutecalc.extras import CHART, require_extra
-from chutecalc.output.dataset import without_negative_zeros
+from chutecalc.output.dataset import finite_numbers
 from chutecalc.output.dxf import check_drawing
 from chutecalc.output.files import open_whole
 from chutecalc.output.formats import OutputFormat, RowWriter, output_formats
@@ -147,7 +147,7 @@ class Outputs(OptionGroup):
             for block in dataset.blocks if writers else ():
                 if self._only_standard_output and reader_is_gone():
                     return
-                rows = without_negative_zeros(block)
+                rows = finite_numbers(block)
                 for writer in writers:
                     writer.write(rows)
             for writer in writers:

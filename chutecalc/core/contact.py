@@ -164,7 +164,8 @@ def miss_segment(chute: "records.ChuteState", segment: "records.Segment") -> Non
     chute.segment_status = chute.arrival.status
     records.clear_point(chute.entry)
     records.clear_point(chute.end)
-    chute.impact.velocity_after = segment.stream.share = segment.stream.y = floats.NAN
+    chute.impact.velocity_after = floats.NAN
+    solution_rows.clear_stream(segment.stream)
     solution_rows.write_solution(chute, segment, segment.stream, 0)
     if chute.arrival.status == state.PASSED:
         chute.airborne = True

@@ -2,7 +2,8 @@
 
 from chutecalc.core import closed, flight, floats, guide_surface, joint, placement, records, solution_rows, state
 
-MAX_FALL = LONGEST_FALL = 1e5  # m, as for every length: a longer fall has missed its target; one is for Python
+LONGEST_FALL = 2000.0  # m, as for every length: a longer fall has missed its target
+MAX_FALL = 2000.001  # m, the same and rounding; a C constant if compiled, the other is for Python
 
 
 def solve_fall(chute: "records.ChuteState", segment: "records.Segment") -> None:

@@ -14,6 +14,7 @@ import math
 from chutecalc.core import floats, friction, guide_surface, section
 
 JUMP_ITERATIONS = 12  # to aim by; a panel finds the jump itself
+HALVINGS, NEAREST = 36, 1e-16  # in a pipe, of a logarithm; how near to full the jump is looked for, of v²
 
 
 def mean_depth(facets: "section.Facets", k: int, area: float, depth: float, width: float) -> float:
@@ -111,6 +112,10 @@ def jump_ahead(guide: "guide_surface.Guide", facet: int, share: float, y: float)
     """
     if guide.longitudinal == 0.0:
         return 0.0
+    guide_surface.set_section(guide, share)
+    full = guide_surface.full_velocity(guide)
+    if full > 0.0:
+        return jump_above_full(guide, facet, share, y, full * full)
     for _ in range(JUMP_ITERATIONS):
         missing = 1.0 - bracket(guide, facet, share, y)
         if not missing > 0.0:
@@ -119,3 +124,26 @@ def jump_ahead(guide: "guide_surface.Guide", facet: int, share: float, y: float)
             break
         y *= missing ** (2.0 / 3.0)
     return y
+
+
+def jump_above_full(guide: "guide_surface.Guide", facet: int, share: float, y: float, full: float) -> float:
+    """Return the v² at which the bracket falls to 0 in a pipe; 0 where it does not.
+
+    It does before the pipe runs full, where the surface has no width: next to that, or far from it.
+
+    Args:
+        guide, facet, share, y: as in :func:`jump_ahead`.
+        full: v² at which the pipe runs full.
+    """
+    if not y > full or not bracket(guide, facet, share, y) > 0.0:
+        return y
+    low, high = math.log(NEAREST * y), math.log(y - full)
+    if bracket(guide, facet, share, full + NEAREST * y) > 0.0:
+        return 0.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if bracket(guide, facet, share, full + math.exp(middle)) > 0.0:
+            high = middle
+        else:
+            low = middle
+    return full + math.exp(low)

@@ -55,5 +55,11 @@ def skip_segment(chute: "records.ChuteState", segment: "records.Segment", stream
     records.clear_point(chute.end)
     records.clear_point(chute.current)
     joint.clear_arrival(chute)
-    stream.share = stream.y = floats.NAN
+    clear_stream(stream)
     write_solution(chute, segment, stream, 0)
+
+
+def clear_stream(stream: "state.Stream") -> None:
+    """Forget a stream that an earlier design had on a segment; on which of its surfaces this one would be is open."""
+    stream.share = stream.y = stream.choke_share = floats.NAN
+    stream.attempts = 0

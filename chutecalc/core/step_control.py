@@ -2,7 +2,7 @@
 
 import math
 
-from chutecalc.core import events, floats, friction, gauss, guide_surface, panel, section, state
+from chutecalc.core import events, floats, friction, gauss, guide_surface, motion, panel, section, state
 
 LEAST_R_FRACTION, FIRST_R_FRACTION = 0.1, 0.15  # of the distance to the goal in r: smallest, and first after one in c
 BRANCH_CLEARANCE = 4e-13  # how far beyond an event the branch is read: more than the event's own tolerance
@@ -10,6 +10,7 @@ END_TOLERANCE, ROUNDING = 1e-12, 1e-15  # of a panel, and of its variable: an ev
 NEAR_END, OVERSHOOT = 0.98, 1e-6  # of a panel: an event past this is near its end; how far past an event the next goes
 MIN_FACTOR, MAX_FACTOR = 0.25, 0.8  # of a rejected panel's length: bounds of the next
 JUMP_ITERATIONS = 3  # of Newton's method for the velocity of a jump
+UNRESOLVED = 1.5  # least steps: where a panel no longer than that is rejected, no shorter one will do
 INNER_ERROR_FACTOR = 10.0  # times the tolerance of a panel's end: error allowed inside where it is cut
 
 
@@ -150,8 +151,28 @@ def reject_step(stream: "state.Stream", options: "state.SolverOptions", kind: in
     if kind == panel.IN_R:
         stream.r_fraction *= 0.5
         stream.r_rejected = stream.r_fraction < LEAST_R_FRACTION
+    elif step < UNRESOLVED * state.LEAST_STEP:
+        end_here(stream, options)
     else:
         stream.next_step = max(shrink_factor(stream.panel, options) * step, state.LEAST_STEP)
+
+
+def end_here(stream: "state.Stream", options: "state.SolverOptions") -> None:
+    """End a stream that not even the least step resolves: it jumps, runs full or comes to rest within that.
+
+    Where pressure along the stream meets a pipe that runs full, both the bracket and the width of the surface fall to
+    0 at once, and neither can be told from the other.
+    """
+    stream.shift += 2.0 * state.LEAST_STEP
+    if stream.guide.longitudinal > 0.0:
+        apply_event(stream, options, events.JUMP)
+    elif guide_surface.full_velocity(stream.guide) > 0.0:
+        stream.error += 2.0 * state.LEAST_STEP
+        apply_event(stream, options, events.CHOKE)
+    elif not motion.rhs_any_branch(stream.guide, stream.share, stream.y) > 0.0:
+        stream.status, stream.y, stream.error = state.STALL, 0.0, 2.0 * state.LEAST_STEP
+    else:
+        stream.next_step = state.LEAST_STEP
 
 
 def shrink_factor(trial: "panel.Panel", options: "state.SolverOptions") -> float:

@@ -28,6 +28,10 @@ STEP_DECELERATING, STEP_ACCELERATING = 0.667, 2.0  # of the distance to rest ahe
 NEARLY_FULL, STEP_TO_FULL = 1e-7, 1.5  # of v²: a pipe so near to full takes one panel up to it, and a little beyond
 STIFFNESS_LIMIT = -6.0  # ∂f/∂y times a panel's length below which the equation is stiff
 BEYOND_JUMP = 0.02  # of the distance to it in r
+NEXT_TO_FULL = 1e-4  # of v²: a stream that jumps so near to full has hardly any surface there
+MANY = 10  # times as fast a stream has stalled if it takes as many times more panels
+JUMP_PANELS, NEAR_JUMP = 100, 0.02  # so near to a jump, of v², a stream that takes more panels follows it: it counts
+BEHIND = 1e-7  # share: how far behind a taper is looked at, where the stream is sure to flow
 MAX_PANELS = 2000  # a bound, so that no input can hang
 MOST_PANELS = MAX_PANELS  # for Python; the other is a C constant if compiled
 CREEP_VELOCITY, CREEP_PANELS = 1e-3, 60  # m/s; a slower stream that takes more panels than that has stalled
@@ -131,7 +135,8 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
     if stream.y < -2.0 * state.LEAST_STEP * change:  # from twice as far the least step is short enough
         stream.status, stream.y, stream.error = state.STALL, 0.0, 2.0 * state.LEAST_STEP
         return True
-    if stream.attempts > CREEP_PANELS and stream.y < CREEP_VELOCITY * CREEP_VELOCITY:
+    creep = CREEP_VELOCITY if stream.attempts < MANY * CREEP_PANELS else MANY * CREEP_VELOCITY
+    if stream.attempts > CREEP_PANELS and stream.y < creep * creep:
         stream.status, stream.error = state.STALL, 1.0 - stream.share
         return True
     return False
@@ -140,12 +145,20 @@ def detect_stall(stream: "state.Stream", change: float) -> bool:
 def detect_jump(stream: "state.Stream", options: "state.SolverOptions", change: float) -> bool:
     """End the stream where it jumps within the least step, or has come a little beyond; return whether it did.
 
-    No panel can resolve that. A stream with pressure along it gets neither to rest nor to a full pipe before.
+    No panel can resolve that. A stream with pressure along it gets neither to rest nor to a full pipe before. Where it
+    jumps next to full the surface is so narrow that rounding hides the rest of the way, which counts as its error.
+    One that follows the line on which streams jump has no place for its jump but this, or any further on.
     """
     if stream.guide.longitudinal == 0.0:
         return False
     jump = longitudinal.jump_ahead(stream.guide, stream.facet, stream.share, stream.y)
-    if change == change and not 0.5 * (stream.y - jump) < -2.0 * state.LEAST_STEP * change:
+    approach, above = approach_rate(stream, change, jump, 0.0), 0.5 * (stream.y - jump)
+    full = guide_surface.full_velocity(stream.guide)
+    if full > 0.0 and jump > 0.0 and above < NEARLY_FULL * stream.y and jump - full * full < NEXT_TO_FULL * stream.y:
+        stream.shift += math.fabs(floats.quotient(above, approach))
+    elif stream.attempts > JUMP_PANELS and jump > 0.0 and above < NEAR_JUMP * stream.y:
+        stream.shift += 1.0 - stream.share
+    elif change == change and not above < -2.0 * state.LEAST_STEP * approach:
         return False
     step_control.apply_event(stream, options, events.JUMP)
     return True
@@ -203,10 +216,11 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
     full = guide_surface.full_velocity(stream.guide)
     jump = longitudinal.jump_ahead(stream.guide, stream.facet, stream.share, stream.y)
     above = 0.5 * (stream.y - jump) if jump > 0.0 else stream.y - full * full
-    rest, scale = stream.breakpoint - stream.share, math.fabs(floats.quotient(above, change))
+    approach = approach_rate(stream, change, jump, full)
+    rest, scale = stream.breakpoint - stream.share, math.fabs(floats.quotient(above, approach))
     if full > 0.0 and jump == 0.0:
         longest = STEP_DECELERATING if above > NEARLY_FULL * stream.y else STEP_TO_FULL
-        step = min(stream.next_step, (longest if change < 0.0 else STEP_ACCELERATING) * scale)
+        step = min(stream.next_step, (longest if approach < 0.0 else STEP_ACCELERATING) * scale)
         step_in_share(stream, options, stream.share + step if step < rest else stream.breakpoint, jacobian)
         return
     if not stream.r_rejected and change < 0.0 and scale < STOP_AHEAD * rest:
@@ -214,10 +228,12 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
         if jump > 0.0:  # a little beyond, so that it lies inside
             start, least = math.sqrt(math.sqrt(stream.y)), math.sqrt(math.sqrt(jump))
             goal = max(goal, least - BEYOND_JUMP * (start - least))
+            if full > 0.0:
+                goal = max(goal, 0.5 * (least + math.sqrt(full)))
     elif not stream.r_rejected and change > 0.0 and scale < REST_BEHIND * rest:
         goal = min(math.sqrt(math.sqrt(stream.y + 0.5 * change * rest)), math.sqrt(fastest_on_branch(stream)))
     else:
-        step = min(stream.next_step, (STEP_DECELERATING if change < 0.0 else STEP_ACCELERATING) * scale)
+        step = min(stream.next_step, (STEP_DECELERATING if approach < 0.0 else STEP_ACCELERATING) * scale)
         target = stream.share + step if step < rest else stream.breakpoint
         step_in_share(stream, options, target, jacobian)
         return
@@ -225,6 +241,21 @@ def next_panel(stream: "state.Stream", options: "state.SolverOptions", change: f
         start = math.sqrt(math.sqrt(stream.y))
         goal = start + stream.r_fraction * (goal - start)
     try_panel(stream, options, panel.IN_R, goal, options.r_pair, options.panel_tolerance)
+
+
+def approach_rate(stream: "state.Stream", change: float, jump: float, full: float) -> float:
+    """Return dy/dc less that of the v² below which the stream jumps, or runs full: along a taper that changes too."""
+    limit = jump if jump > 0.0 else full * full
+    if not stream.guide.taper or limit == 0.0:
+        return change
+    before = stream.share - BEHIND
+    if jump > 0.0:
+        there = longitudinal.jump_ahead(stream.guide, stream.facet, before, stream.y)
+    else:
+        guide_surface.set_section(stream.guide, before)
+        there = guide_surface.full_velocity(stream.guide) * guide_surface.full_velocity(stream.guide)
+    guide_surface.set_section(stream.guide, stream.share)
+    return change - (limit - there) / BEHIND
 
 
 def step_in_share(stream: "state.Stream", options: "state.SolverOptions", target: float, jacobian: float) -> None:

@@ -1,4 +1,4 @@
-"""The range of a quantity outside which a person has probably mistaken its unit."""
+"""The sizes of a quantity: those that a chute can have, and those beyond which a unit is probably mistaken."""
 
 import math
 from typing import NamedTuple
@@ -9,19 +9,28 @@ from chutecalc.physics.arrays import Array, Mask
 
 
 class Plausible(NamedTuple):
-    """A range in the first unit of a dimension, and what values beyond it are like.
+    """Sizes in the first unit of a dimension: bounds of what can be meant, and the plausible ones between.
 
-    0 is 0 in any unit, and so never a mistaken one. The size of a number counts, not its sign.
+    What lies outside the bounds is refused, what lies outside the range is told. 0 is 0 in any unit, and so never a
+    mistaken one. The size of a number counts, not its sign.
     """
 
+    least: float
+    """Smallest size that is taken, in the first unit of its dimension; 0 for any."""
     low: float
-    """Smallest size of a plausible value, in the first unit of its dimension."""
+    """Smallest size of a plausible value, in that unit."""
     high: float
     """Largest size of a plausible value, in that unit."""
+    most: float
+    """Largest size that is taken, in that unit."""
     below: str
-    """What a smaller value is like, as the end of a sentence: ``thinner than a coin``."""
+    """What a value below the range is like, as the end of a sentence: ``thinner than a coin``."""
     above: str
-    """What a larger value is like."""
+    """What a value above the range is like."""
+    too_small: str = ""
+    """Why nothing smaller is taken, as the end of a sentence: ``lets no grain pass``; empty where 0 is the bound."""
+    too_large: str = ""
+    """Why nothing larger than the bound is taken; empty where what is larger would be no such quantity."""
     coefficient: bool = False
     """Whether the number may be meant as the tangent of the angle that the key takes."""
 
@@ -36,7 +45,7 @@ class Plausible(NamedTuple):
         Args:
             values: in the first unit of the dimension, of any shape.
 
-        >>> Plausible(100.0, 7000.0, "light", "dense").mistaken(np.array([0.85, 0.0, 850.0])).tolist()
+        >>> Plausible(1.0, 100.0, 7000.0, 1e5, "light", "dense").mistaken(np.array([0.85, 0.0, 850.0])).tolist()
         [True, False, False]
         """
         size = np.abs(values)
@@ -52,7 +61,7 @@ class Plausible(NamedTuple):
         Returns:
             The logarithms of the ratios, 0 or more; infinite for values outside the range.
 
-        >>> Plausible(0.1, 10.0, "short", "long").distance(np.array([1.0, 20.0])).tolist()
+        >>> Plausible(0.001, 0.1, 10.0, 1e3, "short", "long").distance(np.array([1.0, 20.0])).tolist()
         [0.0, inf]
         """
         with np.errstate(divide="ignore"):

@@ -1,5 +1,6 @@
 """How fields of a spec are declared: a quantity is a number with a dimension, bounds and a key for each unit."""
 
+import math
 import re
 from math import isfinite
 from typing import Any
@@ -9,37 +10,48 @@ from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
 from chutecalc.fields.plausible import Plausible
-from chutecalc.fields.units import TEXT, convert, first_unit, to_si
+from chutecalc.fields.units import TEXT, UNITS, convert, first_unit, to_si
 from chutecalc.physics.arrays import Array
 
+PERCENT = 100.0
+SLACK = math.log(4.0)
+"""Logarithm of the factor within which two units suit a number alike, so that the more common one is offered."""
 Number = float | Any
 """A number as the user wrote it, or a one-dimensional array of numbers where designs are varied."""
 
 
 class Quantity:
-    """Declares a field as a quantity: ``Annotated[Number, Quantity("length", gt=0)]``.
+    """Declares a field as a quantity: ``Annotated[Number, Quantity("length", LONG)]``.
 
     Args:
         dimension: one of :data:`chutecalc.fields.units.UNITS`.
+        plausible: its sizes; every key of a spec has them. They are its limits where no others are given.
+        zero: whether it may be 0 too, however small its least size is.
         gt, ge, lt, le: limits, named as in pydantic, in the first unit of the dimension.
         shape: empty for one number, ``(2,)`` for a list of two, ``(None, 2)`` for any count of rows of two.
-        plausible: range beyond which a unit is probably mistaken; every key of a spec has one.
 
     Attributes:
-        bounds: the limits given, by their names.
+        bounds: the limits, by their names.
+        least: the least number above 0 of a quantity that may be 0; 0 where that may be any.
     """
 
     def __init__(
         self,
         dimension: str,
+        plausible: Plausible | None = None,
         *,
+        zero: bool = False,
         gt: float | None = None,
         ge: float | None = None,
         lt: float | None = None,
         le: float | None = None,
         shape: tuple[int | None, ...] = (),
-        plausible: Plausible | None = None,
     ) -> None:
+        if plausible is not None:
+            if gt is None and ge is None:
+                gt, ge = (0.0, None) if not (zero or plausible.least) else (None, 0.0 if zero else plausible.least)
+            le = plausible.most if lt is None and le is None else le
+        self.least = plausible.least if zero and plausible is not None else 0.0
         self.dimension, self.shape, self.plausible = dimension, shape, plausible
         self.bounds = {
             name: limit for name, limit in (("gt", gt), ("ge", ge), ("lt", lt), ("le", le)) if limit is not None
@@ -66,14 +78,16 @@ class Quantity:
             described = {"type": "array", "items": described} | counts
         return described
 
-    def json_bounds(self, unit: str) -> dict[str, float]:
+    def json_bounds(self, unit: str) -> dict[str, Any]:
         """Return the bounds by JSON Schema's names, in one of the dimension's units.
 
         Args:
             unit: suffix of the unit.
         """
         names = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
-        return {names[name]: limit for name, limit in self.bounds_in(unit).items()}
+        bounds: dict[str, Any] = {names[name]: limit for name, limit in self.bounds_in(unit).items()}
+        least = convert(self.least, self.dimension, first_unit(self.dimension), unit)
+        return bounds | ({"not": {"exclusiveMinimum": 0, "exclusiveMaximum": least}} if least else {})
 
     def bounds_in(self, unit: str) -> dict[str, float]:
         """Return the bounds by pydantic's names, in one of the dimension's units.
@@ -118,7 +132,7 @@ class Quantity:
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
             quoted = isinstance(value, str) and re.fullmatch(r"\s*([+-]?\d+(?:\.\d+)?)\b.*", value)
-            raise _fault("must be a number", f"write {quoted[1]}, the number alone" if quoted else "write a number")
+            raise _fault("must be a number,", f"write {quoted[1]}, the number alone" if quoted else "write a number")
         else:
             try:
                 value = smallest = largest = float(value)
@@ -130,8 +144,36 @@ class Quantity:
         low = smallest > bounds.get("gt", -np.inf) and smallest >= bounds.get("ge", -np.inf)
         high = largest < bounds.get("lt", np.inf) and largest <= bounds.get("le", np.inf)
         if not (low and high):
-            raise _fault("must be", f"use a {'smaller' if low else 'larger'} value")
+            raise _fault("must be", f"use a {'smaller' if low else 'larger'} value", largest if low else smallest)
+        if self.least and np.any(tiny := self.is_too_small(np.atleast_1d(value))):
+            raise _fault("must be", "use a larger value, or 0", float(np.atleast_1d(value)[tiny][0]))
         return value
+
+    def is_too_small(self, value: Any) -> Any:
+        """Return whether a number is neither 0 nor large enough, or the mask of an array's numbers that are not.
+
+        Args:
+            value: in the dimension's first unit.
+        """
+        return (value > 0.0) & (value < self.least)
+
+    def distances(self, numbers: Array, unit: str) -> dict[str, Array]:
+        """Return how far numbers would be from the middle of the plausible range if they were meant in another unit.
+
+        Args:
+            numbers: as written, of any shape.
+            unit: in which they are written.
+
+        Returns:
+            By suffix of each other unit of the dimension, and by ``%`` where there is none, factors as of
+            :meth:`Plausible.distance`. Without sizes there are none.
+        """
+        if self.plausible is None:
+            return {}
+        first = first_unit(self.dimension)
+        others = [other for other in UNITS[self.dimension] if other != unit]
+        meant = {other: convert(numbers, self.dimension, other, first) for other in others} or {"%": numbers / PERCENT}
+        return {other: self.plausible.distance(value) for other, value in meant.items()}
 
     def bounds_text(self, unit: str) -> str:
         """Return the bounds in words, in one of the dimension's units.
@@ -141,14 +183,29 @@ class Quantity:
 
         >>> Quantity("length", gt=0, le=90).bounds_text("mm")
         'greater than 0 mm and at most 90,000 mm'
+        >>> Quantity("velocity", Plausible(0.001, 0.01, 40.0, 200.0, "slow", "fast"), zero=True).bounds_text("m_s")
+        '0, or at least 0.001 m/s and at most 200 m/s'
         """
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
-        return " and ".join(f"{names[name]} {with_unit(limit, unit)}" for name, limit in self.bounds_in(unit).items())
+        limits = self.bounds_in(unit)
+        if self.least:
+            limits["ge"] = convert(self.least, self.dimension, first_unit(self.dimension), unit)
+        words = " and ".join(f"{names[name]} {with_unit(limit, unit)}" for name, limit in limits.items())
+        return f"0, or {words}" if self.least else words
+
+    def reasons(self) -> dict[str, str]:
+        """Return why the bounds are what they are: of ``less`` and ``more``, where there is a reason to give."""
+        sizes = self.plausible
+        return (
+            {}
+            if sizes is None
+            else {side: why for side, why in (("less", sizes.too_small), ("more", sizes.too_large)) if why}
+        )
 
 
-def _fault(problem: str, remedy: str) -> PydanticCustomError:
-    """Return a fault of a quantity; its bounds follow in the message."""
-    return PydanticCustomError("quantity", problem, {"remedy": remedy})
+def _fault(problem: str, remedy: str, number: float | None = None) -> PydanticCustomError:
+    """Return a fault of a quantity, with the number that is out of bounds; they follow in the message."""
+    return PydanticCustomError("quantity", problem, {"remedy": remedy, "number": number})
 
 
 def with_unit(number: float, unit: str) -> str:

@@ -12,7 +12,7 @@ from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.units import convert, first_unit, unit_keys
-from chutecalc.fields.wording import EXPECTED, NOT_VARIED, TABLE, Unknown, as_added, meant, unknown_key
+from chutecalc.fields.wording import EXPECTED, NOT_VARIED, TABLE, Unknown, as_added, meant, out_of_bounds, unknown_key
 
 MAX = float_info.max
 
@@ -167,8 +167,7 @@ class Table(BaseModel):
             return _detail(location, "is missing", f"add {' or '.join(names)}")
         if quantity and kind == "quantity":
             key = written[str(name)]
-            limits = quantity.bounds_text(cls.keys()[key][1])
-            return _detail((key,), f"{item['msg']} {limits}".rstrip(), item["ctx"]["remedy"])
+            return _detail((key,), *out_of_bounds(quantity, str(name), cls.keys()[key][1], item["msg"], item["ctx"]))
         if kind in {"union_tag_invalid", "union_tag_not_found"}:
             tag = str(item["ctx"]["discriminator"]).strip("'")
             if isinstance(item["input"], dict) and isinstance(item["input"].get(tag), np.ndarray):

@@ -4,10 +4,11 @@ from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, NamedTuple, get_origin
 
+import numpy as np
 from pydantic import BaseModel
 
-from chutecalc.fields.quantity import Quantity
-from chutecalc.fields.units import first_unit, unit_keys
+from chutecalc.fields.quantity import PERCENT, SLACK, Quantity
+from chutecalc.fields.units import convert, first_unit, unit_keys
 
 NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
 TABLE = "must be a table", "write its keys under a header, as in [flow]"
@@ -68,6 +69,44 @@ def unknown_key(
     if tables := [f"[{name}]" for name, own in below.items() if key in own]:
         return Unknown(problem, f"put it below {' or '.join(tables)}")
     return Unknown(problem, f"use one of {', '.join(fields)}")
+
+
+def out_of_bounds(
+    quantity: Quantity, name: str, unit: str, problem: str, context: Mapping[str, Any]
+) -> tuple[str, str]:
+    """Return what is wrong with a value of a quantity, and what to do: what was meant in another unit, where that fits.
+
+    Args:
+        quantity: that it is of.
+        name: documented key.
+        unit: suffix of the unit in which it is given.
+        problem: the beginning of it, to which the bounds belong.
+        context: the ``remedy``, and the ``number`` that is out of bounds, in the dimension's first unit, or None.
+
+    >>> from chutecalc.fields.quantities import WIDE
+    >>> context = {"remedy": "use a larger value", "number": 1e-5}
+    >>> out_of_bounds(Quantity("length", WIDE), "width_m", "mm", "must be", context)[1]
+    'did you mean width_m = 0.01?'
+    """
+    number, remedy, first = context["number"], context["remedy"], first_unit(quantity.dimension)
+    problem = f"{problem} {quantity.bounds_text(unit)}".rstrip(" ,")
+    if number is None:
+        return problem, remedy
+    low = number < quantity.bounds.get("ge", quantity.bounds.get("gt", -np.inf)) or quantity.is_too_small(number)
+    if number <= 0.0:
+        return problem, remedy
+    side = "less" if low else "more"
+    if why := quantity.reasons().get(side, ""):
+        problem += f": {side} {why}"
+    written = convert(np.array([number]), quantity.dimension, first, unit)
+    fits = {other: float(far[0]) for other, far in quantity.distances(written, unit).items() if np.isfinite(far[0])}
+    for other, far in fits.items():
+        if far > min(fits.values()) + SLACK:
+            continue
+        key = next((key for key, suffix in unit_keys(name, quantity.dimension).items() if suffix == other), name)
+        value = written[0] / PERCENT if other == "%" else written[0]
+        return problem, f"did you mean {key}?" if quantity.shape else f"did you mean {key} = {value:.12g}?"
+    return problem, remedy
 
 
 def meant(value: str, choices: Sequence[str], hints: Mapping[str, str]) -> str:

@@ -87,6 +87,7 @@ def _spellings(key: str, found: list[tuple[SpecTable, str]]) -> Iterator[Entry]:
             symbol=listed(list(symbols)),
             unit=f"{shown} (also {others})" if quantity and others else shown,
             must_be=allowed_text(field, quantity, unit),
+            because=listed([f"{side} {why}" for side, why in quantity.reasons().items()]) if quantity else "",
             usual=_usual(quantity, unit) if quantity else "",
             default=default_text(field, quantity, unit),
             finding=limit.finding if limit else "",

@@ -79,8 +79,11 @@ def chart_lines(x: Array, values: Array, column: Column, width: int, units: str,
     figure.y_ticks_fkt = lambda low, _: f"{low:z{TICK_WIDTH}.{digits}f}"
     reached = x[np.isfinite(x)]
     low = 0.0 if x_column is COLUMNS["s_m"] else float(reached.min())
-    figure.set_x_limits(low, max(float(reached.max()), low + 1e-9))
-    figure.set_y_limits(0.0, _top(values[known]))
+    figure.set_x_limits(low, max(float(reached.max()), low + 1e-9 * max(abs(low), 1.0)))
+    bottom, top = -_top(-values[known]) if (values[known] < 0.0).any() else 0.0, _top(values[known])
+    figure.set_y_limits(bottom, top)
+    # The library draws a line dot by dot, those outside of the chart too: so no value lies far outside of it.
+    values = np.clip(values, bottom - (top - bottom), top + (top - bottom))
     for run in np.split(np.arange(len(x)), np.flatnonzero(np.diff(known.astype(int))) + 1):
         if known[run[0]]:
             figure.plot(x[run].tolist(), values[run].tolist())
@@ -89,7 +92,8 @@ def chart_lines(x: Array, values: Array, column: Column, width: int, units: str,
 
 
 def _top(values: Array) -> float:
-    """Return the upper end of the axis, a multiple of a round step."""
-    step = max(float(min(values.max(), CUT_OFF * np.median(values))), 1e-9) / HEIGHT
+    """Return the upper end of the axis, a multiple of a round step; it is 0 or more."""
+    above = values[values > 0.0]
+    step = max(float(min(above.max(), CUT_OFF * np.median(above))) if above.size else 0.0, 1e-9) / HEIGHT
     power = 10.0 ** np.floor(np.log10(step))
     return float(HEIGHT * power * STEPS[np.searchsorted(STEPS, step / power * (1.0 - 1e-9))])

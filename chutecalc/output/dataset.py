@@ -91,20 +91,25 @@ def table_of(name: str, rows: Sequence[Mapping[str, Any]], columns: Mapping[str,
         rows: values by heading, as for :func:`block_of`.
         columns: types of the columns.
     """
-    return Table(name, columns, without_negative_zeros(block_of(rows, columns)))
+    return Table(name, columns, finite_numbers(block_of(rows, columns)))
 
 
-def without_negative_zeros(block: Block) -> Block:
-    """Return a block with 0 in place of -0, which says nothing more.
+def finite_numbers(block: Block) -> Block:
+    """Return a block as files hold it: NaN for a number that does not exist, infinite ones too; and no zero has a sign.
 
     Args:
         block: the rows.
 
     >>> import numpy
-    >>> without_negative_zeros({"x_m": numpy.array([-0.0, -1.0])})["x_m"].tolist()
-    [0.0, -1.0]
+    >>> finite_numbers({"x_m": numpy.array([-0.0, -1.0, numpy.inf])})["x_m"].tolist()
+    [0.0, -1.0, nan]
     """
-    return {name: values + 0.0 if values.dtype.kind == "f" else values for name, values in block.items()}
+    import numpy as np  # not before: --help loads this module
+
+    return {
+        name: np.where(np.isfinite(values), values, np.nan) + 0.0 if values.dtype.kind == "f" else values
+        for name, values in block.items()
+    }
 
 
 def number(value: float) -> float | None:

@@ -61,7 +61,7 @@ def _advice(solution: SolvedChute, text: dict[str, str], units: str) -> str:
     off = f"the stream is too {'slow' if ratio < low else 'fast'} for the belt"
     velocity = f"at this slope it would match at {text['matching_velocity_m_s']}"
     match = belt["matching_slope_deg"][0]
-    if np.isinf(belt["matching_velocity_m_s"][0]):
+    if np.isnan(belt["matching_velocity_m_s"][0]):
         return f"{off}, whose heading the stream does not have: no velocity would match"
     if np.isnan(match):
         return f"{off} at any slope; {velocity}"

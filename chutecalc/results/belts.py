@@ -58,10 +58,10 @@ class Transfer:
 
     @property
     def matching_velocity(self) -> Array:
-        """Velocity at the present slope that has the belt's velocity along it, m/s; infinite where none does."""
+        """Velocity at the present slope that has the belt's velocity along it, m/s; NaN where none does."""
         forward, down = self._heading
         cosine = forward * np.cos(self.slope) + down * np.sin(self.slope)
-        return np.where(cosine <= NORMAL_COSINE, np.inf, self.belt.velocity / cosine)
+        return np.where(cosine <= NORMAL_COSINE, np.nan, self.belt.velocity / cosine)
 
     @property
     def matching_velocity_into(self) -> Array:

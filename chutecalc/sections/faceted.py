@@ -7,18 +7,19 @@ import numpy as np
 from pydantic import Field
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import STEEP, Width
+from chutecalc.fields.quantities import RISES, Width
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.fields.table import Table
 from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import OpenSection, Section
+from chutecalc.sections.flanked import STEEPEST_VEE
 
 
 class Facet(Table):
     """A flat wall."""
 
     length_m: Width = Field(description="length along the section")
-    slope_deg: Annotated[Number, Quantity("angle", ge=0, le=90, plausible=STEEP)] = Field(
+    slope_deg: Annotated[Number, Quantity("angle", RISES, zero=True)] = Field(
         description="slope from the plane of the section"
     )
 
@@ -55,7 +56,7 @@ facets = [{ length_m = 0.25, slope_deg = 5 }, { length_m = 0.2, slope_deg = 40 }
         )
         value, problem = self.facets[0].slope_deg, "leaves the section no width"
         remedy = "begin with a facet that is less steep"
-        faults.note(slopes[0] == np.pi / 2, (*location, 0, "slope_deg"), value, problem, remedy)
+        faults.note(slopes[0] > STEEPEST_VEE, (*location, 0, "slope_deg"), value, problem, remedy)
         return Polygon(np.zeros(1), tuple(lengths), tuple(slopes), self.wall_height)
 
     def is_like(self, other: Section) -> bool:

@@ -1,17 +1,17 @@
 """Geometry that chamfered and vee sections share."""
 
-from typing import Annotated, Any
-
-import numpy as np
+from typing import Any
 
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import STEEP
-from chutecalc.fields.quantity import Number, Quantity, in_si
+from chutecalc.fields.quantities import Rise
+from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import length_or_unbounded
 
-ChamferAngle = Annotated[Number, Quantity("angle", gt=0, le=90, plausible=STEEP)]
+ChamferAngle = Rise
+STEEPEST_VEE = in_si(89.0, "angle")
+"""Angle of flanks that meet at most, rad: steeper ones leave a stream a slit."""
 
 
 def flanked(
@@ -25,9 +25,9 @@ def flanked(
         chamfer_m: length of a chamfer, m, or None if it has no top.
         wall_height: of the walls above the floor, m.
         location: of the section in the spec's data.
-        faults: collects vertical chamfers without a base between them.
+        faults: collects upright chamfers without a base between them.
     """
     angle = in_si(chamfer_deg, "angle")
-    problem, narrow = "leaves the section no width, as it has no base", (base == 0.0) & (angle == np.pi / 2)
-    faults.note(narrow, (*location, "chamfer_deg"), chamfer_deg, problem, "give less than 90°, or a base")
+    problem, narrow = "leaves the section no width, as it has no base", (base == 0.0) & (angle > STEEPEST_VEE)
+    faults.note(narrow, (*location, "chamfer_deg"), chamfer_deg, problem, "give 89° or less, or a base")
     return Polygon(base, (length_or_unbounded(chamfer_m),), (angle,), wall_height)

@@ -5,15 +5,15 @@ from typing import ClassVar
 import numpy as np
 from pydantic import Field
 
-from chutecalc.fields.quantities import Length, Slope
-from chutecalc.fields.quantity import in_si
+from chutecalc.fields.quantities import LONG, Length, Slope
+from chutecalc.fields.quantity import in_si, with_unit
 from chutecalc.fields.rules import one_of
 from chutecalc.fields.table import Rules
 from chutecalc.physics.arrays import Array
 from chutecalc.segments.base import Context
 from chutecalc.segments.guide import Guide
 
-LONGEST = 1e5
+LONGEST = LONG.most
 """Greatest length of a segment, m, as of every length in a spec."""
 
 
@@ -38,7 +38,9 @@ class Flat(Guide):
         """
         length = self._length(context, slope)
         key = "drop_m" if self.drop_m is not None else "run_m"
-        problem = f"makes the segment {float(length.max()):.3g} m long, and the limit is {LONGEST:g} m"
+        problem = (
+            f"makes the segment {with_unit(float(length.max()), 'm')} long, and the limit is {with_unit(LONGEST, 'm')}"
+        )
         value, remedy = getattr(self, key), "change it or the slope"
         context.faults.note(length > LONGEST, (*context.location, key), value, problem, remedy)
         return np.minimum(length, LONGEST)

@@ -11,6 +11,7 @@ from chutecalc.physics.pressure import vertical_pressure_ratio
 from chutecalc.physics.wall import Wall, constant_wall, yield_locus
 from chutecalc.segments.base import Context, Lining
 from chutecalc.spec import chute_spec as model
+from chutecalc.spec.entry import check_entry, check_reach
 from chutecalc.spec.segment_names import segment_names
 
 
@@ -46,8 +47,10 @@ class _Geometry:
             assert friction is not None  # the material's own rule
             ratio = vertical_pressure_ratio(friction)
         velocity, slope, position, belt = self.inlet()
-        self.check_start(velocity)
         drawn = (velocity, slope) if self.drawing is None else (self.drawing.inlet_velocity, self.drawing.inlet_slope)
+        segments = self.segments(*drawn)
+        check_reach(self.spec, self.faults)
+        check_entry(self.spec, velocity, segments[0], self.faults)
         return Design(
             mass_rate=in_si(flow.rate_t_h, "mass rate"),
             density=in_si(material.density_kg_m3, "density"),
@@ -64,7 +67,7 @@ class _Geometry:
             belt=belt,
             receiver=self.receiver(),
             limits=self.spec.limits.in_order(),
-            segments=self.segments(*drawn),
+            segments=segments,
         )
 
     def inlet(self) -> tuple[Array, Array, tuple[Array, Array], Belt | None]:
@@ -130,17 +133,6 @@ class _Geometry:
             built.append(table.build(context))
             slope, falling = built[-1].drawn_end(slope), falling and not table.guides
         return tuple(built)
-
-    def check_start(self, velocity: Array) -> None:
-        """Note a fault if the stream enters at rest on a segment that guides it.
-
-        Args:
-            velocity: of the stream where it enters, m/s.
-        """
-        if self.spec.segments[0].guides:
-            location, value = ("inlet", "velocity_m_s"), self.spec.inlet.velocity_m_s
-            remedy = "give a velocity above 0, or begin with a fall"
-            self.faults.note(velocity == 0.0, location, value, "leaves the stream at rest on the first segment", remedy)
 
     def lining(self, liner: model.Liner) -> Lining:
         """Return a liner in numbers.

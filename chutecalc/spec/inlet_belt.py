@@ -8,14 +8,20 @@ from pydantic import Field
 
 from chutecalc import design
 from chutecalc.fields.faults import GeometryFaults, Location
-from chutecalc.fields.quantities import INCLINES, WIDE, BeltSlope, BeltVelocity, Depth, FrictionAngle, Width
+from chutecalc.fields.plausible import Plausible
+from chutecalc.fields.quantities import INCLINES, BeltSlope, BeltVelocity, Depth, FrictionAngle, Width
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.fields.table import Table, Violation
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.troughed_belt import BeltLoad, belt_load
 
+_BELTS = Plausible(
+    *(0.1, 0.2, 4.0, 20.0),
+    *("narrower than any belt", "wider than any belt"),
+    *("is a toy", "is wider than any pulley"),
+)
 LOCATION: Location = ("inlet", "belt")
-LoadAngle = Annotated[Number, Quantity("angle", ge=0, lt=90, plausible=INCLINES)]
+LoadAngle = Annotated[Number, Quantity("angle", INCLINES, zero=True)]
 
 
 def loaded_belt(table: dict[str, Any]) -> Iterator[Violation]:
@@ -49,7 +55,7 @@ class Belt(Table):
     material_depth_m: Depth = Field(
         None, description="depth of the stream on the belt, 0 if not given; the path is that of its middle"
     )
-    width_m: Annotated[Number, Quantity("length", ge=0.1, le=1e5, plausible=WIDE)] = Field(
+    width_m: Annotated[Number, Quantity("length", _BELTS)] = Field(
         None, description="width of the belt; the depth of the stream then follows from the rate"
     )
     roll_m: Width = Field(

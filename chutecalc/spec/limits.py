@@ -18,24 +18,21 @@ NONE = np.array([np.inf])
 PRACTICE, MODEL = "rule of thumb", "chutecalc"
 """Sources: the practice of the field, and what this model neglects."""
 
-_RATIO = Plausible(0.01, 20.0, "next to nothing", "as large as a percentage")
-_STEEP = Plausible(1.0, 90.0, "no angle to speak of", "steeper than vertical")
-Share = Annotated[Number, Quantity("number", gt=0, le=100, plausible=_RATIO)]
-Angle = Annotated[Number, Quantity("angle", ge=0, le=90, plausible=_STEEP)]
-Speed = Annotated[
-    Number, Quantity("velocity", gt=0, le=1e4, plausible=Plausible(0.1, 15.0, "hardly a motion", "faster than a belt"))
-]
-Pressure = Annotated[
-    Number,
-    Quantity("pressure", gt=0, le=1e6, plausible=Plausible(0.05, 500.0, "hardly a load", "more than a belt bears")),
-]
-
-Offset = Annotated[
-    Number, Quantity("length", gt=0, le=1e5, plausible=Plausible(0.01, 20.0, "next to nothing", "wider than a belt"))
-]
-Gap = Annotated[
-    Number, Quantity("length", ge=0, le=1e5, plausible=Plausible(0.005, 10.0, "next to nothing", "higher than a chute"))
-]
+_ANY, _NONE = "limits nothing", "is as good as none"
+_RATIO = Plausible(1e-6, 0.01, 20.0, 100.0, "next to nothing", "as large as a percentage", _NONE, _ANY)
+_STEEP = Plausible(0.0, 1.0, 90.0, 90.0, "no angle to speak of", "steeper than vertical", too_large=_ANY)
+_FAST = Plausible(1e-6, 0.1, 15.0, 1e4, "hardly a motion", "faster than a belt", _NONE, _ANY)
+_HARD = Plausible(1e-6, 0.05, 500.0, 1e6, "hardly a load", "more than a belt bears", _NONE, _ANY)
+_OFF = Plausible(1e-6, 0.01, 20.0, 1e4, "next to nothing", "wider than a belt", _NONE, _ANY)
+_ABOVE = Plausible(
+    0.0, 0.005, 10.0, 100.0, "next to nothing", "higher than a chute", too_large="is more than any chute keeps"
+)
+Share = Annotated[Number, Quantity("number", _RATIO)]
+Angle = Annotated[Number, Quantity("angle", _STEEP, zero=True)]
+Speed = Annotated[Number, Quantity("velocity", _FAST)]
+Pressure = Annotated[Number, Quantity("pressure", _HARD)]
+Offset = Annotated[Number, Quantity("length", _OFF)]
+Gap = Annotated[Number, Quantity("length", _ABOVE, zero=True)]
 
 
 def _limit(default: float | None, meaning: str, source: str, finding: str) -> Any:

@@ -328,7 +328,7 @@ def test_a_bad_spec_ends_with_2_and_nothing_is_written(folder, capsys):
     Path("other.toml").write_text(LEVEL.replace("radius_m = 3.0", "radius_m = -3.0"), encoding="utf-8")
     assert main(["check", "--update", "--junit", "check.xml"]) == 2
     line = 1 + Path("other.toml").read_text(encoding="utf-8").splitlines().index("radius_m = -3.0")
-    assert f"other.toml:{line}: segments.2.radius_m = -3.0 must be greater than 0 m" in capsys.readouterr().err
+    assert f"other.toml:{line}: segments.2.radius_m = -3.0 must be at least 0.001 m" in capsys.readouterr().err
     assert sorted(path.name for path in folder.iterdir()) == ["other.toml", "spoon.baseline.toml", "spoon.toml"]
 
 

@@ -47,7 +47,7 @@ def test_a_key_has_unit_bounds_range_default_and_source(capsys):
         "stands in segments: curve, segments: hood",
         "symbol R",
         "unit mm (also radius_m, radius_in, radius_ft)",
-        "must be greater than 0 mm and at most 100,000,000 mm",
+        "must be at least 1 mm and at most 2,000,000 mm because less is no longer than a grain, more is longer than",
         "usual 10 mm to 300,000 mm; less is shorter than a finger is wide",
         "default none: it must be given",
         "source Paper Eq 1",

@@ -130,7 +130,7 @@ def test_set_changes_a_key_and_its_unit_twin_replaces_it(capsys, starter):
     assert main(["run", str(starter), "--json", "-", "--set", "segments.2.radius_m=2"]) == 0
     assert json.loads(capsys.readouterr().out)["chutes"][0]["exit"] == twin["exit"]
     assert main(["run", str(starter), "--set", "segments.spoon.radius_m=0"]) == 2
-    assert "--set segments.spoon.radius_m=0 must be greater than 0 m" in capsys.readouterr().err
+    assert "--set segments.spoon.radius_m=0 must be at least 0.001 m" in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "segments.slide.radius_m=1"]) == 2
     assert "segments has no item 'slide'. Use 1 (fall) or spoon." in capsys.readouterr().err
     assert main(["run", str(starter), "--set", "radius_mm=1"]) == 2
@@ -157,7 +157,7 @@ def test_set_gives_what_the_spec_leaves_out_and_its_faults_blame_no_line(capsys,
     assert main(["run", str(path), "--set", "flow.rate_t_h=1000"]) == 0
     capsys.readouterr()
     assert main(["run", str(starter), "--set", "flow.rate_t_h=-1"]) == 2
-    assert capsys.readouterr().err.startswith(f"{starter}: --set flow.rate_t_h=-1 must be greater than 0 t/h")
+    assert capsys.readouterr().err.startswith(f"{starter}: --set flow.rate_t_h=-1 must be at least 0.001 t/h")
 
 
 def test_stations_by_distance(capsys, starter):
@@ -228,7 +228,7 @@ def test_all_faults_of_all_specs_and_nothing_solved(capsys, tmp_path, starter):
     assert shown.out == ""
     assert len(shown.err.splitlines()) == 4
     assert shown.err.count("rate_t_h or rate_kg_s or rate_stph") == 2
-    assert shown.err.count("radius_m = -3.0 must be greater than 0 m") == 2
+    assert shown.err.count("radius_m = -3.0 must be at least 0.001 m") == 2
 
 
 def test_an_existing_file_survives_a_failing_run(capsys, tmp_path, starter):

@@ -198,7 +198,7 @@ def test_what_is_cut_off_is_told(capsys, tmp_path):
     document = str(tmp_path / "cut.json")
     out = " ".join(told(capsys, "uncertain", str(file), "--samples", "256", "--json", document).split())
     path = "liners.ceramic.friction_deg"
-    assert f"{path} must be at least 0° and less than 90°: 1.9 % of its values would not be, and are cut off" in out
+    assert f"{path} must be at least 0° and at most 85°: 1.9 % of its values would not be, and are cut off" in out
     assert "flow.rate_t_h must" not in out
     keys = json.loads(Path(document).read_text(encoding="utf-8"))["keys"]
     assert keys[0]["cut_off"] == pytest.approx(0.0186, rel=0.01)  # below -25/12 standard deviations

@@ -23,6 +23,8 @@ def check_faults(error: chutecalc.SpecError, data: Any) -> None:
         known = set(paths(data))
         for fault in error.faults:
             table, _, _ = fault.path.rpartition(".")
+            if table.startswith("cases."):  # another stream on steel that is right: the fault is that of the case
+                table = ".".join(table.split(".")[:2])
             # a key that stands there, or one that is missing in a table that stands there or at the top
             assert fault.path in known or (fault.path and (not table or table in known)), fault
 

@@ -41,12 +41,14 @@ def batch(kind, shape, law, count, seed):
     """Random variants of one segment, and the same for the slow solver."""
     random = seeds.generator(seed, KINDS.index(kind), SHAPES.index(shape), law == "equilibrium")
     n = count
-    beta = mixed(random, n, 0.2, between(random, 1e-6, 1.0, n), random.uniform(1.0, 90.0, n))
-    beta = mixed(random, n, 0.1, 90.0, beta) if shape == "chamfered" else np.minimum(beta, 89.99)
-    base = mixed(random, n, 0.1, 1e-6, between(random, 0.05, 3.0, n)) if shape != "vee" else np.zeros(n)
+    beta = mixed(random, n, 0.2, between(random, 0.1, 1.0, n), random.uniform(1.0, 90.0, n))
+    beta = mixed(random, n, 0.1, 90.0, beta) if shape == "chamfered" else np.minimum(beta, 89.0)
+    base = mixed(random, n, 0.1, 1e-3, between(random, 0.05, 3.0, n)) if shape != "vee" else np.zeros(n)
     delta, phi = random.uniform(0.0, 89.0, n), random.uniform(0.0, 60.0, n)
     rate = mixed(random, n, 0.3, between(random, 1e-3, 5e4, n), between(random, 10.0, 5e3, n))
-    velocity = mixed(random, n, 0.3, between(random, 1e-6, 100.0, n), between(random, 0.3, 20.0, n))
+    velocity = mixed(random, n, 0.3, between(random, 1e-3, 100.0, n), between(random, 0.3, 20.0, n))
+    room = 9e3 if shape == "vee" else 90.0 * base  # of a stream that enters no deeper and no larger than is taken
+    rate = np.minimum(rate, 3600.0 * velocity * room)
     radius = mixed(random, n, 0.3, between(random, 0.05, 500.0, n), between(random, 0.5, 10.0, n))
     end = random.uniform(-20.0, 60.0, n)
     start = {

@@ -67,7 +67,9 @@ def agree_within_rounding(computed, base, path, values):
 def test_every_number_of_random_chutes():
     """By the recording and by a chute built again: the same numbers, and the same refusals."""
     random, traced = np.random.default_rng(5), 0
-    for data in islice(random_specs(31), seeds.times(20)):
+    for drawn in islice(random_specs(31), seeds.times(20)):
+        data = {name: table for name, table in drawn.items() if name not in ("cases", "uncertainty")}
+        data["model"]["steel"] = "fixed"  # as a recording has it, whose steel stands still
         try:
             base = chutecalc.parse(data)
             chutecalc.exits(base)
@@ -144,7 +146,7 @@ def test_what_the_receiver_gets():
 
 def test_a_value_out_of_bounds_is_told():
     f = starter().function([SPOON])
-    with pytest.raises(chutecalc.SpecError, match="greater than 0"):
+    with pytest.raises(chutecalc.SpecError, match=r"at least 0\.001 m"):
         f(-1.0)
     with pytest.raises(chutecalc.SpecError, match="finite"):
         f(np.array([1.0, np.nan]))

@@ -110,7 +110,7 @@ def test_what_is_missing_is_told_with_the_line_of_the_spec(folder):
 @pytest.mark.parametrize(
     ("before", "after", "told"),
     [
-        ("= 850 ", "= -850 ", ":2: materials.coal, bituminous.density_kg_m3 = -850 must be greater than 0 kg/m³"),
+        ("= 850 ", "= -850 ", ":2: materials.coal, bituminous.density_kg_m3 = -850 must be at least 2 kg/m³"),
         ("friction_deg = 30", "friction = 30", ":15: liners.worn.friction = 30 needs its unit at the end"),
         ("[liners.worn]", "[liner.worn]", ":14: liner is not a key of this table. Did you mean liners?"),
         ("[0.5, 0.30]", "[5.0, 0.30]", ":11: liners.ceramic, new.yield_locus_kpa is out of order at row 2"),

@@ -59,7 +59,7 @@ def test_hard_landing(slope, factor):
     velocity = 2.5 / np.sin(np.radians(slope)) * factor
     base = chute(
         inlet={"velocity_m_s": float(velocity), "slope_deg": slope},
-        segments=straight(slope, 1e-9),
+        segments=straight(slope, 1e-3),
         receiver={"velocity_m_s": 9.0, "friction_deg": 30.0},
     )
     solution = chutecalc.solve(base)
@@ -77,7 +77,7 @@ def test_off_speed(ratio, code):
     solution = chutecalc.solve(
         chute(
             inlet={"velocity_m_s": 4.0 * ratio / np.cos(np.radians(10.0)), "slope_deg": 10.0},
-            segments=straight(10.0, 1e-9),
+            segments=straight(10.0, 1e-3),
             receiver={"velocity_m_s": 4.0, "friction_deg": 30.0},
         )
     )

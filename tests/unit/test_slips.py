@@ -102,7 +102,7 @@ SLIPS = [  # what is written, what stands there instead, and how the message goe
     (
         RADIUS,
         'radius_m = "3"',
-        'segments.2.radius_m = "3" must be a number greater than 0 m and at most 100,000 m. Write 3, the number alone.',
+        'segments.2.radius_m = "3" must be a number, at least 0.001 m and at most 2000 m. Write 3, the number alone.',
     ),
     (RADIUS, 'radius_m = "3 m"', "Write 3, the number alone."),
     (RADIUS, "radius_m = 90%", "must be a number alone. Write radius_m = 0.9 if a share is meant, or 90."),
@@ -114,7 +114,7 @@ SLIPS = [  # what is written, what stands there instead, and how the message goe
     (RATE, "rate_t_h = ~1000", NOT_ONE),
     (FRICTION, "friction_deg = 25±2\n", NOT_ONE),
     (FRICTION, "friction_deg = 20-30\n", NOT_ONE),
-    (RADIUS, "radius_m = nan", "must be finite and greater than 0 m and at most 100,000 m. Write a finite number."),
+    (RADIUS, "radius_m = nan", "must be finite and at least 0.001 m and at most 2000 m. Write a finite number."),
     # text and truth
     (KIND, "kind = curve", '27: segments.2.kind = curve must be in quotes if it is text. Write kind = "curve".'),
     (KIND, 'kind = "curve', 'is in quotes that do not close. Write kind = "curve".'),

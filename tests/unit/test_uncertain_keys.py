@@ -70,9 +70,9 @@ def test_a_liner_may_be_called_as_a_distribution():
         ({"normal": -1}, "normal must be a number above 0"),
         ({"uniform": [28, 22]}, "do not rise"),
         ({"uniform": [22]}, "must be 2 numbers"),
-        ({"uniform": [-5, 22]}, "reaches from -5 to 22, and values must be at least 0° and less than 90°"),
+        ({"uniform": [-5, 22]}, "reaches from -5 to 22, and values must be at least 0° and at most 85°"),
         ({"triangular": [20, 25, 95]}, "reaches from 20 to 95, and values must be"),
-        (25.01, "spreads 95 % of the values from -0.01 to 50.01, and they must be at least 0° and less than 90°"),
+        (25.01, "spreads 95 % of the values from -0.01 to 50.01, and they must be at least 0° and at most 85°"),
         (1e300, "spreads 95 % of the values from -1e+300 to 1e+300"),
         ({"normal": 12.8}, "spreads 95 % of the values from -0.08"),
         ({"triangular": [20, 32, 25]}, "do not rise"),
@@ -92,7 +92,7 @@ def test_what_is_no_scatter_is_refused(value, problem):
     assert found[0] == FRICTION
 
 
-@pytest.mark.parametrize("value", [25.0, {"normal": 12.7}, {"uniform": [0, 90]}, {"triangular": [0, 0, 45]}])
+@pytest.mark.parametrize("value", [25.0, {"normal": 12.7}, {"uniform": [0, 85]}, {"triangular": [0, 0, 45]}])
 def test_what_ends_at_the_bounds_of_its_key_is_taken(value):
     assert scatter(value).numbers
 

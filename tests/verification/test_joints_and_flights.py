@@ -77,7 +77,7 @@ def test_an_impact_from_the_stall_incidence_on_leaves_nothing():
                 material={"internal_friction_deg": 45.0},
                 sections=vee(50.0),
                 inlet={"velocity_m_s": 4.0, "slope_deg": 89.0},
-                segments=[{"kind": "straight", "slope_deg": 89.0 - steepest - off, "length_m": 1e-4}],
+                segments=[{"kind": "straight", "slope_deg": 89.0 - steepest - off, "length_m": 1e-3}],
             )
         )
         assert (solution.segments[0].entry["velocity_m_s"][0] > 0.0) == moves

@@ -34,7 +34,7 @@ def test_the_best_chamfer_between_flat_and_square_is_that_of_the_paper(delta, be
         liners={"wall": {"friction_deg": 25.0}},
         sections={"body": {"shape": "chamfered", "base_m": 0.5, "chamfer_deg": 80.0}},
         inlet={"velocity_m_s": 1000.0 / 3.6 / 800.0 / 0.05, "slope_deg": 45.0},
-        segments=[{"kind": "straight", "slope_deg": 45.0, "length_m": 1e-6}],
+        segments=[{"kind": "straight", "slope_deg": 45.0, "length_m": 1e-3}],
     )
     found = chutecalc.optimise(base, {"beta": (60, 89)}, minimise="exit_equivalent_friction")
     assert found.values["chamfer_deg"][0] == pytest.approx(best, abs=0.05)

@@ -123,9 +123,9 @@ def test_a_convex_bend_of_a_pipe_does_not_throw_the_stream_through_its_wall():
     ("change", "remedy"),
     [
         ({"liners.wall.friction_deg": 0.45}, "friction_rad = 0.45"),
-        ({"segments.1.radius_m": 2500.0}, "radius_mm = 2500"),
-        ({"material.density_kg_m3": 0.85}, "density_t_m3 = 0.85"),
-        ({"receiver.velocity_m_s": 270.0}, "velocity_fpm = 270"),
+        ({"segments.1.radius_m": 1500.0}, "radius_mm = 1500"),
+        ({"material.density_kg_m3": 2.5}, "density_t_m3 = 2.5"),
+        ({"receiver.velocity_m_s": 90.0}, "velocity_fpm = 90"),
     ],
 )
 def test_a_unit_that_is_probably_mistaken_is_told_with_its_likeliest_remedy(change, remedy):

@@ -91,12 +91,17 @@ def _below_belt(scene: Scene) -> Iterator[Case]:
         np.where(passed, getattr(solved.start, name), getattr(solved.exit, name)) for name in ("x", "z", "distance")
     )
     below = (belt.at[1] - z) * np.cos(slope) + (belt.at[0] - x) * np.sin(slope)
-    lost = through & np.isnan(scene.received["landing_x_m"]) & (below > 0.0)
+    lost = through & np.isnan(scene.received["landing_x_m"])
     template = (
         "the stream leaves the chute {below_m} below the line of the receiving belt and never lands on it; end the"
         " chute above the belt, or correct receiver.at_m"
     )
-    yield Case(lost, s, template, {"below_m": below})
+    yield Case(lost & (below > 0.0), s, template, {"below_m": below})
+    template = (
+        "the stream meets the line of the receiving belt more than {limit_m} below the end of the chute, further than"
+        " anything falls here; correct receiver.at_m, or the slope of the belt"
+    )
+    yield Case(lost & ~(below > 0.0), s, template, {"limit_m": np.array([LONGEST_FALL])})
 
 
 def _gap(scene: Scene) -> Array:
@@ -119,7 +124,15 @@ def _never_ends(fall: Fall, start: Point, lost: Mask, gravity: Array) -> Iterato
         yield Case(lost, start.distance, f"{begin}is already below that level; increase drop_m")
         return
     forward = start.velocity * np.cos(start.slope)
-    steep = (forward <= 0.0) | (0.5 * gravity * (fall.run / forward) ** 2 > LONGEST_FALL)
-    template = f"{begin}falls straight down, or too steeply to get {{run_m}} away; give drop_m instead of run_m"
-    yield Case(lost & steep, start.distance, template, {"run_m": fall.run})
-    yield Case(lost & ~steep, start.distance, f"{begin}is already past that distance; increase run_m")
+    time = fall.run / forward
+    falls = (start.velocity * np.sin(start.slope) + 0.5 * gravity * time) * time
+    down, steep = forward <= 0.0, falls > LONGEST_FALL
+    yield Case(lost & down, start.distance, f"{begin}falls straight down; give drop_m instead of run_m", {})
+    steep = steep & ~down
+    template = (
+        f"{begin}would fall {{falls_m}} on the way to {{run_m}}, and nothing here falls further than {{limit_m}}; give"
+        " drop_m instead of run_m, or check the slope"
+    )
+    numbers = {"falls_m": falls, "run_m": fall.run, "limit_m": np.array([LONGEST_FALL])}
+    yield Case(lost & steep, start.distance, template, numbers)
+    yield Case(lost & ~steep & ~down, start.distance, f"{begin}is already past that distance; increase run_m")

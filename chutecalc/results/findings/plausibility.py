@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from chutecalc.fields.plausible import Plausible
+from chutecalc.fields.quantity import PERCENT, SLACK
 from chutecalc.fields.units import TEXT
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.criterion import Case, criterion
@@ -14,9 +15,6 @@ from chutecalc.spec.given import Given, given_quantities
 
 NOWHERE = np.full(1, np.nan)
 """Position of what concerns no segment, m, shape (1,)."""
-PERCENT = 100.0
-SLACK = np.log(4.0)
-"""Logarithm of the factor within which two units suit a number alike, so that the more common one is offered."""
 
 
 @criterion(
@@ -54,20 +52,13 @@ def _cases(given: Given, plausible: Plausible, number: Array) -> Iterator[Case]:
     """Yield a case for each side of the range and each remedy."""
     value = given.in_first_unit(number, given.unit)
     small = np.abs(value) < plausible.low
-    fits = _fits(given, plausible, number)
+    fits = given.quantity.distances(number, given.unit)
     for like, side in ((plausible.below, small), (plausible.above, ~small)):
         rest = plausible.mistaken(value) & side
         for mask, remedy in (*_remedies(given, fits), (np.ones(1, dtype=bool), "check its value and its unit")):
             template = f"{{given:.12g}}{_unit_text(given.unit)} is {like}: {remedy}"
             yield Case(rest & mask, NOWHERE, template, _numbers(given, number), key=given.path)
             rest = rest & ~mask
-
-
-def _fits(given: Given, plausible: Plausible, number: Array) -> dict[str, Array]:
-    """Return by unit how far from the middle of its range the number would be in that unit."""
-    return {
-        unit: plausible.distance(given.in_first_unit(number, unit)) for unit in given.keys if unit != given.unit
-    } or {"%": plausible.distance(number / PERCENT)}
 
 
 def _remedies(given: Given, fits: dict[str, Array]) -> Iterator[tuple[Mask, str]]:

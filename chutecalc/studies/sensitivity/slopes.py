@@ -41,7 +41,7 @@ def step_of(key: Parameter, rtol: float) -> float:
     """
     dimension = key.quantity.dimension
     size, (low, _) = abs(key.value_in_unit), bounds_of(key)
-    if low < 0.0 or "ge" in key.quantity.bounds:
+    if low <= 0.0 and "gt" not in key.quantity.bounds:
         one = float(convert(from_si(1.0, dimension), dimension, first_unit(dimension), key.unit))
         size = max(size, one)
     return float(size * rtol ** (1.0 / 3.0))

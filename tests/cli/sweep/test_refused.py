@@ -93,7 +93,7 @@ def test_what_is_refused_before_anything_is_solved(arguments, words, capsys, tmp
 def test_all_values_out_of_bounds_are_told_at_once(capsys, monkeypatch):
     monkeypatch.setattr("chutecalc.api.solve.run_chain", lambda *_: 1 / 0)
     message = refused(capsys, "radius=-1:3:1", "phi=20:95:5", "flow.rate_t=1", "segments.spool.radius_m=1", SPOON)
-    for words in ("radius_m = -1 to 3", "less than 90", "not end in a unit that fits", "segments has no item 'spool'"):
+    for words in ("radius_m = -1 to 3", "at most 85", "not end in a unit that fits", "segments has no item 'spool'"):
         assert words in message
 
 

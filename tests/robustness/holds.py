@@ -1,0 +1,124 @@
+"""What holds of every chute that is solved: its stream, what is told of it, and a batch of its variants."""
+
+import io
+import json
+import re
+from typing import Any
+
+import numpy as np
+
+import chutecalc
+from chutecalc.design import Contact
+from chutecalc.output.dataset import finite_numbers
+from chutecalc.output.formats.csv import CsvRows
+from chutecalc.output.printer import Printer
+from chutecalc.output.report import print_case_findings, print_cases, print_report
+from chutecalc.output.run import run_dataset
+from chutecalc.results.columns import COLUMNS, IN_TABLES
+
+NO_NUMBER = re.compile(r"\b(nan|inf|None)\b")
+FAILURES = {"ok": [[]], "missed": [["missed"], ["passed_by"], ["contact_lost", "missed"]]}
+"""Codes of the failures that go with a status, where they are others than its own name."""
+ROUNDING = 1e-9
+ALIKE = 1e-8
+"""Relative difference of two ways to one velocity, of streams that land on an arc far below within the last digits."""
+
+
+def check(solution: chutecalc.Solution) -> None:
+    """The status, the numbers along the stream, its energy, and the findings with their places."""
+    status = str(solution.status[0])
+    assert status in {"ok", "stall", "choke", "contact_lost", "missed"}
+    assert np.isfinite(solution.exit_velocity[0]) == (status == "ok")
+    assert status != "ok" or 0.0 < solution.exit_velocity[0] < 1e4
+    found = solution.findings()
+    failures = [finding.code for finding in found if finding.severity == "failure"]
+    assert failures in FAILURES.get(status, [[status]])
+    for finding in found:
+        text = finding.message()
+        assert not NO_NUMBER.search(text), text
+        told = " at x " in text  # steel has a place whether a stream gets there or not
+        assert bool(finding.key) or told or np.isfinite(finding.s_m[0]), (finding.code, finding.segment)
+    table = solution.stations(
+        points=7, columns=("segment", "kind", "s_m", "z_m", "velocity_m_s", "depth_m", "pressure_kpa")
+    )
+    reached = np.isfinite(table["s_m"][0])
+    if not reached.any():  # flew off at the inlet, through pipes, or past all onto its belt
+        passed = [segment.status[0] == "passed" for segment in solution.segments if segment.kind != "fall"]
+        assert status in ("missed", "choke") or (status == "ok" and all(passed))
+        return
+    velocity, s, z = (table[name][0][reached] for name in ("velocity_m_s", "s_m", "z_m"))
+    assert np.isfinite(velocity).all()
+    assert (velocity >= 0.0).all()
+    assert (np.diff(s) >= -ROUNDING * max(1.0, s[-1])).all()
+    assert not (table["depth_m"][0] < 0.0).any()
+    assert not (table["pressure_kpa"][0] < 0.0).any()
+    if solution.design.longitudinal_ratio[0] > 0.0:  # pressure along the stream drives it too
+        return
+    # Nothing but gravity drives, and what it drives is α_m v² where a surface guides the stream. Rounding is of v², and
+    # of the height.
+    names, guided = (table[name][0][reached] for name in ("segment", "kind"))
+    factor = np.where(np.isin(guided, ("fall", "flight")), 1.0, solution.design.momentum_factor[0])
+    gravity, squares = solution.design.gravity[0], factor * velocity**2
+    energy, size = (
+        0.5 * squares + gravity * z,
+        1.0 + 0.5 * (squares[:-1] + squares[1:]) + gravity * np.abs(z[1:]) * 1e-6,
+    )
+    along = (names[1:] == names[:-1]) | (solution.design.momentum_factor[0] == 1.0)
+    assert (np.diff(energy) <= ROUNDING * size)[along].all(), (np.diff(energy) / size, velocity, z)
+
+
+def check_told(chute: chutecalc.Chute) -> None:
+    """The report, and the files with their rows and their document: numbers, or nothing."""
+    cases = chutecalc.solve_cases(chute)
+    told = io.StringIO()
+    printer = Printer(stream=told)
+    print_report(printer, cases.main_solution, cases.main, IN_TABLES, "")
+    if len(cases.names) > 1:
+        print_cases(printer, cases)
+    print_case_findings(printer, cases)
+    assert not NO_NUMBER.search(told.getvalue()), told.getvalue()
+    columns = list(COLUMNS)
+    named = [name for name in columns if name not in ("spec", "case")]
+    stations = {name: each.stations(5, None, named) for name, each in cases.solutions.items()}
+    dataset = run_dataset([cases], [stations], columns, lambda number: {})
+    rows = io.StringIO()
+    writer = CsvRows(rows, dataset)
+    for block in dataset.blocks:
+        writer.write(finite_numbers(block))
+    assert not NO_NUMBER.search(rows.getvalue())
+    json.dumps(dataset.document(), allow_nan=False)
+
+
+def check_variants(chute: chutecalc.Chute) -> None:
+    """A batch solved for its ends: the same as in full, without energy gained, and slower on rougher walls."""
+    ends = chutecalc.exits(chute, columns=("velocity_m_s", "z_m"), jobs=1)
+    ok, velocity = ends.status == "ok", ends.exit["velocity_m_s"]
+    assert (np.isfinite(velocity) == ok).all()
+    design = chute.design
+    start = 0.5 * design.inlet_velocity**2 + design.gravity * design.inlet_position[1]
+    energy = 0.5 * velocity**2 + design.gravity * ends.exit["z_m"]
+    driven = np.broadcast_to((design.longitudinal_ratio > 0.0) | (design.momentum_factor > 1.0), ok.shape)
+    size = 1.0 + np.abs(start) + np.abs(energy)
+    assert (energy <= start + ROUNDING * size)[ok & ~driven].all()
+    solved = chutecalc.solve(chute)
+    assert ((solved.status == "ok") == ok).all()  # how one fails that stops as it chokes, the last digit decides
+    allowed = ends.error_estimate + solved.error_estimate + ALIKE
+    off = np.abs(solved.exit_velocity / velocity - 1.0)
+    worst = int(np.argmax(np.where(ok, off / allowed, 0.0)))
+    assert not off[worst] > allowed[worst], (worst, off[worst], allowed[worst], velocity[worst])
+    if rougher := slower_with(chute):
+        slow = chutecalc.exits(chute.vary(rougher), columns=("velocity_m_s",), jobs=1)
+        both = ok & (slow.status == "ok") & ~driven
+        worth = ends.error_estimate + slow.error_estimate + 1e-12
+        assert (slow.exit["velocity_m_s"] <= velocity * (1.0 + worth))[both].all()
+
+
+def slower_with(chute: chutecalc.Chute) -> dict[str, Any]:
+    """Changes with which a stream must be slower: more friction, where it lands nowhere else for that."""
+    segments = chute.design.segments
+    liner = chute.spec.liners["wall"]
+    if len(segments) != 1 or not isinstance(segments[0], Contact) or segments[0].closed or segments[0].deflects:
+        return {}
+    if liner.friction_deg is None or np.max(liner.friction_deg) > 80.0:
+        return {}
+    return {"liners.wall.friction_deg": np.asarray(liner.friction_deg) + 1e-3}
