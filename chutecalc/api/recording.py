@@ -123,8 +123,7 @@ class Recording:
         """Return the steel on which all calls run; none where each draws it anew; None where that needs a solution."""
         chute, drawing = self._chute, self._chute.drawing
         paths = [parameter.path for parameter in self._parameters]
-        drawn = chute.spec.model.steel == "fixed" and not all(is_operating(path) for path in paths)
-        if not drawn:
+        if all(is_operating(path) for path in paths):
             return drawing.steel_for()
         redrawn_only = drawing is chute and not any(is_operating(path) for path in paths)
         vertical = not any(path.startswith("inlet.") for path in paths)

@@ -9,7 +9,7 @@ import numpy as np
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array
 
-MOST = 100_000_000
+MOST = 10_000_000
 """Most numbers that a range may have, unless a caller allows fewer."""
 DECADES, LONGEST = 300, 40
 """Powers of ten between which numbers are, and characters that one has at most."""
@@ -66,7 +66,7 @@ def _item(name: str, item: str, most: int) -> Array:
         raise UsageError(f"{name}: {item} has {counted} values, and the limit is {most:,}. Use fewer.")
     common = math.lcm(first.denominator, step.denominator)
     start, stride = int(first * common), int(step * common)
-    return np.array([(start + k * stride) / common for k in range(count)])  # integers: each rounded once
+    return np.fromiter(((start + k * stride) / common for k in range(count)), float, count)  # integers: rounded once
 
 
 def _number(name: str, text: str) -> Fraction:

@@ -13,7 +13,7 @@ from chutecalc.fields.quantities import INCLINES, BeltSlope, BeltVelocity, Depth
 from chutecalc.fields.quantity import Number, Quantity, in_si
 from chutecalc.fields.table import Table, Violation
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.troughed_belt import BeltLoad, belt_load
+from chutecalc.physics.troughed_belt import BeltLoad, belt_load, usable_width
 
 _BELTS = Plausible(
     *(0.1, 0.2, 4.0, 20.0),
@@ -99,7 +99,8 @@ class Belt(Table):
         roll = width / 3.0 + 0.01 if self.roll_m is None else in_si(self.roll_m, "length")
         problem, remedy = "is not shorter than the belt is wide", "give a shorter roll, or a wider belt"
         faults.note(roll >= width, (*LOCATION, "roll_m"), self.roll_m, problem, remedy)
-        level = (trough == 0.0) & (surcharge == 0.0)
+        on_roll = roll >= usable_width(width)  # no load gets to the side rolls
+        level = (surcharge == 0.0) & ((trough == 0.0) | on_roll)
         problem, remedy = "leaves no load on a flat belt", "give a surcharge angle above 0, or a trough"
         faults.note(level, (*LOCATION, "surcharge_deg"), self.surcharge_deg, problem, remedy)
         with np.errstate(divide="ignore", invalid="ignore"):  # of those without a load

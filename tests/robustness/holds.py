@@ -79,8 +79,7 @@ def check_told(chute: chutecalc.Chute) -> None:
     assert not NO_NUMBER.search(told.getvalue()), told.getvalue()
     columns = list(COLUMNS)
     named = [name for name in columns if name not in ("spec", "case")]
-    stations = {name: each.stations(5, None, named) for name, each in cases.solutions.items()}
-    dataset = run_dataset([cases], [stations], columns, lambda number: {})
+    dataset = run_dataset([cases], lambda solution: solution.stations(5, None, named), columns)
     rows = io.StringIO()
     writer = CsvRows(rows, dataset)
     for block in dataset.blocks:

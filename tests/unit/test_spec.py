@@ -447,6 +447,7 @@ def belt(**keys):
             "follows from width_m",
         ),
         (belt(width_m=1, trough_deg=0, surcharge_deg=0), "inlet.belt.surcharge_deg", "no load on a flat belt"),
+        (belt(width_m=1, trough_deg=9, surcharge_deg=0, roll_m=0.9), "inlet.belt.surcharge_deg", "leaves no load"),
         (belt(width_m=1, trough_deg=9, surcharge_deg=9, roll_m=1), "inlet.belt.roll_m", "not shorter than"),
         (belt(width_m=0.09, trough_deg=9, surcharge_deg=9), "inlet.belt.width_m", "at least 0.1 m"),
         (belt(friction_deg=90), "inlet.belt.friction_deg", "at most 85°"),

@@ -38,7 +38,7 @@ CURVES = {
         (["radius=2:1:0.5", SPOON], "does not lead from 2 to 1. Use a step of -0.5."),
         (["radius=1:2:#0", SPOON], "is not a count"),
         (["radius=nan", SPOON], "is not a number"),
-        (["radius=0:1e9:1e-9", SPOON], "the limit is 100,000,000"),
+        (["radius=0:1e9:1e-9", SPOON], "the limit is 10,000,000"),
         (["radius=1", "radius=2", SPOON], "given twice"),
         (["radius=1", "segments.spoon.radius_mm=2", SPOON], "given twice"),
         (["segments.spoon.kind=1,2", SPOON], "segments.2.kind"),
