@@ -84,9 +84,9 @@ def out_of_bounds(
         context: the ``remedy``, and the ``number`` that is out of bounds, in the dimension's first unit, or None.
 
     >>> from chutecalc.fields.quantities import WIDE
-    >>> context = {"remedy": "use a larger value", "number": 1e-5}
+    >>> context = {"remedy": "use a larger value", "number": 9e-4}
     >>> out_of_bounds(Quantity("length", WIDE), "width_m", "mm", "must be", context)[1]
-    'did you mean width_m = 0.01?'
+    'did you mean width_m = 0.9?'
     """
     number, remedy, first = context["number"], context["remedy"], first_unit(quantity.dimension)
     problem = f"{problem} {quantity.bounds_text(unit)}".rstrip(" ,")

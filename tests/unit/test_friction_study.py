@@ -11,13 +11,17 @@ import pytest
 from chutecalc.cli.friction import run_friction_study
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import OutputError, UsageError
+from chutecalc.output.held import release
 from chutecalc.studies.friction.columns import FRICTION_COLUMNS
 from chutecalc.studies.friction.study import CHAMFERS, INTERNAL_FRICTIONS, FrictionStudy
 
 
 def run_study(csv=None, json=None, plot=None, units="metric", **given):
     """Run the study as the command does."""
-    return run_friction_study(Outputs(csv=csv, json=json, plot=plot, units=units), **given)
+    try:
+        return run_friction_study(Outputs(csv=csv, json=json, plot=plot, units=units), **given)
+    finally:
+        release()
 
 
 TABLE = [  # equivalent friction at δ = 30, 40, 50, 55° for B or W = 0.5 m, A = 0.05 m², φ = 25°

@@ -17,7 +17,7 @@ from tests.verification.second_sections import Friction, atan_slope
 from tests.verification.second_slide import Setting, UndecidedError, slide
 
 EQUAL = radians(1e-6)
-DEEPEST = 100e3
+DEEPEST = 2000.001
 LEAPS = 50
 
 

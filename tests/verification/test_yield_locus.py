@@ -329,7 +329,7 @@ def test_roberts_wear_on_a_rectangular_spoon():
 
 
 def test_light_material_obeys_a_locus_as_heavy_does():
-    """Density, rate and locus a million times as great: the same velocities, through rows at parts of a pascal."""
+    """Density, rate and locus ten thousand times as great: the same velocities, through rows at a few pascals."""
     stations = [
         chutecalc.solve(
             chute(
@@ -344,7 +344,7 @@ def test_light_material_obeys_a_locus_as_heavy_does():
                 ],
             )
         ).stations(points=51)
-        for factor in (1.0, 1e6)
+        for factor in (40.0, 4e5)
     ]
     light, heavy = ({name: table[name][0] for name in ("velocity_m_s", "equivalent_friction")} for table in stations)
     assert len(set(light["equivalent_friction"].round(3))) > 20  # rows of the locus are crossed

@@ -8,6 +8,7 @@ from chutecalc.api.cases import solve_cases
 from chutecalc.api.chute import Chute
 from chutecalc.api.solve import solve
 from chutecalc.design import Contact
+from chutecalc.errors import SpecError
 from chutecalc.fields.units import same_quantity
 from chutecalc.spec.library import Library
 from chutecalc.spec.operating import DESIGN_POINT
@@ -82,7 +83,11 @@ class Attempt(NamedTuple):
         segment = self._chute(stand.slopes, (0.0, 0.0)).design.segments[-1]
         assert isinstance(segment, Contact)
         start = start_of(segment, self.launch, stand, share)
-        chute = self._chute(stand.slopes, start)
+        try:
+            chute = self._chute(stand.slopes, start)
+        except SpecError as error:  # with a start near the stream it is a chute
+            x, z = start
+            raise NotReachedError(f"its start, x {x:.5g} m and z {z:.5g} m, {error.faults[0].problem}") from None
         solution = solve(chute, RTOL)
         struck = struck_by(solution, len(solution.segments) - 1)
         if struck is None:

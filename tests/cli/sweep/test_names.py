@@ -78,7 +78,7 @@ def test_wrong_names_stop_a_sweep_before_it_starts(capsys, monkeypatch):
     assert 'segments.3.liner = "cermic" names cermic, which is not defined' in message
     assert "model.friction_law" in message
     message = refused(capsys, "segments.spoon.liner=steel,cermic", "rate=-1,2", HOOD)
-    for words in ("cermic", "flow.rate_t_h = -1 to 2 must be greater than 0"):
+    for words in ("cermic", "flow.rate_t_h = -1 to 2 must be at least 0.001 t/h"):
         assert words in message
     assert "is not a number" in refused(capsys, "segments.spoon.radius_m=two", HOOD)
     assert "is not a number" in refused(capsys, "segments.spoon.radius_m=1,steel", HOOD)
