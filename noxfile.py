@@ -35,6 +35,13 @@ PLAIN = (
     *("tests/cli/test_run.py", "tests/cli/test_other_commands.py"),
 )
 """What is tested with the core in plain Python, whose digits tests/verification/test_compiled.py compares."""
+OF_LIBRARIES = (
+    *(f"tests/cli/test_{name}.py" for name in ("run", "outputs", "report", "pictures", "documents", "check", "slips")),
+    *("tests/cli/test_other_commands.py", "tests/cli/test_optimise.py", "tests/cli/test_uncertain.py"),
+    *("tests/cli/sweep/test_files.py", "tests/cli/test_dask.py", "tests/cli/test_hostile.py", "tests/regression"),
+    *(f"tests/unit/test_{name}.py" for name in ("spec", "dxf", "plot", "dataframe", "edited", "chart", "function")),
+)
+"""What is tested with the oldest libraries: commands, formats, pictures, reading; `tests/unit tests/cli` is all."""
 
 
 def others() -> list[str]:
@@ -155,7 +162,7 @@ def plain(session: nox.Session) -> None:
 
 @nox.session(python=FOR_OLDEST)
 def oldest(session: nox.Session) -> None:
-    """Test with the oldest dependencies that pyproject.toml allows. The solver itself, tests/verification, needs none.
+    """Test what touches a library with the oldest ones that pyproject.toml allows; arguments behind -- go to pytest.
 
     They need wheels for the interpreter: where this one is too new the oldest that is found is taken, or the one that
     PYTHON_OLDEST names. The core is the one that the session `tests` has compiled; another interpreter than that one's
@@ -168,9 +175,7 @@ def oldest(session: nox.Session) -> None:
     no_compiling = {"CHUTECALC_COMPILE": "0"}
     with without_compiled_core():  # which installing anew would remove
         session.install("--constraint", str(constraints), "--editable", ".[test]", env=no_compiling)
-    rooms = [f"tests/{room}" for room in ("unit", "cli", "regression", "dem")]
-    skipped = "--ignore=tests/dem/test_lammps.py"
-    session.run("python", "-m", "pytest", "-n", "auto", skipped, *rooms, "chutecalc", env=FIXED_CASES)
+    session.run("python", "-m", "pytest", "-n", "auto", *(session.posargs or OF_LIBRARIES), env=FIXED_CASES)
 
 
 @contextmanager
