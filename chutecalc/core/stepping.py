@@ -34,7 +34,7 @@ JUMP_PANELS, NEAR_JUMP = 100, 0.02  # so near to a jump, of v², a stream that t
 BEHIND = 1e-7  # share: how far behind a taper is looked at, where the stream is sure to flow
 MAX_PANELS = 2000  # a bound, so that no input can hang
 MOST_PANELS = MAX_PANELS  # for Python; the other is a C constant if compiled
-CREEP_VELOCITY, CREEP_PANELS = 1e-3, 60  # m/s; a slower stream that takes more panels than that has stalled
+CREEP_VELOCITY, CREEP_PANELS = 1e-3, 60  # m/s; a slower one that ends so, or takes more panels than that, has stalled
 
 
 def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> None:
@@ -46,7 +46,7 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
             try_panel(stream, options, panel.IN_SHARE, stream.breakpoint, options.second_pair, options.tolerance)
     for _ in range(MAX_PANELS):
         if stream.status != state.RUNNING:
-            return
+            break
         change, jacobian = motion.rhs_and_jacobian(stream.guide, stream.facet, stream.piece, stream.share, stream.y)
         if not (
             detect_jump(stream, options, change)
@@ -55,7 +55,10 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
             or cross_event(stream, options, change)
         ):
             next_panel(stream, options, change, jacobian)
-    stream.status = state.UNSOLVED
+    if stream.status == state.RUNNING:
+        stream.status = state.UNSOLVED
+    elif stream.status == state.OK and stream.y < CREEP_VELOCITY * CREEP_VELOCITY:
+        stream.status = state.STALL  # as good as at rest, as it may not enter either
 
 
 def initialise(stream: "state.Stream", options: "state.SolverOptions") -> None:

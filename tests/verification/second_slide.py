@@ -157,6 +157,7 @@ class _Piece:
         return [*out, bracket, f]
 
 
+CREEP = 1e-3  # m/s: a stream that ends slower has stalled
 CHOKE, LOST, JUMP, TURN, END, SWITCH = 4, 5, 6, 7, 8, 9
 
 
@@ -169,7 +170,7 @@ def slide(setting: Setting, u: float, v: float) -> Slid:
     for _ in range(SPLITS):
         event, u, v = _stretch(piece, u, v, event)
         if event == END:
-            return Slid("end", u, v)
+            return Slid("end" if v >= CREEP else "stall", u, v)
         if v == 0:
             return Slid("stall", u, 0.0)
         if event in (CHOKE, LOST, JUMP):

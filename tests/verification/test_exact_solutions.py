@@ -86,6 +86,15 @@ def test_stall_on_a_straight_of_constant_friction():
     assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - stop) < 1e-8
 
 
+@pytest.mark.parametrize(("last", "status"), [(0.5e-3, "stall"), (2e-3, "ok")])
+def test_a_stream_slower_than_a_millimetre_in_a_second_has_stalled(last, status):
+    velocity, slope = 3.0, np.radians(5.0)
+    length = (velocity**2 - last**2) / (2 * G * (FRICTION * np.cos(slope) - np.sin(slope)))
+    solution = chutecalc.solve(vee_chute(velocity, 5.0, {"kind": "straight", "slope_deg": 5.0, "length_m": length}))
+    assert solution.status[0] == status
+    assert abs(solution.trajectory.segment_solutions[0].exit.distance[0] - length) < 1e-8
+
+
 @pytest.mark.parametrize(
     ("velocity", "slope", "length"),
     [(2.0, 50.0, 4.0), (1.0, 35.0, 3.0), (6.0, 20.0, 5.0), (0.8, 30.0, 2.0), (12.0, 5.0, 8.0)],
