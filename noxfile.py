@@ -7,6 +7,7 @@ takes a network; no test does, and pytest refuses connections to other machines.
 
 import os
 import re
+import secrets
 import shutil
 import subprocess
 import sys
@@ -195,7 +196,13 @@ def without_compiled_core() -> Iterator[None]:
 
 @nox.session(default=False)
 def nightly(session: nox.Session) -> None:
-    """Run the robustness and verification tests on random cases; arguments behind -- go to pytest."""
+    """Run the robustness and verification tests on random cases, and attack; arguments behind -- go to pytest."""
     session.install("--editable", ".[test]")
+    chosen = os.environ.get("CHUTECALC_SEED", "random")
+    seed = str(secrets.randbelow(10**9)) if chosen == "random" else chosen
+    session.log(f"CHUTECALC_SEED={seed} repeats these cases")
+    env = {"CHUTECALC_SEED": seed}
     rooms = ("tests/robustness", "tests/verification")
-    session.run("python", "-m", "pytest", "-n", "auto", *rooms, *session.posargs)
+    session.run("python", "-m", "pytest", "-n", "auto", *rooms, *session.posargs, env=env)
+    for attack in (("many", "--chutes", "100000"), ("attack", "10000", "1000"), ("kills", "10", "--seed", seed)):
+        session.run("python", "-m", f"tests.robustness.{attack[0]}", *attack[1:], env=env)
