@@ -4,7 +4,6 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from chutecalc.fields.plausible import Plausible
 from chutecalc.fields.quantities import (
     BeltSlope,
     BeltVelocity,
@@ -23,68 +22,16 @@ from chutecalc.spec.inlet_belt import Belt
 from chutecalc.spec.limits import Limits
 from chutecalc.spec.operating import case_keys
 from chutecalc.spec.rules import known_format, known_strength, locus_rows, names, one_inlet, placement, some_friction
+from chutecalc.spec.sizes import COARSE, DENSE, FLOWS, LINES, PRESSES, RATIO, RUNS, SHEARED, TURNS, WEARS, WEIGHS
 
-_FLOWS = Plausible(
-    *(0.001, 0.05, 50_000.0, 1e6),
-    *("a trickle", "more than any belt carries"),
-    *("is grain by grain, no stream", "is more than all the belts of a mine carry"),
-)
-_WEIGHS = Plausible(
-    *(0.01, 1.0, 25.0, 2000.0),
-    *("weaker than on the Moon", "stronger than on any planet"),
-    *("is as good as weightless", "is stronger than in any centrifuge with a model"),
-)
-_DENSE = Plausible(
-    *(2.0, 100.0, 7000.0, 25_000.0),
-    *("lighter than sawdust", "denser than any ore"),
-    *("is nearly as light as air", "is denser than any metal"),
-)
-_COARSE = Plausible(
-    *(1e-6, 5e-5, 2.0, 20.0),
-    *("as fine as dust", "larger than any crusher takes"),
-    *("is finer than smoke", "is as large as a house"),
-)
-_RATIO = Plausible(
-    0.001, 0.05, 1.0, 1.0, "next to nothing", "more than all of it", "is as good as none", "is more than all of it"
-)
-_SHEARED = Plausible(
-    *(1.0, 1.0, 1.5, 2.0),
-    *("less than a uniform profile has", "more than any profile that rests on the floor has"),
-    *("is less than a uniform profile has", "is more than any profile has"),
-)
-_PRESSES = Plausible(
-    *(0.0, 0.005, 200.0, 1e4),
-    *("less than a millimetre of material weighs", "more than any chute bears"),
-    too_large="is more than any steel bears",
-)
-_LINES = Plausible(
-    *(1e-6, 0.0005, 0.5, 5.0),
-    *("as thin as paint", "thicker than any liner"),
-    *("is thinner than paint", "is thicker than any chute"),
-)
-_WEARS = Plausible(
-    *(1e-15, 1e-9, 1.0, 1e6),
-    *("less than any liner loses", "softer than any liner"),
-    *("is no wear", "is worn away at once"),
-)
-_TURNS = Plausible(
-    0.0, 1.0, 180.0, 180.0, "no angle to speak of", "more than half a turn", too_large="is more than half a turn"
-)
-_RUNS = Plausible(
-    *(0.001, 0.01, 40.0, 200.0),
-    *("hardly a motion", "faster than a stream in any chute"),
-    *("is as good as at rest", "is faster than any stream, of a flight through all of a mine too"),
-)
-
-
-Density = Annotated[Number, Quantity("density", _DENSE)]
+Density = Annotated[Number, Quantity("density", DENSE)]
 
 
 class Flow(Table):
     """How much material flows."""
 
-    rate_t_h: Annotated[Number, Quantity("mass rate", _FLOWS)] = Field(description="mass rate of the stream")
-    gravity_m_s2: Annotated[Number, Quantity("acceleration", _WEIGHS)] = Field(
+    rate_t_h: Annotated[Number, Quantity("mass rate", FLOWS)] = Field(description="mass rate of the stream")
+    gravity_m_s2: Annotated[Number, Quantity("acceleration", WEIGHS)] = Field(
         9.80665, description="gravitational acceleration"
     )
 
@@ -100,8 +47,8 @@ class Material(Table):
     name: str | None = Field(None, description="name of the material, shown in reports")
     density_kg_m3: Density = Field(description="bulk density in the stream")
     internal_friction_deg: InternalFrictionAngle = Field(None, description="effective angle of internal friction, δ")
-    lump_m: Annotated[Number, Quantity("length", _COARSE)] = Field(None, description="size of the largest lump")
-    pressure_ratio: Annotated[Number, Quantity("number", _RATIO)] = Field(
+    lump_m: Annotated[Number, Quantity("length", COARSE)] = Field(None, description="size of the largest lump")
+    pressure_ratio: Annotated[Number, Quantity("number", RATIO)] = Field(
         None, description="K_v, pressure on a vertical wall over that on the centre section; without it δ sets K_v"
     )
     source: str | None = Field(None, description=SOURCE)
@@ -114,20 +61,20 @@ class Liner(Table):
     use: str | None = Field(None, description=USE)
     name: str | None = Field(None, description="name of the liner, for people")
     friction_deg: FrictionAngle = Field(None, description="wall friction angle")
-    yield_locus_kpa: Annotated[Any, Quantity("pressure", _PRESSES, zero=True, shape=(None, 2))] = Field(
+    yield_locus_kpa: Annotated[Any, Quantity("pressure", PRESSES, zero=True, shape=(None, 2))] = Field(
         None,
         description="measured wall yield locus, rows of normal and shear stress; extrapolated with its end slopes",
     )
     own_material: Literal[True] | None = Field(
         None, description="true for material that slides on itself, as in a rock box"
     )
-    slip_ratio: Annotated[Number, Quantity("number", _RATIO)] = Field(
+    slip_ratio: Annotated[Number, Quantity("number", RATIO)] = Field(
         1.0, description="slip velocity at the wall over mean velocity, for wear"
     )
-    thickness_m: Annotated[Number, Quantity("length", _LINES)] = Field(
+    thickness_m: Annotated[Number, Quantity("length", LINES)] = Field(
         None, description="thickness that may wear away, for the life of the liner"
     )
-    wear_mm3_per_j: Annotated[Number, Quantity("wear rate", _WEARS)] = Field(
+    wear_mm3_per_j: Annotated[Number, Quantity("wear rate", WEARS)] = Field(
         None, description="volume lost per frictional work, measured with the material, for the life of the liner"
     )
     source: str | None = Field(None, description=SOURCE)
@@ -137,7 +84,7 @@ class Liner(Table):
 class Inlet(Table):
     """How the stream enters: with a velocity and a slope, or from a belt."""
 
-    velocity_m_s: Annotated[Number, Quantity("velocity", _RUNS, zero=True)] = Field(
+    velocity_m_s: Annotated[Number, Quantity("velocity", RUNS, zero=True)] = Field(
         None, description="velocity of the stream, along slope_deg"
     )
     slope_deg: Slope = Field(None, description="slope of the stream below horizontal; 90 falls straight down")
@@ -157,7 +104,7 @@ class Receiver(Table):
     at_m: Position = Field(
         None, description="x and z of a point of its surface; where the last segment ends if not given"
     )
-    plan_angle_deg: Annotated[Number, Quantity("angle", _TURNS, ge=-180)] = Field(
+    plan_angle_deg: Annotated[Number, Quantity("angle", TURNS, ge=-180)] = Field(
         0.0, description="angle between the headings of stream and belt, seen from above"
     )
 
@@ -175,12 +122,12 @@ class Model(Table):
         description="fixed: the chute is drawn at the spec as written and stands still while operating keys vary;"
         " follows_stream: what is placed by the stream moves with it",
     )
-    momentum_factor: Annotated[Number, Quantity("number", _SHEARED)] = Field(
+    momentum_factor: Annotated[Number, Quantity("number", SHEARED)] = Field(
         1.0,
         description="α_m, momentum of the stream over that of its mean velocity: 1 for a uniform profile, 1.25 for one"
         " sheared over its whole depth on a rough bed (Bagnold), 1.33 for a linear one",
     )
-    longitudinal_pressure_ratio: Annotated[Number, Quantity("number", _RATIO._replace(least=1e-6), zero=True)] = Field(
+    longitudinal_pressure_ratio: Annotated[Number, Quantity("number", RATIO._replace(least=1e-6), zero=True)] = Field(
         0.0,
         description="K_l, pressure along the stream over that normal to the centre section, between K_v and 1; 0"
         " neglects it, as the paper does",
