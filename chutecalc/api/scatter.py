@@ -93,12 +93,12 @@ def is_number(value: Any) -> bool:
 
 
 def bounds_of(parameter: Parameter) -> tuple[float, float]:
-    """Return the least and the greatest value that a number of a spec may have; infinite where there is none.
+    """Return the ends of the range of a number of a spec, infinite where there is none; 0 may be taken beside it.
 
     Args:
         parameter: the number; the values are in the unit of its path.
     """
-    bounds = parameter.quantity.bounds_in(parameter.unit)
+    bounds = parameter.quantity.range_in(parameter.unit)
     return bounds.get("gt", bounds.get("ge", -math.inf)), bounds.get("lt", bounds.get("le", math.inf))
 
 

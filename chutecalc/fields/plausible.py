@@ -39,6 +39,11 @@ class Plausible(NamedTuple):
         """Middle of the range on a logarithmic scale, in the first unit of the dimension."""
         return math.sqrt(self.low * self.high)
 
+    @property
+    def reasons(self) -> dict[str, str]:
+        """Why the bounds are what they are: of ``less`` and ``more``, where there is a reason to give."""
+        return {side: why for side, why in (("less", self.too_small), ("more", self.too_large)) if why}
+
     def mistaken(self, values: Array) -> Mask:
         """Return which values lie outside the range.
 

@@ -1,6 +1,5 @@
 """How fields of a spec are declared: a quantity is a number with a dimension, bounds and a key for each unit."""
 
-import math
 import re
 from math import isfinite
 from typing import Any
@@ -10,12 +9,9 @@ from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import PydanticCustomError, core_schema
 
 from chutecalc.fields.plausible import Plausible
-from chutecalc.fields.units import TEXT, UNITS, convert, first_unit, to_si
+from chutecalc.fields.units import convert, first_unit, to_si, with_unit
 from chutecalc.physics.arrays import Array
 
-PERCENT = 100.0
-SLACK = math.log(4.0)
-"""Logarithm of the factor within which two units suit a number alike, so that the more common one is offered."""
 Number = float | Any
 """A number as the user wrote it, or a one-dimensional array of numbers where designs are varied."""
 
@@ -49,8 +45,9 @@ class Quantity:
     ) -> None:
         if plausible is not None:
             if gt is None and ge is None:
-                gt, ge = (0.0, None) if not (zero or plausible.least) else (None, 0.0 if zero else plausible.least)
-            le = plausible.most if lt is None and le is None else le
+                ge = 0.0 if zero else plausible.least
+            if lt is None and le is None:
+                le = plausible.most
         self.least = plausible.least if zero and plausible is not None else 0.0
         self.dimension, self.shape, self.plausible = dimension, shape, plausible
         self.bounds = {
@@ -97,6 +94,21 @@ class Quantity:
         """
         start = first_unit(self.dimension)
         return {name: convert(limit, self.dimension, start, unit) for name, limit in self.bounds.items()}
+
+    def range_in(self, unit: str) -> dict[str, float]:
+        """Return the bounds of a number that is not 0, as :meth:`bounds_in` does.
+
+        Args:
+            unit: suffix of the unit.
+        """
+        least = {"ge": convert(self.least, self.dimension, first_unit(self.dimension), unit)} if self.least else {}
+        return self.bounds_in(unit) | least
+
+    @property
+    def takes_zero(self) -> bool:
+        """Whether the number may be 0."""
+        low = self.bounds.get("ge", self.bounds.get("gt", -np.inf))
+        return bool(low < 0.0 or self.bounds.get("ge") == 0.0)
 
     def check(self, value: Any) -> Any:
         """Return the value with its numbers as floats; arrays of numbers stay as they are.
@@ -145,35 +157,11 @@ class Quantity:
         high = largest < bounds.get("lt", np.inf) and largest <= bounds.get("le", np.inf)
         if not (low and high):
             raise _fault("must be", f"use a {'smaller' if low else 'larger'} value", largest if low else smallest)
-        if self.least and np.any(tiny := self.is_too_small(np.atleast_1d(value))):
-            raise _fault("must be", "use a larger value, or 0", float(np.atleast_1d(value)[tiny][0]))
+        if self.least:
+            numbers = np.atleast_1d(value)
+            if (tiny := (numbers > 0.0) & (numbers < self.least)).any():
+                raise _fault("must be", "use a larger value, or 0", float(numbers[tiny][0]))
         return value
-
-    def is_too_small(self, value: Any) -> Any:
-        """Return whether a number is neither 0 nor large enough, or the mask of an array's numbers that are not.
-
-        Args:
-            value: in the dimension's first unit.
-        """
-        return (value > 0.0) & (value < self.least)
-
-    def distances(self, numbers: Array, unit: str) -> dict[str, Array]:
-        """Return how far numbers would be from the middle of the plausible range if they were meant in another unit.
-
-        Args:
-            numbers: as written, of any shape.
-            unit: in which they are written.
-
-        Returns:
-            By suffix of each other unit of the dimension, and by ``%`` where there is none, factors as of
-            :meth:`Plausible.distance`. Without sizes there are none.
-        """
-        if self.plausible is None:
-            return {}
-        first = first_unit(self.dimension)
-        others = [other for other in UNITS[self.dimension] if other != unit]
-        meant = {other: convert(numbers, self.dimension, other, first) for other in others} or {"%": numbers / PERCENT}
-        return {other: self.plausible.distance(value) for other, value in meant.items()}
 
     def bounds_text(self, unit: str) -> str:
         """Return the bounds in words, in one of the dimension's units.
@@ -187,44 +175,13 @@ class Quantity:
         '0, or at least 0.001 m/s and at most 200 m/s'
         """
         names = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
-        limits = self.bounds_in(unit)
-        if self.least:
-            limits["ge"] = convert(self.least, self.dimension, first_unit(self.dimension), unit)
-        words = " and ".join(f"{names[name]} {with_unit(limit, unit)}" for name, limit in limits.items())
+        words = " and ".join(f"{names[name]} {with_unit(limit, unit)}" for name, limit in self.range_in(unit).items())
         return f"0, or {words}" if self.least else words
-
-    def reasons(self) -> dict[str, str]:
-        """Return why the bounds are what they are: of ``less`` and ``more``, where there is a reason to give."""
-        sizes = self.plausible
-        return (
-            {}
-            if sizes is None
-            else {side: why for side, why in (("less", sizes.too_small), ("more", sizes.too_large)) if why}
-        )
 
 
 def _fault(problem: str, remedy: str, number: float | None = None) -> PydanticCustomError:
     """Return a fault of a quantity, with the number that is out of bounds; they follow in the message."""
     return PydanticCustomError("quantity", problem, {"remedy": remedy, "number": number})
-
-
-def with_unit(number: float, unit: str) -> str:
-    """Return a number as people write it, with its unit.
-
-    Args:
-        number: in that unit.
-        unit: its suffix.
-
-    >>> with_unit(90.0, "deg"), with_unit(1e5, "m")
-    ('90°', '100,000 m')
-    """
-    return _plain(number) + ("°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip())
-
-
-def _plain(number: float) -> str:
-    """Return six digits of a number, a large one with separators between thousands."""
-    short = f"{number:.6g}"
-    return f"{float(short):,.0f}" if abs(number) >= 1e4 else short
 
 
 _LISTS = {(2,): "a list of two numbers", (None, 2): "a list of rows of two numbers"}
@@ -242,10 +199,8 @@ def in_si(value: Any, dimension: str) -> Array:
     """
     if type(value) is float:  # most of them, for which NumPy's functions take five times as long
         return np.array([to_si(value, dimension)])
-    values: Array = np.atleast_1d(
-        np.multiply(to_si(value, dimension), 1.0)
-    )  # an array, also of what only acts like one
-    return values
+    values = np.multiply(to_si(value, dimension), 1.0)  # an array, also of what only acts like one
+    return np.atleast_1d(values)
 
 
 def optional(value: Any, dimension: str) -> Array | None:

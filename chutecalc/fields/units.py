@@ -163,3 +163,22 @@ def unit_of(name: str) -> str:
     ('m_s', '')
     """
     return max((unit for unit in (*TEXT, "m", "s") if name.endswith(f"_{unit}")), key=len, default="")
+
+
+def with_unit(number: float, unit: str) -> str:
+    """Return a number as people write it, with its unit.
+
+    Args:
+        number: in that unit.
+        unit: its suffix.
+
+    >>> with_unit(90.0, "deg"), with_unit(1e5, "m")
+    ('90°', '100,000 m')
+    """
+    return _plain(number) + ("°" if unit == "deg" else f" {TEXT.get(unit, unit)}".rstrip())
+
+
+def _plain(number: float) -> str:
+    """Return six digits of a number, a large one with separators between thousands."""
+    short = f"{number:.6g}"
+    return f"{float(short):,.0f}" if abs(number) >= 1e4 else short

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple, get_origin
 import numpy as np
 from pydantic import BaseModel
 
-from chutecalc.fields.quantity import PERCENT, SLACK, Quantity
+from chutecalc.fields.likely_units import PERCENT, likely_units
+from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.units import convert, first_unit, unit_keys
 
 NOT_VARIED = "cannot be varied: it is not a quantity", "use the path of a quantity, such as flow.rate_t_h"
@@ -88,25 +89,20 @@ def out_of_bounds(
     >>> out_of_bounds(Quantity("length", WIDE), "width_m", "mm", "must be", context)[1]
     'did you mean width_m = 0.9?'
     """
-    number, remedy, first = context["number"], context["remedy"], first_unit(quantity.dimension)
+    number, remedy, sizes = context["number"], context["remedy"], quantity.plausible
     problem = f"{problem} {quantity.bounds_text(unit)}".rstrip(" ,")
-    if number is None:
+    if number is None or number <= 0.0 or sizes is None:
         return problem, remedy
-    low = number < quantity.bounds.get("ge", quantity.bounds.get("gt", -np.inf)) or quantity.is_too_small(number)
-    if number <= 0.0:
-        return problem, remedy
-    side = "less" if low else "more"
-    if why := quantity.reasons().get(side, ""):
+    side = "less" if number < sizes.low else "more"
+    if why := sizes.reasons.get(side):
         problem += f": {side} {why}"
-    written = convert(np.array([number]), quantity.dimension, first, unit)
-    fits = {other: float(far[0]) for other, far in quantity.distances(written, unit).items() if np.isfinite(far[0])}
-    for other, far in fits.items():
-        if far > min(fits.values()) + SLACK:
-            continue
-        key = next((key for key, suffix in unit_keys(name, quantity.dimension).items() if suffix == other), name)
-        value = written[0] / PERCENT if other == "%" else written[0]
-        return problem, f"did you mean {key}?" if quantity.shape else f"did you mean {key} = {value:.12g}?"
-    return problem, remedy
+    written = convert(np.array([number]), quantity.dimension, first_unit(quantity.dimension), unit)
+    likely = next((other for other, suits in likely_units(quantity, written, unit).items() if suits), None)
+    if likely is None:
+        return problem, remedy
+    key = {suffix: key for key, suffix in unit_keys(name, quantity.dimension).items()}.get(likely, name)
+    value = written[0] / PERCENT if likely == "%" else written[0]
+    return problem, f"did you mean {key}?" if quantity.shape else f"did you mean {key} = {value:.12g}?"
 
 
 def meant(value: str, choices: Sequence[str], hints: Mapping[str, str]) -> str:

@@ -5,9 +5,9 @@ from typing import Any, get_args
 
 from pydantic_core import PydanticUndefined
 
-from chutecalc.fields.quantity import Quantity, with_unit
+from chutecalc.fields.quantity import Quantity
 from chutecalc.fields.table import Table
-from chutecalc.fields.units import TEXT, convert, first_unit, unit_keys
+from chutecalc.fields.units import TEXT, convert, first_unit, unit_keys, with_unit
 from chutecalc.glossary.entry import Entry, facts, listed
 from chutecalc.glossary.tables import KIND_OR_SHAPE, SpecTable, spec_tables
 from chutecalc.results.symbols import SYMBOLS
@@ -87,7 +87,7 @@ def _spellings(key: str, found: list[tuple[SpecTable, str]]) -> Iterator[Entry]:
             symbol=listed(list(symbols)),
             unit=f"{shown} (also {others})" if quantity and others else shown,
             must_be=allowed_text(field, quantity, unit),
-            because=listed([f"{side} {why}" for side, why in quantity.reasons().items()]) if quantity else "",
+            because=_because(quantity) if quantity else "",
             usual=_usual(quantity, unit) if quantity else "",
             default=default_text(field, quantity, unit),
             finding=limit.finding if limit else "",
@@ -107,6 +107,12 @@ def _choices(annotation: Any) -> list[str]:
         str(each).lower() if isinstance(each, bool) else f'"{each}"' if isinstance(each, str) else str(each)
         for each in plain
     ]
+
+
+def _because(quantity: Quantity) -> str:
+    """Return why the bounds are what they are."""
+    reasons = quantity.plausible.reasons if quantity.plausible else {}
+    return listed([f"{side} {why}" for side, why in reasons.items()])
 
 
 def _usual(quantity: Quantity, unit: str) -> str:

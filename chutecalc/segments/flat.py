@@ -6,9 +6,10 @@ import numpy as np
 from pydantic import Field
 
 from chutecalc.fields.quantities import LONG, Length, Slope
-from chutecalc.fields.quantity import in_si, with_unit
+from chutecalc.fields.quantity import in_si
 from chutecalc.fields.rules import one_of
 from chutecalc.fields.table import Rules
+from chutecalc.fields.units import with_unit
 from chutecalc.physics.arrays import Array
 from chutecalc.segments.base import Context
 from chutecalc.segments.guide import Guide

@@ -5,7 +5,8 @@ import numpy as np
 from chutecalc.design import Contact, Segment
 from chutecalc.fields.faults import GeometryFaults, Location
 from chutecalc.fields.quantities import LONG, WIDE
-from chutecalc.fields.quantity import in_si, with_unit
+from chutecalc.fields.quantity import in_si
+from chutecalc.fields.units import with_unit
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.section import Circle, Section
 from chutecalc.spec.chute_spec import ChuteSpec

@@ -39,7 +39,7 @@ def test_every_bound_has_its_reason_and_leaves_room_for_what_is_plausible(quanti
 def test_a_slip_of_a_unit_is_an_error_that_says_what_was_meant():
     (text,) = refused(sections={"body": {"shape": "rectangular", "width_mm": 0.01}})
     assert "width_mm = 0.01 must be at least 1 mm and at most 100,000 mm: less lets hardly a grain pass." in text
-    assert text.endswith("Did you mean width_in = 0.01?") is False
+    assert text.endswith("Use a larger value.")  # no other unit makes a width of it
     (text,) = refused(sections={"body": {"shape": "rectangular", "width_mm": 0.5}})
     assert text.endswith("Did you mean width_m = 0.5?")
     (text,) = refused(sections={"body": {"shape": "rectangular", "width_m": 800}})
@@ -124,3 +124,21 @@ def test_a_sweep_beyond_a_bound_of_a_combination_says_so_row_by_row(capsys):
     assert main(["sweep", SPEC, "flow.rate_t_h=100,1000000", "inlet.velocity_m_s=3,0.001", "--csv", "-"]) == 0
     rows = capsys.readouterr().out.splitlines()[1:]
     assert ["impossible" in row for row in rows] == [False, False, True, True]
+
+
+def test_from_0_the_sensitivity_is_that_to_the_numbers_that_are_taken():
+    """None between 0 and 1 mm/s is, nor any below 0; slopes go to both sides of 0."""
+    drops = {"kind": "fall", "drop_m": 1.0}
+    still = chute(inlet={"velocity_m_s": 0.0, "slope_deg": 0.0}, segments=[drops])
+    found = chutecalc.sensitivity(still)
+    for path in ("inlet.velocity_m_s", "inlet.slope_deg"):
+        assert abs(found.derivative[found.paths.index(path)]) < 1e-9, path  # v² = v0² + 2 g h
+    ends_level = [drops, {"kind": "curve", "radius_m": 2.0, "to_slope_deg": 0.0, "from_slope_deg": 40.0}]
+    found = chutecalc.sensitivity(chute(inlet={"velocity_m_s": 4.0, "slope_deg": 30.0}, segments=ends_level))
+    assert np.isfinite(found.derivative).all()
+
+
+def test_what_scatters_about_0_has_no_values_that_are_not_taken():
+    with pytest.raises(chutecalc.SpecError, match=r"reaches from 0 to 1, and values must be 0, or at least 0\.001 m/s"):
+        chute(uncertainty={"inlet.velocity_m_s": {"uniform": [0.0, 1.0]}})
+    chute(uncertainty={"inlet.velocity_m_s": {"uniform": [0.001, 1.0]}})

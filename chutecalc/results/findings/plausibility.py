@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from chutecalc.fields.likely_units import PERCENT, likely_units
 from chutecalc.fields.plausible import Plausible
-from chutecalc.fields.quantity import PERCENT, SLACK
 from chutecalc.fields.units import TEXT
 from chutecalc.physics.arrays import Array, Mask
 from chutecalc.results.criterion import Case, criterion
@@ -52,20 +52,19 @@ def _cases(given: Given, plausible: Plausible, number: Array) -> Iterator[Case]:
     """Yield a case for each side of the range and each remedy."""
     value = given.in_first_unit(number, given.unit)
     small = np.abs(value) < plausible.low
-    fits = given.quantity.distances(number, given.unit)
+    likely = likely_units(given.quantity, number, given.unit)
     for like, side in ((plausible.below, small), (plausible.above, ~small)):
         rest = plausible.mistaken(value) & side
-        for mask, remedy in (*_remedies(given, fits), (np.ones(1, dtype=bool), "check its value and its unit")):
+        for mask, remedy in (*_remedies(given, likely), (np.ones(1, dtype=bool), "check its value and its unit")):
             template = f"{{given:.12g}}{_unit_text(given.unit)} is {like}: {remedy}"
             yield Case(rest & mask, NOWHERE, template, _numbers(given, number), key=given.path)
             rest = rest & ~mask
 
 
-def _remedies(given: Given, fits: dict[str, Array]) -> Iterator[tuple[Mask, str]]:
+def _remedies(given: Given, likely: dict[str, Mask]) -> Iterator[tuple[Mask, str]]:
     """Yield the designs that each other unit suits, the more common units first, and what to write then."""
-    best = np.minimum.reduce(list(fits.values()))
     coefficient = given.quantity.plausible is not None and given.quantity.plausible.coefficient
-    for unit, distance in fits.items():
+    for unit, suits in likely.items():
         key = given.keys.get(unit, given.key)
         meant = f"if you meant{_unit_text(unit)}"
         if unit == "%":
@@ -76,7 +75,7 @@ def _remedies(given: Given, fits: dict[str, Array]) -> Iterator[tuple[Mask, str]
             remedy = f"write {key} = {{given:.12g}} {meant}"
         if coefficient and unit == "rad":
             remedy += f", or {given.keys['deg']} = {{angle}} if you meant a coefficient tan φ = {{given:.12g}}"
-        yield np.isfinite(distance) & (distance <= best + SLACK), remedy
+        yield suits, remedy
 
 
 def _numbers(given: Given, number: Array) -> dict[str, Array]:

@@ -33,20 +33,19 @@ def step_of(key: Parameter, rtol: float) -> float:
     """Return the step of a key, in its unit.
 
     The error of a difference is about rtol/h + h^2, least at h = rtol^(1/3), as a share of the value; of a key that may
-    be 0, such as a position, of one SI unit at least; from 0 as far as the least size above it.
+    be 0, such as a position, of one SI unit at least. From 0 the first of the values must be one that the key takes.
 
     Args:
         key: a number of a spec.
         rtol: relative tolerance of the solver.
     """
-    dimension, bounds = key.quantity.dimension, key.quantity.bounds
-    first, size = first_unit(dimension), abs(key.value_in_unit)
-    if bounds_of(key)[0] < 0.0 or bounds.get("ge") == 0.0:
-        one = float(convert(from_si(1.0, dimension), dimension, first, key.unit))
-        size = max(size, one)
-    step = float(size * rtol ** (1.0 / 3.0))
-    least = float(convert(key.quantity.least, dimension, first, key.unit))
-    return step if key.value_in_unit else max(step, least / float(FORWARD[0]))
+    dimension = key.quantity.dimension
+    size, share = abs(key.value_in_unit), rtol ** (1.0 / 3.0)
+    if not key.quantity.takes_zero:
+        return float(size * share)
+    one = float(convert(from_si(1.0, dimension), dimension, first_unit(dimension), key.unit))
+    step = float(max(size, one) * share)
+    return step if size else max(step, bounds_of(key)[0] / float(FORWARD[0]))
 
 
 def positions(key: Parameter, step: float) -> Array:
@@ -57,9 +56,6 @@ def positions(key: Parameter, step: float) -> Array:
         step: in the unit of the key.
     """
     (low, high), value = bounds_of(key), key.value_in_unit
-    if value > 0.0:
-        dimension = key.quantity.dimension
-        low = max(low, convert(key.quantity.least, dimension, first_unit(dimension), key.unit))
     if value - step < low:
         return FORWARD
     return -FORWARD[::-1] if value + step > high else CENTRAL
