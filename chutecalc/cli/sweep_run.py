@@ -1,16 +1,18 @@
 """A sweep from its blocks to its outputs: solved, stored so that it can be resumed, written, printed."""
 
-import os
 import sys
 from collections.abc import Generator, Iterable, Iterator
 from contextlib import closing, suppress
+from pathlib import Path
 
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExitStatus, UsageError
 from chutecalc.output.dataset import Block
+from chutecalc.output.held import is_special
 from chutecalc.output.printer import Printer
 from chutecalc.output.progress import progress
 from chutecalc.output.targets import STANDARD_STREAM
+from chutecalc.printable import printable
 from chutecalc.studies.sweep.block import best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
 from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
@@ -37,7 +39,7 @@ class SweepRun:
             UsageError: there is nothing to resume.
         """
         self.sweep, self.outputs, self.pool = sweep, outputs, pool
-        files = [file for file in outputs.files.values() if _is_regular(file)]
+        files = [name for name in outputs.files.values() if name != STANDARD_STREAM and not is_special(Path(name))]
         if resume and not files:
             raise UsageError(
                 "--resume needs --csv, --json or --parquet: repeat the interrupted command with --resume added."
@@ -62,10 +64,7 @@ class SweepRun:
         except KeyboardInterrupt:
             done: list[int] = []
             self._write(self._first_blocks(store, done), complete=False)
-            print(
-                f"chutecalc: wrote {sum(done):,} of {self.sweep.count:,} designs; --resume continues from {store.name}",
-                file=sys.stderr,
-            )
+            _tell(f"wrote {sum(done):,} of {self.sweep.count:,} designs; --resume continues from {store.name}")
             raise
         self._write((self._block(store, number) for number in range(count)), complete=True)
         store.remove()
@@ -80,7 +79,7 @@ class SweepRun:
             try:
                 store.load(number, self._rows(number))
             except DamagedError as error:
-                _tell_again(error)
+                _tell(f"{error}: it is solved again")
                 needed.append(number)
         return sorted(needed)
 
@@ -89,7 +88,7 @@ class SweepRun:
         try:
             return store.load(number, self._rows(number))
         except DamagedError as error:
-            _tell_again(error)
+            _tell(f"{error}: it is solved again")
             return solve_block(self.sweep, number)
 
     def _first_blocks(self, store: BlockStore, done: list[int]) -> Iterator[Block]:
@@ -146,11 +145,6 @@ class SweepRun:
             print_sweep_chart(printer, self.sweep, collected.block)
 
 
-def _tell_again(error: DamagedError) -> None:
-    """Say that a block is solved again."""
-    print(f"chutecalc: {error}: it is solved again", file=sys.stderr)
-
-
-def _is_regular(target: str) -> bool:
-    """Return whether a target is a regular file, or can become one: no stream, pipe or device."""
-    return target != STANDARD_STREAM and (os.path.isfile(target) or not os.path.exists(target))
+def _tell(text: str) -> None:
+    """Say something on standard error."""
+    print(printable(f"chutecalc: {text}"), file=sys.stderr)

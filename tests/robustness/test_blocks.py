@@ -13,6 +13,7 @@ from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.block_store import BlockStore
 from tests import seeds
 from tests.cli.sweep.commands import SPOON
+from tests.robustness.written import check_lines
 
 SWEEP = ["sweep", "radius=2:4:#4", "phi=20:24:#5", SPOON]
 BLOCKS = 5
@@ -174,3 +175,18 @@ def test_what_others_have_put_there_stays(stopped):
     mine.write_text("mine", encoding="utf-8")
     assert main([*SWEEP, "--csv", str(target), "--resume"]) == 0
     assert [path.name for path in mine.parent.iterdir()] == ["mine.txt"]
+
+
+def test_names_of_stores_are_shown_as_they_are_in_no_terminal(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(rows_of, "WHOLE", 4)
+    command = [*SWEEP, "--csv", "r\x1b[2J"]
+    with monkeypatch.context() as patch:
+        patch.setattr(BlockStore, "remove", lambda self: None)
+        assert main(command) == 0
+    (tmp_path / "r\x1b[2J.part/00000000.npz").unlink()
+    capsys.readouterr()
+    assert main([*command, "--resume"]) == 0
+    err = capsys.readouterr().err
+    assert "r\\x1b[2J.part/00000000.npz is missing: it is solved again" in err
+    check_lines(err)
