@@ -11,6 +11,8 @@ EXPECTED = (
     "signals are others there",
     "programs are elsewhere in a venv there",
     "no device that is always full on this system",
+    "no file can have such a name here",
+    "there are no named pipes",
     "no affinity on this system",
     "mutants run in forked processes",
 )

@@ -73,6 +73,7 @@ def test_every_format_is_well_formed(hostile, capsys):
     page = Path("x.html").read_text(encoding="utf-8")
     assert "</text>" not in page.partition("<svg")[0]
     assert "$5% or $6" in page
+    assert "$5% or $6" in Path("x.svg").read_text(encoding="utf-8").replace("\n", " ")
     capsys.readouterr()
 
 
@@ -117,9 +118,7 @@ def test_junit_is_xml_whatever_names_say(hostile, capsys):
 def test_pictures_take_dollars_and_letters_without_a_glyph_in_silence(hostile, tmp_path, capsys):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert main(["run", hostile, "--plot", "x.svg"]) == 0
-        assert main(["run", hostile, hostile, "--plot", "y.pdf"]) == 0
-    assert "$5% or $6" in Path("x.svg").read_text(encoding="utf-8").replace("\n", " ")
+        assert main(["run", hostile, hostile, "--plot", "x.pdf"]) == 0
     capsys.readouterr()
 
 
