@@ -120,7 +120,7 @@ def try_variants(tally: Tally, chute: chutecalc.Chute, maker: Maker, name: str) 
         status = chutecalc.exits(variants, columns=("velocity_m_s",), jobs=1).status
         if time.process_time() - began > SLOW:
             for k in range(variants.count):
-                one = chute.vary({path: each[k : k + 1] for path, each in varied(variants, changes).items()})
+                one = chute.vary({path: each[k : k + 1] for path, each in changes.items()})
                 tally.took(timed(one)[1], f"{name}, variant {k}")
                 if tally.slowest[-1][0] > MOST and tally.slowest[-1][1] == f"{name}, variant {k}":
                     tally.save(plain(one.data), f"{name}_{k}_slow")
@@ -148,7 +148,7 @@ def varies(given: Given) -> bool:
 
 
 def possible(chute: chutecalc.Chute, changes: dict[str, Any]) -> tuple[chutecalc.Chute | None, int]:
-    """Return those variants that are chutes, and how many are refused."""
+    """Return those variants that are chutes, and how many are refused, whose numbers are taken out of the changes."""
     refused = 0
     for _ in range(20):
         try:
@@ -166,11 +166,6 @@ def possible(chute: chutecalc.Chute, changes: dict[str, Any]) -> tuple[chutecalc
         else:
             return variants, refused
     return None, refused
-
-
-def varied(variants: chutecalc.Chute, changes: dict[str, Any]) -> dict[str, Any]:
-    """Return the numbers of those that are left."""
-    return {path: each for path, each in changes.items() if len(each) == variants.count}
 
 
 def timed(chute: chutecalc.Chute) -> tuple[chutecalc.Solution, float]:

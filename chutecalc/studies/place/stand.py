@@ -20,8 +20,6 @@ from chutecalc.studies.place.wish import Wish
 
 DECIMALS = 12
 """Decimals of written places and slopes: less than what a stream may be off a start."""
-FARTHEST = 1e5
-"""Greatest coordinate of a place in a spec, m."""
 BEGINS, ENDS, SLOPE = "from_slope_deg", "to_slope_deg", "slope_deg"
 
 
@@ -83,18 +81,12 @@ def start_of(segment: Contact, launch: Launch, stand: Stand, share: float) -> tu
         launch: of the flight that leads to it.
         stand: how it stands.
         share: of its length that lies before the strike.
-
-    Raises:
-        NotReachedError: that is farther away than a spec takes.
     """
     assert segment.entry_slope is not None
     turn, length, zero = segment.exit_slope - segment.entry_slope, length_of(segment), np.zeros(1)
     x, z, _ = point(Surface(segment.side, zero, zero, segment.entry_slope, turn, length), np.full(1, share))
     struck = launch.at(stand.strike.time)
-    start = round(struck[0] - x.item(), DECIMALS) + 0.0, round(struck[1] - z.item(), DECIMALS) + 0.0
-    if max(map(abs, start)) > FARTHEST:
-        raise NotReachedError(f"it would have to start at z {start[1]:.3g} m, beyond what a spec takes, {FARTHEST:g} m")
-    return start
+    return round(struck[0] - x.item(), DECIMALS) + 0.0, round(struck[1] - z.item(), DECIMALS) + 0.0
 
 
 def length_of(segment: Contact) -> Array:

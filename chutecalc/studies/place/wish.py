@@ -4,12 +4,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from chutecalc.errors import UsageError
+from chutecalc.fields.quantities import FAR
 from chutecalc.fields.units import UNITS, convert, first_unit
 from chutecalc.results.column_names import closest
 
 DIMENSIONS = {"incidence": "angle", "x": "length", "z": "length", "share": "number"}
 """Dimension of each wish, by its name without a unit."""
-BOUNDS = {"incidence": (0.0, 90.0), "x": (-1e5, 1e5), "z": (-1e5, 1e5), "share": (0.0, 1.0)}
+BOUNDS = {"incidence": (0.0, 90.0), "x": (-FAR.most, FAR.most), "z": (-FAR.most, FAR.most), "share": (0.0, 1.0)}
 """Least and greatest value of each; a share of 1 is not allowed, as nothing of the segment would be left."""
 EDGES = "edges"
 """The share that lets all edges of the stream strike; with a margin ``edges+0.05``."""
