@@ -82,7 +82,7 @@ def measured(arguments: list[str]) -> tuple[float, float, int]:
     command = [sys.executable, "-m", "chutecalc", *arguments]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     assert process.stdout is not None
-    with ThreadPoolExecutor(1) as pool, process.stdout as stream:
+    with process.stdout as stream, ThreadPoolExecutor(1) as pool:
         lines = pool.submit(lambda: sum(block.count(b"\n") for block in iter(lambda: stream.read(1 << 20), b"")))
         _, status, usage = os.wait4(process.pid, 0)
     if status:

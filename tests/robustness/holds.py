@@ -101,9 +101,9 @@ def check_variants(chute: chutecalc.Chute) -> None:
     assert (energy <= start + ROUNDING * size)[ok & ~driven].all()
     solved = chutecalc.solve(chute)
     assert ((solved.status == "ok") == ok).all()  # how one fails that stops as it chokes, the last digit decides
-    allowed = ends.error_estimate + solved.error_estimate + ALIKE
-    off = np.abs(solved.exit_velocity / velocity - 1.0)
-    worst = int(np.argmax(np.where(ok, off / allowed, 0.0)))
+    allowed = (ends.error_estimate + solved.error_estimate + ALIKE) * velocity  # 0 of one that falls from rest
+    off = np.abs(solved.exit_velocity - velocity)
+    worst = int(np.argmax(np.where(ok, off - allowed, -np.inf)))
     assert not off[worst] > allowed[worst], (worst, off[worst], allowed[worst], velocity[worst])
     if rougher := slower_with(chute):
         slow = chutecalc.exits(chute.vary(rougher), columns=("velocity_m_s",), jobs=1)
