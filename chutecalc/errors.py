@@ -60,6 +60,11 @@ class Fault(NamedTuple):
     argument: str = ""
     """What gave the value instead of the file, such as ``--set segments.2.radius_m=-3``."""
 
+    @property
+    def shown(self) -> str:
+        """Key path and value, and a short piece of either that is long."""
+        return " = ".join(abbreviated(part, SHOWN) for part in (self.path, self.given) if part)
+
     def text(self, source: str) -> str:
         """Return the fault as a line of text, with a short piece of whatever is long.
 
@@ -70,8 +75,7 @@ class Fault(NamedTuple):
         'spoon.toml:12: segments.2.radius_m = -3 must be greater than 0 m. Change it.'
         """
         location = source if self.line is None else f"{source}:{self.line}"
-        key = " = ".join(abbreviated(part, SHOWN) for part in (self.path, self.given) if part)
-        what = abbreviated(self.argument, SHOWN) or key
+        what = abbreviated(self.argument, SHOWN) or self.shown
         words, remedy = " ".join(part for part in (what, self.problem) if part), self.remedy
         end = "?" if remedy.endswith("?") else "."
         return abbreviated(printable(f"{location}: {words}. {remedy[:1].upper()}{remedy[1:].rstrip('?.')}{end}"))

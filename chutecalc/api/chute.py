@@ -269,7 +269,8 @@ def _as_array(path: str, value: Any, source: str) -> Any:
         return value
     try:
         array = np.asarray(value)
-        array = array.astype(np.float64) if array.dtype.kind in "fiu" else np.empty(0)
+        numbers = array.dtype.kind in "fiu" and not np.ma.is_masked(value)
+        array = array.astype(np.float64) if numbers else np.empty(0)
     except (TypeError, ValueError):
         array = np.empty(0)
     if array.ndim > 1:

@@ -17,6 +17,8 @@ DISTRIBUTIONS = ("normal", "uniform", "triangular", "shear_test")
 """Names that a table may have in place of a number."""
 FEWEST_POINTS = 2
 """Points of a shear test below which nothing is known of their scatter."""
+STRESSES = 1e-6, 1e9
+"""Least and greatest stress of a shear test, whatever its unit."""
 LEAST_SLOPE = 2.0
 """Standard errors by which the slope of a shear test is above 0 at least."""
 ROUNDING = 1e-9
@@ -179,11 +181,12 @@ def _shear_test(given: Any, parameter: Parameter) -> _Read:
     """
     if parameter.key not in same_quantity("friction_deg"):
         raise ValueError("is not a friction angle, which is all that a shear test tells", "use another distribution")
-    rows = given if isinstance(given, list) else []
+    rows, (low, high) = given if isinstance(given, list) else [], STRESSES
     if len(rows) < FEWEST_POINTS or not all(
-        isinstance(row, list) and len(row) == 2 and all(map(is_number, row)) and min(row) > 0 for row in rows
+        isinstance(row, list) and len(row) == 2 and all(is_number(item) and low <= item <= high for item in row)
+        for row in rows
     ):
-        problem = f"shear_test must be {FEWEST_POINTS} or more rows of a normal and a shear stress above 0"
+        problem = f"shear_test must be {FEWEST_POINTS} or more rows of a normal and a shear stress, {low:g} to {high:g}"
         raise ValueError(problem, "write [[4, 1.9], [8, 3.7], ...] in kPa")
     normal, shear = np.array(rows, dtype=float).T
     slope = float(normal @ shear / (normal @ normal))

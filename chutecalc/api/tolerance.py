@@ -1,5 +1,7 @@
 """The tolerances that the solver takes."""
 
+import numpy as np
+
 from chutecalc.errors import UsageError
 
 TOLERANCES = (1e-13, 1e-3)
@@ -16,5 +18,5 @@ def check_tolerance(rtol: float) -> None:
         UsageError: it is out of range.
     """
     low, high = TOLERANCES
-    if not low <= rtol <= high:
+    if not isinstance(rtol, int | float | np.number) or not low <= rtol <= high:
         raise UsageError(f"rtol must be from {low:g} to {high:g}, not {rtol!r}")

@@ -97,7 +97,11 @@ def read_uncertainty(spec: ChuteSpec, source: str, text: str) -> UncertainKeys:
 def _entries(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, Any]]:
     """Yield key paths and how their numbers scatter, whether paths stand in quotes or not."""
     for key, value in table.items():
-        if isinstance(value, dict) and not any(name in value and _ends(value[name]) for name in DISTRIBUTIONS):
+        if (
+            value
+            and isinstance(value, dict)
+            and not any(name in value and _ends(value[name]) for name in DISTRIBUTIONS)
+        ):
             yield from _entries(value, f"{above}{key}.")
         else:
             yield f"{above}{key}", value

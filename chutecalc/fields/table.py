@@ -186,6 +186,9 @@ class Table(BaseModel):
             return _detail(location, "is not a valid name", "use letters, digits, - and _; begin with a letter or _")
         if kind == "string_too_long":
             return _detail(location, f"has more than {item['ctx']['max_length']} characters", "use a shorter name")
+        if kind == "too_long":
+            problem = f"has {item['ctx']['actual_length']} items, and at most {item['ctx']['max_length']} are allowed"
+            return _detail(location, problem, "leave out those that tell least")
         if kind == "literal_error":
             return _detail(location, f"must be {item['ctx']['expected']}", "correct the value")
         return _detail(location, *EXPECTED.get(kind, (item["msg"], "correct it")))

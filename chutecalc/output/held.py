@@ -190,6 +190,8 @@ def named(target: str, kind: type[OutputError | WriteError] = OutputError) -> It
         if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG) or kind is WriteError:
             raise WriteError(f"{target} could not be written: {error.strerror}") from None
         if isinstance(error, FileNotFoundError | NotADirectoryError):
-            folder = Path(target).parent
-            raise OutputError(f"{target} cannot be written: there is no folder {folder}. Create it first.") from None
+            folders = (Path(path).parent for path in (target, os.path.realpath(target)))  # that of a link, and its own
+            if absent := next((folder for folder in folders if not folder.is_dir()), None):
+                problem = f"there is no folder {absent}. Create it first."
+                raise OutputError(f"{target} cannot be written: {problem}") from None
         raise OutputError(f"{target} cannot be written: {error.strerror}") from None

@@ -14,6 +14,9 @@ from chutecalc.physics.section import Polygon
 from chutecalc.sections.base import OpenSection, Section
 from chutecalc.sections.flanked import STEEPEST_VEE
 
+MOST_FACETS = 100
+"""Facets of a side at most: those of half a circle would differ from it by 3e-5 of its radius."""
+
 
 class Facet(Table):
     """A flat wall."""
@@ -29,7 +32,9 @@ class Faceted(OpenSection):
 
     shape: Literal["facets"]
     facets: list[Facet] = Field(
-        min_length=1, description="facets of one side, from the centre outwards, none flatter than the one before"
+        min_length=1,
+        max_length=MOST_FACETS,
+        description="facets of one side, from the centre outwards, none flatter than the one before",
     )
 
     example: ClassVar = """\

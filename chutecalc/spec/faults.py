@@ -127,6 +127,8 @@ def changed_faults(faults: Iterable[Fault], arguments: Mapping[str, str], text: 
     for fault in faults:
         path = tuple(_by_number(fault.path.split("."), numbers))
         given = next((changed[path[:k]] for k in range(len(path), 0, -1) if path[:k] in changed), "")
+        if given and path not in changed:  # a fault of a key within what was put there
+            given = f"{given}: {fault.shown}"
         found.append(fault._replace(argument=given, line=None) if given else fault)
     return found
 
@@ -165,7 +167,7 @@ def _same(one: Any, other: Any) -> bool:
 
 
 def value_text(value: Any) -> str:
-    """Return a value as a TOML file has it; an array as its extremes, a table or None as empty text.
+    """Return a value as a TOML file has it; an array as its extremes; None and what has no number as empty text.
 
     Args:
         value: any value of a spec's data.
@@ -181,6 +183,8 @@ def value_text(value: Any) -> str:
     if isinstance(value, str):
         return f'"{value}"'
     if hasattr(value, "ndim"):  # an array; a date has a min too
+        if not value.size or value.dtype.kind not in "biufc":
+            return ""
         low, high = f"{value.min():z.6g}", f"{value.max():z.6g}"
         return low if low == high else f"{low} to {high}"
     return str(value)

@@ -33,8 +33,12 @@ def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
         yield Violation(("internal_friction_deg",), problem, remedy, is_missing=True)
 
 
+MOST_ROWS = 100
+"""Rows of a yield locus at most; a shear test gives a few."""
+
+
 def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
-    """Yield faults of a yield locus: too few rows, falling stresses, a first row without normal stress.
+    """Yield faults of a yield locus: too few or too many rows, falling stresses, a first row without normal stress.
 
     Args:
         table: of a liner, with documented keys.
@@ -46,6 +50,9 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
         return
     if len(rows) < 2:
         yield Violation(("yield_locus_kpa",), "must have at least two rows", "add a row [normal stress, shear stress]")
+    if len(rows) > MOST_ROWS:
+        problem = f"has {len(rows)} rows, and at most {MOST_ROWS} are allowed"
+        yield Violation(("yield_locus_kpa",), problem, "leave out rows that lie on a line between others")
     for number, (one, other) in enumerate(pairwise(rows), 2):
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
             problem = f"is out of order at row {number}: normal stress must rise, and shear stress must not fall"
@@ -120,8 +127,9 @@ def _reference(
         )
     for name in named if isinstance(named, list) else [named]:
         if isinstance(name, str) and name not in defined:
-            problem = f"names {name}, which is not defined in [{kinds}]"
-            remedy = f"use {known if len(defined) == 1 else f'one of {known}'}, or add [{kinds}.{name}]"
+            problem = f"names {name or 'nothing'}, which is not defined in [{kinds}]"
+            added = f", or add [{kinds}.{name}]" if name else ""
+            remedy = f"use {known if len(defined) == 1 else f'one of {known}'}{added}"
             yield Violation((*location, key), problem, remedy)
 
 

@@ -185,3 +185,44 @@ def test_a_thousand_faults_are_shown_of_more(tmp_path, capsys):
     *shown, last = capsys.readouterr().err.splitlines()
     assert len(shown) == 1000
     assert last == "106 more faults are not shown"
+
+
+def test_a_fault_within_what_set_puts_there_says_which_key_it_is(hostile, capsys):
+    assert main(["run", hostile, "--set", "receiver={velocity_m_s=1}"]) == 2
+    assert "--set receiver={velocity_m_s=1}: receiver.friction_deg is missing. Add friction_deg" in printed(capsys).err
+    assert main(["run", hostile, "--set", "receiver={velocity_m_s=-1}"]) == 2
+    assert "}: receiver.velocity_m_s = -1 must be at least" in printed(capsys).err
+    assert main(["run", hostile, "--set", "segments.spoon.liner="]) == 2
+    assert "--set segments.spoon.liner= names nothing, which is not defined in [liners]" in printed(capsys).err
+
+
+def test_a_front_has_no_more_points_than_can_be_drawn(hostile, capsys):
+    wishes = ["--minimise", "exit_velocity_m_s", "--maximise", "max_depth_m"]
+    assert main(["optimise", hostile, "radius=1:4", *wishes, "--points", "99999999999"]) == 2
+    assert "a front has at most 1000 points, not 99999999999. Use fewer." in printed(capsys).err
+
+
+def test_a_link_to_nowhere_names_the_folder_that_is_not_there(hostile, capsys):
+    os.symlink("nowhere/x.csv", "link.csv")
+    assert main(["run", hostile, "--csv", "link.csv"]) == 2
+    assert f"there is no folder {Path('nowhere').absolute()}. Create it first." in printed(capsys).err
+
+
+@pytest.mark.parametrize("kind", ["pipe", "link"])
+def test_update_writes_into_nothing_but_baselines(tmp_path, monkeypatch, capsys, kind):
+    monkeypatch.chdir(tmp_path)
+    for name in ("one.toml", "other.toml"):
+        Path(name).write_text(chutecalc.STARTER, encoding="utf-8")
+    if kind == "pipe":
+        if not hasattr(os, "mkfifo"):
+            pytest.skip("there are no pipes with names here")
+        os.mkfifo("one.baseline.toml")
+    else:
+        os.symlink("other.toml", "one.baseline.toml")
+    assert main(["check", "one.toml", "--update"]) == 2
+    assert "one.baseline.toml leads to" in printed(capsys).err
+    assert Path("other.toml").read_text(encoding="utf-8") == chutecalc.STARTER
+    Path("one.baseline.toml").unlink()
+    os.symlink("kept.baseline.toml", "one.baseline.toml")
+    assert main(["check", "one.toml", "--update"]) == 0
+    assert Path("kept.baseline.toml").exists()

@@ -142,3 +142,31 @@ def test_what_scatters_about_0_has_no_values_that_are_not_taken():
     with pytest.raises(chutecalc.SpecError, match=r"reaches from 0 to 1, and values must be 0, or at least 0\.001 m/s"):
         chute(uncertainty={"inlet.velocity_m_s": {"uniform": [0.0, 1.0]}})
     chute(uncertainty={"inlet.velocity_m_s": {"uniform": [0.001, 1.0]}})
+
+
+def test_lists_are_no_longer_than_a_chute_needs():
+    facets = [{"length_m": 0.01, "slope_deg": 5.0 + 0.5 * k} for k in range(101)]
+    (text,) = refused(sections={"body": {"shape": "facets", "facets": facets}})
+    assert "has 101 items, and at most 100 are allowed" in text
+    rows = [[k + 1.0, 0.4 * k + 1.0] for k in range(101)]
+    (text,) = refused(liners={"wall": {"yield_locus_kpa": rows}})
+    assert "has 101 rows, and at most 100 are allowed" in text
+    widest = chute(
+        sections={"body": {"shape": "facets", "facets": facets[:100]}}, liners={"wall": {"yield_locus_kpa": rows[:100]}}
+    )
+    assert chutecalc.solve(widest).count == 1
+
+
+@pytest.mark.parametrize(
+    "value",
+    [np.array([]), np.array(["1", "2"]), np.datetime64("2026-01-01"), np.ma.array([1.0, 2.0], mask=[0, 1]), [None]],
+)
+def test_what_is_no_number_is_refused_from_python_too(value):
+    with pytest.raises(chutecalc.SpecError, match="takes numbers"):
+        chute().vary({"flow.rate_t_h": value})
+
+
+@pytest.mark.parametrize("rtol", [None, "1e-9", [1e-9], 1j, True])
+def test_a_tolerance_that_is_no_number_is_refused(rtol):
+    with pytest.raises(chutecalc.UsageError, match="rtol must be from"):
+        chutecalc.solve(chute(), rtol=rtol)

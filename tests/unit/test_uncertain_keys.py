@@ -192,3 +192,11 @@ def test_a_case_is_uncertain_about_its_own_values():
     case = chute(cases={"wet": {FRICTION: 30.0}}, uncertainty={FRICTION: 2})
     assert case.uncertain.keys[0].parameter.value == 25.0
     assert case.cases["wet"].uncertain.keys[0].parameter.value == 30.0
+
+
+def test_a_distribution_of_nothing_and_stresses_of_no_test_are_refused():
+    assert faults({FRICTION: {}}) == [(FRICTION, "must have one distribution, not 0")]
+    for stress in (1e300, 1e-300):
+        ((path, problem),) = faults({FRICTION: {"shear_test": [[stress, stress], [2.0 * stress, stress], [3.0, 1.0]]}})
+        assert path == FRICTION
+        assert "1e-06 to 1e+09" in problem

@@ -21,8 +21,8 @@ from chutecalc.studies.sweep.checks import selected_columns
 from chutecalc.studies.variants import Variants
 from chutecalc.workers import Threads
 
-POINTS = 9
-"""Points of a front."""
+POINTS, MOST_POINTS = 9, 1000
+"""Points of a front, unless a caller says how many, and how many that may be."""
 
 
 def optimise(
@@ -118,6 +118,8 @@ def find_optimum(
         seed: as there.
         jobs: as there.
     """
+    if points > MOST_POINTS:
+        raise UsageError(f"a front has at most {MOST_POINTS} points, not {points}. Use fewer.")
     states = (DESIGN_POINT, *chute.cases) if case is None else (case,)
     problem = Problem(chute, keys, objectives[0], limits, states, no_warnings, jobs, objectives[1:])
     answers: dict[str, KeyAnswer] = {}

@@ -5,9 +5,11 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from chutecalc.errors import OutputError
 from chutecalc.output.files import open_whole
-from chutecalc.output.held import hold_folder
+from chutecalc.output.held import hold_folder, is_special, real_file
 from chutecalc.printable import printable
+from chutecalc.spec.reader import BASELINE_SUFFIX
 from chutecalc.studies.regression.record import baseline_path
 
 MOST_HELD = 200
@@ -39,12 +41,15 @@ def write_baseline(spec: str, document: Mapping[str, Any]) -> Path:
         The path of the baseline.
 
     Raises:
-        OutputError: the file cannot be opened.
+        OutputError: the file cannot be opened, or what stands in its place is no baseline.
         WriteError: writing failed.
     """
     import tomli_w
 
     path = baseline_path(Path(spec))
+    there = real_file(str(path))  # where a link leads
+    if is_special(there) or (there.exists() and not there.name.endswith(BASELINE_SUFFIX)):
+        raise OutputError(f"{path} leads to {there}, which is no baseline. Remove it, and repeat.")
     with open_whole(str(path)) as stream:
         name = printable(Path(spec).name)
         stream.write(f"# What came out of {name}, by chutecalc check --update. The tolerance is yours to set.\n")
