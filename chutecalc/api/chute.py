@@ -1,5 +1,6 @@
 """Chutes from their specs, and variants of them."""
 
+import sys
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -269,7 +270,8 @@ def _as_array(path: str, value: Any, source: str) -> Any:
         return value
     try:
         array = np.asarray(value)
-        numbers = array.dtype.kind in "fiu" and not np.ma.is_masked(value)
+        masked = "numpy.ma" in sys.modules and np.ma.is_masked(value)  # which is slow to load
+        numbers = array.dtype.kind in "fiu" and not masked
         array = array.astype(np.float64) if numbers else np.empty(0)
     except (TypeError, ValueError):
         array = np.empty(0)

@@ -27,7 +27,7 @@ def mean_depth(facets: "section.Facets", k: int, area: float, depth: float, widt
     for j in range(first, k + 1):
         top = depth if j == k else facets.height[j + 1]
         rise = top - facets.height[j]
-        if rise > 0.0:
+        if rise != 0.0:  # as of a level facet; below 0 too where a panel goes on below the facet, to stay smooth
             moment += (facets.area[j] + (0.5 * facets.width[j] + facets.four_cot[j] * rise / 12.0) * rise) * rise
     return floats.quotient(moment, area)
 

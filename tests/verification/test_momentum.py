@@ -9,7 +9,8 @@ import pytest
 import chutecalc
 from chutecalc.solver.chain import run_chain
 from tests import seeds
-from tests.conftest import ROOT, chute
+from tests.conftest import ROOT, chute, spec
+from tests.verification import second_solver
 from tests.verification.second_cases import ClosedMaker, Maker, case, compare, theirs_of
 
 G = 9.80665
@@ -172,3 +173,19 @@ def test_a_pipe_almost_full_is_solved_with_pressure_along_it():
         )
     )
     assert solution.status[0] in ("ok", "choke")
+
+
+def test_a_panel_that_goes_on_below_a_facet_stays_smooth():
+    """A crest throws the stream off above the foot of the walls, which it would pass a little further on."""
+    data = spec(
+        flow={"rate_t_h": 137.0},
+        material={"density_kg_m3": 1088.0, "internal_friction_deg": 29.0},
+        sections={"body": {"shape": "chamfered", "base_m": 0.64, "chamfer_deg": 10.4, "chamfer_m": 0.226}},
+        inlet={"velocity_m_s": 0.3, "slope_deg": 24.7},
+        segments=[{"kind": "curve", "radius_m": 0.156, "to_slope_deg": 89.99}],
+        model={"longitudinal_pressure_ratio": 0.09},
+    )
+    expected = second_solver.solve(data).segments[0].exit
+    for rtol in (1e-8, 1e-10, 1e-13):
+        found = chutecalc.solve(chutecalc.parse(data), rtol).trajectory.segment_solutions[0].exit
+        assert found.velocity[0] == pytest.approx(expected.v, rel=10 * max(rtol, 1e-12))
