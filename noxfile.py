@@ -125,7 +125,7 @@ def package(session: nox.Session) -> None:
     if (again / wheel.name).read_bytes() != wheel.read_bytes():
         session.error(f"{wheel} and {again / wheel.name} are of the same source, and differ")
     session.run("python", "-m", "venv", "--without-pip", str(installed))
-    python = str(next(installed.glob("*/python*")))
+    python = str(next(path for name in ("bin/python", "Scripts/python.exe") for path in installed.glob(name)))
     session.run("pip", "--python", python, "install", "--quiet", str(wheel))
     bill = str(wheel.with_suffix(".cdx.json"))
     session.run("cyclonedx-py", "environment", "--pyproject", "pyproject.toml", "--output-file", bill, python)
