@@ -64,9 +64,8 @@ def runs(python: str) -> bool:
 OTHERS = others()
 WHEELS_OF_OLDEST = 12
 """The last Python 3.n for which there are wheels of the oldest libraries."""
-FOR_OLDEST = os.environ.get("PYTHON_OLDEST") or next(iter(OTHERS), None)
-if "PYTHON_OLDEST" not in os.environ and sys.version_info.minor <= WHEELS_OF_OLDEST:
-    FOR_OLDEST = None  # the one that runs this
+IN_PLACE = None if sys.version_info.minor <= WHEELS_OF_OLDEST else next(iter(OTHERS), None)
+"""What tests the oldest libraries unless a variable names another; None for the one that runs this."""
 
 
 def project_tool(session: nox.Session, name: str, *arguments: str) -> None:
@@ -161,7 +160,7 @@ def plain(session: nox.Session) -> None:
         session.run("python", "-m", "pytest", "-n", "auto", *PLAIN, env=FIXED_CASES)
 
 
-@nox.session(python=FOR_OLDEST)
+@nox.session(python=os.environ.get("PYTHON_OLDEST") or IN_PLACE)
 def oldest(session: nox.Session) -> None:
     """Test what touches a library with the oldest ones that pyproject.toml allows; arguments behind -- go to pytest.
 

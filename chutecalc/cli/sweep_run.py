@@ -74,22 +74,21 @@ class SweepRun:
         """Return the numbers of the blocks that are not stored whole; say which of them should be."""
         numbers = range(self.sweep.block_count)
         last = max((number for number in numbers if number in store), default=-1)
-        needed = list(numbers[last + 1 :])
-        for number in numbers[: last + 1]:
-            try:
-                store.load(number, self._rows(number))
-            except DamagedError as error:
-                _tell(f"{error}: it is solved again")
-                needed.append(number)
-        return sorted(needed)
+        damaged = (number for number in numbers[: last + 1] if self._stored(store, number) is None)
+        return [*damaged, *numbers[last + 1 :]]
 
     def _block(self, store: BlockStore, number: int) -> Block:
         """Return a block from the store, or solve it where somebody has damaged it meanwhile."""
+        block = self._stored(store, number)
+        return solve_block(self.sweep, number) if block is None else block
+
+    def _stored(self, store: BlockStore, number: int) -> Block | None:
+        """Return a block from the store; say where it is not whole, and return None."""
         try:
             return store.load(number, self._rows(number))
         except DamagedError as error:
             _tell(f"{error}: it is solved again")
-            return solve_block(self.sweep, number)
+            return None
 
     def _first_blocks(self, store: BlockStore, done: list[int]) -> Iterator[Block]:
         """Yield the stored blocks up to the first that is not whole, and note how many designs each has."""

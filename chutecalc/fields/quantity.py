@@ -83,8 +83,8 @@ class Quantity:
         """
         names = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
         bounds: dict[str, Any] = {names[name]: limit for name, limit in self.bounds_in(unit).items()}
-        least = convert(self.least, self.dimension, first_unit(self.dimension), unit)
-        return bounds | ({"not": {"exclusiveMinimum": 0, "exclusiveMaximum": least}} if least else {})
+        gap = {"exclusiveMinimum": 0, "exclusiveMaximum": self.range_in(unit)["ge"]} if self.least else {}
+        return bounds | ({"not": gap} if gap else {})
 
     def bounds_in(self, unit: str) -> dict[str, float]:
         """Return the bounds by pydantic's names, in one of the dimension's units.

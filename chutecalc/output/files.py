@@ -74,7 +74,7 @@ def _replacing(path: Path, target: str, mode: str, fresh: bool, read: bytes | No
             yield stream
             stream.flush()
             if read is not None and _content(path) != read:
-                raise WriteError(f"{target} has changed since it was read, and is left as it is. Repeat the command.")
+                raise changed(target)
             with named(target, WriteError):
                 os.fsync(held.descriptor)
                 _move(held, path, target, fresh)
@@ -93,6 +93,15 @@ def _move(held: Lock, path: Path, target: str, fresh: bool) -> None:
     except PermissionError as error:
         opened = " Is it open in another program? Close it there and repeat." if sys.platform == "win32" else ""
         raise WriteError(f"{target} could not be written: {error.strerror}.{opened}") from None
+
+
+def changed(target: str) -> WriteError:
+    """Return the error of a file that somebody has edited since it was read.
+
+    Args:
+        target: its name.
+    """
+    return WriteError(f"{target} has changed since it was read, and is left as it is. Repeat the command.")
 
 
 def _content(path: Path) -> bytes | None:

@@ -117,12 +117,11 @@ def held_folder(folder: Path, what: str) -> Iterator[None]:
         OutputError: as for :func:`hold_folder`.
         WriteError: as for :func:`hold_folder`.
     """
-    with named(what):
-        held = lock(folder / SUFFIX, what)
+    hold_folder(str(folder), what)
     try:
         yield
     finally:
-        held.release()
+        let_folder_go(str(folder))
 
 
 def let_folder_go(folder: str) -> None:

@@ -46,9 +46,10 @@ def at_stations(
         _check_number(points * len(parts), f"{points} points on each of {len(parts)} parts", "fewer")
         shares = [_even(points)] * len(parts)
     else:
-        length = sum(_furthest(part) for part in parts)
+        travelled = [_travelled(part) for part in parts]
+        length = sum(_furthest(*own) for own in travelled)
         _check_number(length / spacing, f"a spacing of {spacing:g} m", "a larger one")
-        shares = [_spaced(part, spacing) for part in parts]
+        shares = [_spaced(*own, spacing) for own in travelled]
     blocks = [_on_part(part, own, count, names) for part, own in zip(parts, shares, strict=True)]
     return {name: np.concatenate([block[name] for block in blocks], axis=1) for name in names}
 
@@ -77,10 +78,9 @@ def _on_part(part: Part, shares: Array, count: int, names: Sequence[str]) -> dic
     }
 
 
-def _spaced(part: Part, spacing: float) -> Array:
+def _spaced(start: Array, length: Array, spacing: float) -> Array:
     """Return shares at multiples of a spacing and at both ends, (stations, designs); NaN past a design's end."""
-    start, length = _travelled(part)
-    travelled = spacing * np.arange(int(_furthest(part) / spacing) + 1)[:, None] - start
+    travelled = spacing * np.arange(int(_furthest(start, length) / spacing) + 1)[:, None] - start
     slack = 1e-12 * (start + length)
     inside = (travelled > slack) & (travelled < length - slack)
     shares = np.where(inside, travelled / np.where(length > 0.0, length, 1.0), np.nan)
@@ -95,7 +95,6 @@ def _travelled(part: Part) -> tuple[Array, Array]:
     return begin * scale, (end - begin) * scale
 
 
-def _furthest(part: Part) -> float:
+def _furthest(start: Array, length: Array) -> float:
     """Return how far from its drawn start any design leaves a part, m; 0 where none is on it."""
-    start, length = _travelled(part)
     return float(np.nan_to_num(start + length).max())

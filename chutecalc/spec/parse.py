@@ -71,7 +71,12 @@ def parse_text(text: str, source: str) -> dict[str, Any]:
     >>> parse_text("[flow]\nrate_t_h = 1000", "spoon.toml")
     {'flow': {'rate_t_h': 1000}}
     """
-    data = _tables(text, source)
+    if fault := excess(text):
+        raise SpecError([fault], source)
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise SpecError([syntax_fault(text, str(error))], source) from None
     if not data:
         raise SpecError([Fault("", "is empty", "run chutecalc new, which writes one to start from")], source)
     return data
@@ -103,13 +108,3 @@ def parse_value(text: str) -> Any:
     if len(data) > 1:  # a second line with another key
         raise NotValue(text)
     return data["value"]
-
-
-def _tables(text: str, source: str) -> dict[str, Any]:
-    """Return a text as nested tables, once it is known to be no larger than it may be."""
-    if fault := excess(text):
-        raise SpecError([fault], source)
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise SpecError([syntax_fault(text, str(error))], source) from None

@@ -7,9 +7,9 @@ from typing import Any
 
 from chutecalc.api.chute import Chute
 from chutecalc.api.written import changed_text
-from chutecalc.errors import UsageError, WriteError
+from chutecalc.errors import UsageError
 from chutecalc.output.dataset import Block, numbers
-from chutecalc.output.files import open_whole
+from chutecalc.output.files import changed, open_whole
 from chutecalc.physics.arrays import Array
 from chutecalc.results.column import Column
 from chutecalc.results.described import html_table
@@ -86,7 +86,7 @@ class Found:
         own, target = Path(self.chute.source), str(file or self.chute.source)
         was = own.read_bytes() if own.is_file() else b""
         if file is None and decode(was, target) != self.chute.text:
-            raise WriteError(f"{target} has changed since it was read, and is left as it is. Repeat the command.")
+            raise changed(target)
         content = encode(self.text(take), like=was)
         with open_whole(target, "wb", read=was if file is None else None) as stream:
             stream.write(content)
