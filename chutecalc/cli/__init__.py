@@ -12,6 +12,7 @@ from chutecalc.cli.command import Command, explained
 from chutecalc.cli.streams import finish_streams, prepare_streams
 from chutecalc.core import compiled
 from chutecalc.errors import ChutecalcError, ExitStatus, SpecError
+from chutecalc.interrupt import interrupted
 from chutecalc.output.held import release
 from chutecalc.printable import abbreviated, printable
 
@@ -146,6 +147,8 @@ def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
 
 
 def _complain(text: str, status: ExitStatus) -> int:
-    """Print an error to standard error, and return its exit status."""
+    """Print an error to standard error, and return its exit status; an interrupt is the reason for what follows it."""
+    if interrupted():
+        text, status = "chutecalc: interrupted", ExitStatus.INTERRUPTED
     print(text, file=sys.stderr)
     return status

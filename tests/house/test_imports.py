@@ -9,7 +9,7 @@ import chutecalc
 
 ROOT = Path(chutecalc.__file__).parent
 LEVELS = [
-    {"printable", "registry", "runtime", "core"},
+    {"printable", "registry", "runtime", "interrupt", "core"},
     {"errors", "physics"},
     {"extras", "design", "fields"},
     {"workers", "sections"},

@@ -151,7 +151,7 @@ def interrupted(draw: np.random.Generator, folder: Path) -> Outcome:
     time.sleep(draw.uniform(0.0, 1.5))
     process.send_signal(signal.SIGINT)
     ended = end(process)
-    faults = [] if ended.status in (0, 130) else [f"status {ended.status}"]
+    faults = [] if ended.status in (0, 130) else [f"status {ended.status}: {ended.err.strip()[-300:]}"]
     if "Traceback" in ended.err or (ended.status == 130 and "interrupted" not in ended.err):
         faults.append(ended.err[-300:])
     left = sorted(path.name for path in folder.glob(".*"))
