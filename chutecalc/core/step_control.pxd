@@ -8,7 +8,7 @@ cdef double UNRESOLVED, LEAST_R_FRACTION, FIRST_R_FRACTION, BRANCH_CLEARANCE, EN
 @cython.locals(in_r=bint)
 cdef void process_events(state.Stream stream, state.SolverOptions options, gauss.Rule rule, double start, double end) noexcept nogil
 cdef double event_value_at(state.Stream stream, int event, double at, double unknown) noexcept nogil
-cdef bint event_confirmed(state.Stream stream, gauss.Rule rule, int event, double start, double end, double cut) noexcept nogil
+cdef bint event_confirmed(state.Stream stream, gauss.Rule rule, int event, double at, double cut) noexcept nogil
 cdef void accept_until(state.Stream stream, state.SolverOptions options, gauss.Rule rule, double start, double end, double cut) noexcept nogil
 cdef void accept_step(state.Stream stream, state.SolverOptions options, gauss.Rule rule, double end, double off) noexcept nogil
 cdef void store_panel(state.Stream stream, gauss.Rule rule, double end) noexcept nogil

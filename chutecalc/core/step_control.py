@@ -45,7 +45,7 @@ def process_events(
         if event_at_end >= 0:
             apply_event(stream, options, event_at_end)
     elif inner_error <= INNER_ERROR_FACTOR * options.panel_tolerance and event_confirmed(
-        stream, rule, event, start, end, cut
+        stream, rule, event, start + cut * (end - start), cut
     ):
         accept_until(stream, options, rule, start, end, cut)
         apply_event(stream, options, event)
@@ -62,16 +62,17 @@ def event_value_at(stream: "state.Stream", event: int, at: float, unknown: float
     return state.event_function(stream, event, at, unknown)
 
 
-def event_confirmed(
-    stream: "state.Stream", rule: "gauss.Rule", event: int, start: float, end: float, cut: float
-) -> bool:
-    """Return whether the event function itself is 0 where its polynomial is.
+def event_confirmed(stream: "state.Stream", rule: "gauss.Rule", event: int, at: float, cut: float) -> bool:
+    """Return whether the event function itself is 0 where its polynomial is, and no other has crossed 0 before.
 
-    It is not at the bottom of a dip, or where a taper bends the event function more than its polynomial can follow.
+    It is not 0 at the bottom of a dip, or where a taper bends an event function more than its polynomial can follow.
     """
     unknown = gauss.evaluate(rule, stream.panel.solution, 0, cut)
-    off = math.fabs(event_value_at(stream, event, start + cut * (end - start), unknown))
-    return off <= events.EVENT_TOLERANCE + INNER_ERROR_FACTOR * stream.panel.inner_error
+    allowed = events.EVENT_TOLERANCE + INNER_ERROR_FACTOR * stream.panel.inner_error
+    for number in range(events.SEGMENT_END):
+        if stream.active_events[number] and event_value_at(stream, number, at, unknown) < -allowed:
+            return False
+    return math.fabs(event_value_at(stream, event, at, unknown)) <= allowed
 
 
 def accept_until(

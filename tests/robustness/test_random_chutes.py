@@ -16,7 +16,7 @@ from tests import seeds
 from tests.robustness import many
 from tests.robustness.chutes import drawn, draws, noting_spec, random_specs
 from tests.robustness.faults import check_faults
-from tests.robustness.holds import check, check_told
+from tests.robustness.holds import check, check_told, check_variants
 
 FOUND = sorted((Path(__file__).parent / "found").glob("*.toml"))
 TOGETHER = 25
@@ -97,6 +97,7 @@ def test_what_random_chutes_have_found_before(path):
     solution = drawn(data).solution
     assert solution.status[0] in data["title"].split(":")[0].split(" or ")
     check(solution)
+    check_variants(chutecalc.parse(data))
 
 
 KEYS = {
