@@ -1,11 +1,13 @@
 """Rules between the keys of a table, and between the tables of a spec."""
 
+import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from chutecalc.fields.quantities import ROUGH
 from chutecalc.fields.table import Violation
 from chutecalc.fields.units import unit_keys
 from chutecalc.segments.base import Segment
@@ -35,10 +37,13 @@ def some_friction(table: dict[str, Any]) -> Iterator[Violation]:
 
 MOST_ROWS = 100
 """Rows of a yield locus at most; a shear test gives a few."""
+STEEPEST_LOCUS = math.tan(math.radians(ROUGH.most))
+"""Most rise of shear stress per normal stress from row to row. A stream on a steeper locus switches between two rows of
+it instead of sliding."""
 
 
 def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
-    """Yield faults of a yield locus: too few or too many rows, falling stresses, a first row without normal stress.
+    """Yield faults of a yield locus: too few or many rows, stresses out of order, a jump, no first normal stress.
 
     Args:
         table: of a liner, with documented keys.
@@ -57,6 +62,9 @@ def locus_rows(table: dict[str, Any]) -> Iterator[Violation]:
         if not (np.all(np.less(one[0], other[0])) and np.all(np.less_equal(one[1], other[1]))):
             problem = f"is out of order at row {number}: normal stress must rise, and shear stress must not fall"
             yield Violation(("yield_locus_kpa",), problem, "sort the rows")
+        elif np.any(np.subtract(other[1], one[1]) > STEEPEST_LOCUS * np.subtract(other[0], one[0])):
+            problem = f"rises to row {number} more steeply than {ROUGH.most:g}°, as no wall friction does"
+            yield Violation(("yield_locus_kpa",), problem, "correct the row, or leave it out")
     if rows and np.any(np.less_equal(rows[0][0], 0.0)):
         yield Violation(("yield_locus_kpa",), "begins at a normal stress of 0 or less", "remove that row")
 

@@ -167,7 +167,9 @@ class Maker:
             return {"own_material": True}
         rows, wide = self.random.integers(2, 5), 0 if self.usual else 4
         normal = np.cumsum(np.exp(self.random.uniform(-3 - wide, 2 + wide, rows)))
-        shear = np.cumsum(np.exp(self.random.uniform(-3 - wide, 1 + wide, rows)) * (self.random.random(rows) > 0.1))
+        rise = np.exp(self.random.uniform(-3 - wide, 1 + wide, rows)) * (self.random.random(rows) > 0.1)
+        rise[1:] = np.minimum(rise[1:], 11.0 * np.diff(normal))  # steeper ones are refused
+        shear = np.cumsum(rise)
         return {"yield_locus_kpa": [[float(one), float(other)] for one, other in zip(normal, shear, strict=True)]}
 
     def segment(self) -> dict[str, Any]:

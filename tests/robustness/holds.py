@@ -20,8 +20,11 @@ NO_NUMBER = re.compile(r"\b(nan|inf|None)\b")
 FAILURES = {"ok": [[]], "missed": [["missed"], ["passed_by"], ["contact_lost", "missed"]]}
 """Codes of the failures that go with a status, where they are others than its own name."""
 ROUNDING = 1e-9
-ALIKE = 1e-8
+ALIKE = 1e-9
 """Relative difference of two ways to one velocity, of streams that land on an arc far below within the last digits."""
+
+CREEPS = 0.01
+"""Error estimate of a stall, a share of the segment, from which on it is that of a stream slower than 1 mm/s."""
 
 
 def check(solution: chutecalc.Solution) -> None:
@@ -88,8 +91,12 @@ def check_told(chute: chutecalc.Chute) -> None:
     json.dumps(dataset.document(), allow_nan=False)
 
 
-def check_variants(chute: chutecalc.Chute) -> None:
-    """A batch solved for its ends: the same as in full, without energy gained, and slower on rougher walls."""
+def check_variants(chute: chutecalc.Chute) -> int:
+    """A batch solved for its ends: the same as in full, without energy gained, and slower on rougher walls.
+
+    Returns:
+        How many stall in one way only: they creep at less than 1 mm/s, and their error estimate says that.
+    """
     ends = chutecalc.exits(chute, columns=("velocity_m_s", "z_m"), jobs=1)
     ok, velocity = ends.status == "ok", ends.exit["velocity_m_s"]
     assert (np.isfinite(velocity) == ok).all()
@@ -100,16 +107,19 @@ def check_variants(chute: chutecalc.Chute) -> None:
     size = 1.0 + np.abs(start) + np.abs(energy)
     assert (energy <= start + ROUNDING * size)[ok & ~driven].all()
     solved = chutecalc.solve(chute)
-    assert ((solved.status == "ok") == ok).all()  # how one fails that stops as it chokes, the last digit decides
+    both, other = ok & (solved.status == "ok"), (solved.status == "ok") != ok
+    # How one fails that stops as it chokes, the last digit decides.
+    assert not other[np.maximum(ends.error_estimate, solved.error_estimate) < CREEPS].any()
     allowed = (ends.error_estimate + solved.error_estimate + ALIKE) * velocity  # 0 of one that falls from rest
     off = np.abs(solved.exit_velocity - velocity)
-    worst = int(np.argmax(np.where(ok, off - allowed, -np.inf)))
-    assert not off[worst] > allowed[worst], (worst, off[worst], allowed[worst], velocity[worst])
+    worst = int(np.argmax(np.where(both, off - allowed, -np.inf)))
+    assert not both[worst] or not off[worst] > allowed[worst], (worst, off[worst], allowed[worst], velocity[worst])
     if rougher := slower_with(chute):
         slow = chutecalc.exits(chute.vary(rougher), columns=("velocity_m_s",), jobs=1)
         both = ok & (slow.status == "ok") & ~driven
         worth = ends.error_estimate + slow.error_estimate + 1e-12
         assert (slow.exit["velocity_m_s"] <= velocity * (1.0 + worth))[both].all()
+    return int(other.sum())
 
 
 def slower_with(chute: chutecalc.Chute) -> dict[str, Any]:

@@ -38,7 +38,7 @@ class Tally:
     """What was tried, and what came of it."""
 
     def __init__(self, folder: Path) -> None:
-        self.folder, self.specs = folder, 0
+        self.folder, self.specs, self.creep = folder, 0, 0
         self.outcomes: Counter[str] = Counter()
         self.faults: list[str] = []
         self.slowest: list[tuple[float, str]] = []
@@ -67,7 +67,7 @@ class Tally:
         slow = ", ".join(f"{1000.0 * seconds:.0f} ms ({name})" for seconds, name in reversed(self.slowest))
         return [
             f"{tried:,} chutes of {self.specs:,} specs: {refused:,} refused, {ends}",
-            f"{len(self.faults)} faults",
+            f"{len(self.faults)} faults; {self.creep} creep at less than 1 mm/s, and stall in one way of solving only",
             f"slowest: {slow}",
         ]
 
@@ -125,7 +125,7 @@ def try_variants(tally: Tally, chute: chutecalc.Chute, maker: Maker, name: str) 
                 if tally.slowest[-1][0] > MOST and tally.slowest[-1][1] == f"{name}, variant {k}":
                     tally.save(plain(one.data), f"{name}_{k}_slow")
         tally.outcomes.update(status.tolist())
-        check_variants(variants)
+        tally.creep += check_variants(variants)
     except chutecalc.SpecError:  # rules between keys that no single design tells of
         tally.outcomes["refused"] += VARIANTS
     except Exception as error:

@@ -1,5 +1,7 @@
 """What a number of a spec may be: what a chute can be, with the reason, and the unit that was probably meant."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -170,3 +172,11 @@ def test_what_is_no_number_is_refused_from_python_too(value):
 def test_a_tolerance_that_is_no_number_is_refused(rtol):
     with pytest.raises(chutecalc.UsageError, match="rtol must be from"):
         chutecalc.solve(chute(), rtol=rtol)
+
+
+def test_a_yield_locus_rises_no_more_steeply_than_the_roughest_wall():
+    """From row to row, that is; a stream on a jump of friction would switch to and fro."""
+    slope = math.tan(math.radians(85.0))
+    chute(liners={"wall": {"yield_locus_kpa": [[1.0, 0.5], [2.0, 0.5 + 0.999 * slope], [3.0, 20.0]]}})
+    (text,) = refused(liners={"wall": {"yield_locus_kpa": [[1.0, 0.5], [2.0, 0.5 + 1.001 * slope], [3.0, 20.0]]}})
+    assert "liners.wall.yield_locus_kpa rises to row 2 more steeply than 85°" in text
