@@ -1,6 +1,6 @@
 """The band of a chute's own assumptions."""
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.solve import solve
 from chutecalc.errors import UsageError
 from chutecalc.results.band import Band, Variant, variants_of
@@ -26,6 +26,7 @@ def solve_band(chute: Chute, rtol: float = 1e-10) -> Band:
     >>> [round(number, 3) for number in band.exit["velocity_m_s"]]
     [5.734, 6.222]
     """
+    check_chute(chute)
     if chute.count != 1:
         raise UsageError(f"a band is that of one design, and this chute has {chute.count}: take one with `chute.put`")
     design = chute.design

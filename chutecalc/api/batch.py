@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.solution import DEFAULT_COLUMNS
 from chutecalc.api.tolerance import check_tolerance
 from chutecalc.design import select
@@ -48,11 +48,12 @@ def exits(
     >>> chutecalc.exits(variants).exit["velocity_m_s"].round(3)
     array([5.603, 6.222])
     """
+    check_chute(chute)
     check_tolerance(rtol)
     names = column_names(columns)
     check_columns(names, AT_EXIT, " at an exit alone; for time, use solve")
-    if jobs is not None and jobs < 1:
-        raise UsageError(f"jobs must be 1 or more, not {jobs}")
+    if jobs is not None and not (isinstance(jobs, int | np.integer) and jobs >= 1):
+        raise UsageError(f"jobs must be a whole number, 1 or more, not {jobs!r}")
     edges = range(0, chute.count, CHUNK)
 
     def solved(first: int) -> Exits:

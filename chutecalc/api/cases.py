@@ -1,6 +1,6 @@
 """The solutions of a chute in all its operating states."""
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.solve import solve
 from chutecalc.errors import UsageError
 from chutecalc.results.cases import Cases
@@ -27,6 +27,7 @@ def solve_cases(chute: Chute, rtol: float = 1e-10, only: str | None = None) -> C
     >>> chutecalc.solve_cases(spoon)
     <Cases: design 1 ok; wet 1 ok>
     """
+    check_chute(chute)
     states = {DESIGN_POINT: chute, **chute.cases} if only is None else {only: state_of(chute, only)}
     return Cases({name: solve(state, rtol) for name, state in states.items()})
 

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from reprlib import repr as short
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from chutecalc.design import Design
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.faults import GeometryError
 from chutecalc.solver.steel import Steel, drawn_steel, enters_vertically, follows_stream, with_steel
+from chutecalc.spec.bounded import is_deep
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.faults import case_faults, faults_of, geometry_faults, value_text
@@ -109,6 +111,7 @@ class Chute:
 
         Raises:
             SpecError: a path does not exist, arrays differ in length, or a value is out of bounds.
+            UsageError: the changes are no values by path.
 
         >>> import chutecalc
         >>> spoon = chutecalc.parse(chutecalc.STARTER)
@@ -116,7 +119,7 @@ class Chute:
         >>> chutecalc.solve(variants).exit_velocity.shape
         (2,)
         """
-        arrays = {path: _as_array(path, value, self.source) for path, value in changes.items()}
+        arrays = {path: _as_array(path, value, self.source) for path, value in check_changes(changes).items()}
         return self._on_steel(arrays)
 
     def _on_steel(self, changes: dict[str, Any]) -> "Chute":
@@ -196,13 +199,14 @@ class Chute:
 
         Raises:
             SpecError: as for :meth:`vary`.
+            UsageError: as for :meth:`vary`.
 
         >>> import chutecalc
         >>> spoon = chutecalc.parse(chutecalc.STARTER).put({"segments.spoon.radius_m": 2.0})
         >>> chutecalc.solve(spoon).exit_velocity.round(3)
         array([5.603])
         """
-        return self._with(dict(changes))
+        return self._with(dict(check_changes(changes)))
 
     def function(
         self,
@@ -244,6 +248,33 @@ class Chute:
             raise UsageError(f"function takes a chute of one design, not {self.count}: use the chute before vary")
         spec = ChuteSpec.model_validate(self.data)  # its own: what is varied is put there
         return Function(spec, self, parameters, outputs, rtol)
+
+
+def check_chute(chute: Any) -> None:
+    """Check that a caller gives a chute.
+
+    Args:
+        chute: what is given.
+
+    Raises:
+        UsageError: it is something else.
+    """
+    if not isinstance(chute, Chute):
+        raise UsageError(f"give a chute from chutecalc.load or chutecalc.parse, not {short(chute)}")
+
+
+def check_changes(changes: Any) -> Mapping[str, Any]:
+    """Return changes if they are values by spec path.
+
+    Args:
+        changes: what is given.
+
+    Raises:
+        UsageError: they are something else.
+    """
+    if not isinstance(changes, Mapping) or is_deep(changes) or not all(isinstance(path, str) for path in changes):
+        raise UsageError(f'give values by path, such as {{"flow.rate_t_h": 800}}, not {short(changes)}')
+    return changes
 
 
 def _count(data: Any, source: str) -> int:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.written import text_of
 from chutecalc.design import Contact
 from chutecalc.errors import UsageError
@@ -33,6 +33,7 @@ def freeze(chute: Chute) -> str:
     >>> [line for line in lines if line.startswith(("onto_next", "start_m", "from_slope"))]
     ['onto_next = true', 'start_m = [0.0, -2.0]', 'from_slope_deg = 90.0']
     """
+    check_chute(chute)
     if chute.count != 1:
         raise UsageError(f"freeze takes a chute of one design, not {chute.count}")
     steel = chute.drawing.steel_for()

@@ -3,10 +3,12 @@
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from reprlib import repr as short
 from typing import Any
 
-from chutecalc.api.chute import Chute
-from chutecalc.errors import Fault, SpecError
+from chutecalc.api.chute import Chute, check_changes
+from chutecalc.errors import Fault, SpecError, UsageError
+from chutecalc.spec.bounded import is_deep, too_deep
 from chutecalc.spec.library import LIBRARY_NAME, Library, is_used
 from chutecalc.spec.parse import parse_text, read_text
 from chutecalc.spec.paths import with_values
@@ -24,7 +26,9 @@ def load(path: str | Path, changes: Mapping[str, Any] | None = None, library: st
 
     Raises:
         SpecError: the file cannot be read, or its spec has faults; the error lists all of them.
+        UsageError: ``path`` is none, or ``changes`` are no values by path.
     """
+    check_path(path, "path")
     file = Path(path)
     return read(read_text(file), str(file), changes, library, file)
 
@@ -45,12 +49,27 @@ def parse(
 
     Raises:
         SpecError: the spec has faults; the error lists all of them.
+        UsageError: ``changes`` are no values by path.
 
     >>> import chutecalc
     >>> chutecalc.parse(chutecalc.STARTER, source="spoon.toml").source
     'spoon.toml'
     """
     return read(spec, source, changes, library)
+
+
+def check_path(given: Any, what: str) -> None:
+    """Check that something can be the path of a file.
+
+    Args:
+        given: what is given.
+        what: it is, for the message.
+
+    Raises:
+        UsageError: it cannot.
+    """
+    if not isinstance(given, str | os.PathLike):
+        raise UsageError(f"{what} must be the path of a TOML file, not {short(given)}")
 
 
 def read(
@@ -73,10 +92,12 @@ def read(
         SpecError: the spec or its library has faults.
     """
     if not isinstance(spec, str | Mapping):
-        raise SpecError([Fault("", f"is a {type(spec).__name__}", "give TOML text or a table")], source)
+        raise SpecError([Fault("", f"is {short(spec)}", "give TOML text or a table")], source)
     text = spec if isinstance(spec, str) else ""
     data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
-    changed = with_values(data, dict(changes), source) if changes else data
+    if not text and is_deep(data):
+        raise SpecError([too_deep()], source)
+    changed = with_values(data, dict(check_changes(changes)), source) if changes else data
     return checked(Chute(changed, source, text, library=library_for(changed, library, file)))
 
 
@@ -97,6 +118,7 @@ def library_for(
     path = beside if beside and os.path.exists(beside) else given
     if path is None or isinstance(path, Library):
         return path
+    check_path(path, "library")
     from chutecalc.spec.library_file import read_library  # what most runs do not need
 
     return read_library(path)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from chutecalc.api.band import solve_band
 from chutecalc.api.cases import solve_cases
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.errors import ChutecalcError, SpecError, UsageError
 from chutecalc.results.band import Band
 from chutecalc.results.cases import Cases
@@ -43,6 +43,8 @@ def write_report(file: str, *chutes: Chute, units: str = "metric", rtol: float =
         raise UsageError(f"units must be {' or '.join(Units)}, not {units!r}")
     if not chutes:
         raise UsageError("a report needs at least one chute")
+    for chute in chutes:
+        check_chute(chute)
     if several := [chute for chute in chutes if chute.count != 1]:
         count = several[0].count
         raise UsageError(f"a report is that of one design, and a chute has {count}: take one with `chute.put`")

@@ -1,9 +1,9 @@
 """The solution of a chute."""
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.solution import Solution
 from chutecalc.api.tolerance import check_tolerance
-from chutecalc.errors import SpecError, UsageError
+from chutecalc.errors import SpecError
 from chutecalc.solver.chain import run_chain
 
 
@@ -19,7 +19,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
         The solution. A design that fails says so in its status and does not affect the others.
 
     Raises:
-        UsageError: ``rtol`` is out of range.
+        UsageError: ``rtol`` is out of range, or ``chute`` is none.
         SpecError: a hood is tangent to a falling stream that is steeper than the hood's end.
 
     >>> import chutecalc
@@ -27,8 +27,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
     >>> solution.status, solution.exit_velocity.round(3)
     (array(['ok'], dtype='<U12'), array([6.222]))
     """
-    if not isinstance(chute, Chute):
-        raise UsageError(f"solve takes a chute from chutecalc.load or chutecalc.parse, not {chute!r}")
+    check_chute(chute)
     check_tolerance(rtol)
     try:
         segment_solutions, ends = run_chain(chute.design, rtol)

@@ -200,3 +200,5 @@ def solve_restrikes(chute: "records.ChuteState", options: "state.SolverOptions",
             segment.on_roof, segment.stream.share, segment.stream.y = on_roof, share, y
             if chute.mouth_time == chute.mouth_time:  # out of the end of a closed section
                 chute.status, chute.airborne = state.OK, True
+            elif segment.closed and segment.final:  # out of the mouth that it came in through, belt below or not
+                chute.status, chute.airborne = state.CONTACT_LOST, False

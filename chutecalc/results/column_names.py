@@ -11,10 +11,16 @@ def column_names(names: Iterable[str]) -> list[str]:
     Args:
         names: of columns, or one name.
 
+    Raises:
+        UsageError: they are something else.
+
     >>> column_names("depth_m"), column_names(("s_m", "depth_m"))
     (['depth_m'], ['s_m', 'depth_m'])
     """
-    return [names] if isinstance(names, str) else list(names)
+    listed = [names] if isinstance(names, str) or not isinstance(names, Iterable) else list(names)
+    if not all(isinstance(name, str) for name in listed):
+        raise UsageError(f"columns must be a list of names, not {names!r}")
+    return listed
 
 
 def check_columns(names: Iterable[str], known: Collection[str], where: str = "") -> None:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from chutecalc.design import Contact, Design, Status
-from chutecalc.physics.arrays import Array, Mask, Numbers
+from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.results.edges import Edge
 from chutecalc.results.extremes import Extreme
 from chutecalc.results.part import Part
@@ -35,8 +35,13 @@ class Scene(NamedTuple):
     """Numbers of the inlet, at the first segment; else empty."""
     edges: Sequence[Edge]
     """Edges of a stream that comes from a belt; none where it is on the segment again."""
-    designs: int
-    """Number of designs."""
+    status: Index
+    """How the designs end, shape (designs,)."""
+
+    @property
+    def designs(self) -> int:
+        """Number of designs."""
+        return len(self.status)
 
     @property
     def part(self) -> Part:
@@ -71,6 +76,13 @@ class Scene(NamedTuple):
         status = self.solved.status
         overwhelmed: Mask = (status == Status.STALL) | (status == Status.CHOKE)
         return overwhelmed
+
+    @property
+    def falls_back(self) -> Mask:
+        """Designs whose stream ends here in a closed section: it falls out of the mouth that it came in through."""
+        lost = self.segment.closed & (self.solved.status == Status.CONTACT_LOST)
+        falls_back: Mask = lost & ~self.continues & (self.status == Status.CONTACT_LOST)
+        return falls_back
 
     def limit(self, key: str) -> Array:
         """Return a limit in force, in the unit of its key, shape (1,) or (designs,).

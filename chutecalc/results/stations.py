@@ -36,8 +36,8 @@ def at_stations(
     """
     if points is not None and spacing is not None:
         raise UsageError("points and spacing both set the stations: give one of them")
-    if points is not None and points < 2:
-        raise UsageError(f"points must be at least 2, not {points}")
+    if points is not None and not (isinstance(points, int | np.integer) and points >= 2):
+        raise UsageError(f"points must be a whole number, at least 2, not {points!r}")
     if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
         raise UsageError(f"spacing must be greater than 0 m, not {spacing:g}")
     check_columns(names, AT_STATION, " at a station")

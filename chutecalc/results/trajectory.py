@@ -128,7 +128,7 @@ class Trajectory:
             exit_distance=exit_distance,
             inlet=inlet,
             edges=edges,
-            designs=self.count,
+            status=self.status_numbers,
         )
 
     def exit_columns(self, names: Iterable[str]) -> Numbers:

@@ -4,6 +4,8 @@ The parser and what follows it take time and memory that grow with the square of
 """
 
 import re
+from collections.abc import Mapping
+from typing import Any
 
 from chutecalc.errors import Fault
 from chutecalc.printable import abbreviated
@@ -66,14 +68,34 @@ def excess(text: str) -> Fault | None:
             if part in ("]", "}") and above:
                 depth, dots = depth - 1, above.pop()
         if depth > DEEPEST:
-            problem = f"is nested more than {DEEPEST} deep, parts of dotted keys included"
-            fault = Fault("", problem, "use at most four levels of tables")
+            fault = too_deep()
         if number == MOST:
             fault = Fault("", f"has more than {MOST:,} words and marks up to here", "make it several specs")
         if fault:
             return fault._replace(line=text.count("\n", 0, found.start()) + 1)
         last = part
     return None
+
+
+def too_deep() -> Fault:
+    """Return the fault of tables and lists that are nested too deep."""
+    problem = f"is nested more than {DEEPEST} deep, parts of dotted keys included"
+    return Fault("", problem, "use at most four levels of tables")
+
+
+def is_deep(data: Any, most: int = DEEPEST) -> bool:
+    """Return whether tables and lists are nested too deep, in themselves for example.
+
+    Args:
+        data: what a caller gives as tables.
+        most: levels that are allowed.
+
+    >>> is_deep({"flow": {"rate_t_h": 1000}}), is_deep({"flow": {"rate_t_h": 1000}}, most=1)
+    (False, True)
+    """
+    if not isinstance(data, Mapping | list | tuple):
+        return False
+    return not most or any(is_deep(item, most - 1) for item in (data.values() if isinstance(data, Mapping) else data))
 
 
 def _too_long(part: str, kind: str | None) -> Fault | None:

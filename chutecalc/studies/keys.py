@@ -101,6 +101,8 @@ def key_arguments(keys: Mapping[str, Any]) -> list[str]:
     >>> key_arguments({"radius": (1, 4), "beta": (30, 60, 5), "segments.2.liner": ["steel", "ceramic"]})
     ['radius=1:4', 'beta=30:60:5', 'segments.2.liner=steel,ceramic']
     """
+    if not isinstance(keys, Mapping):
+        raise UsageError(f'give bounds by path, such as {{"segments.2.radius_m": (1, 4)}}, not {keys!r}')
     wrong = [name for name, given in keys.items() if not isinstance(given, Sequence | np.ndarray) or len(given) == 0]
     if wrong:
         raise UsageError(f"{', '.join(wrong)}: give bounds (low, high), (low, high, step), or a list to choose from")

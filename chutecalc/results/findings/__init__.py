@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from chutecalc.design import Status
-from chutecalc.physics.arrays import Array, Mask, Numbers
+from chutecalc.physics.arrays import Array, Index, Mask, Numbers
 from chutecalc.registry import load_modules
 from chutecalc.results.criterion import CRITERIA as CRITERIA
 from chutecalc.results.edges import Edge
@@ -33,7 +33,7 @@ def find(
     exit_distance: Array,
     inlet: Numbers,
     edges: Sequence[Edge],
-    designs: int,
+    status: Index,
 ) -> list[Finding]:
     """Return all findings of a solution: failures, then warnings, then notes, each along the stream.
 
@@ -43,8 +43,9 @@ def find(
         exit_distance: distance from the inlet at the exit, m, shape (designs,).
         inlet: numbers of the inlet.
         edges: of a stream that comes from a belt.
-        designs: number of designs.
+        status: how the designs end, shape (designs,).
     """
+    designs = len(status)
     found: list[Finding] = []
     surfaces = [sampled.part for sampled in parts if sampled.part.guided]
     leaves = _leaving([sampled.part for sampled in parts], designs)
@@ -65,7 +66,7 @@ def find(
                 exit_distance=exit_distance,
                 inlet=inlet if solved is parts[0].part.solved else {},
                 edges=met[solved.number] if solved is first[solved.number] else (),
-                designs=designs,
+                status=status,
             )
             found += [finding for criterion in CRITERIA for finding in criterion.findings(scene)]
     return in_order(found)

@@ -137,13 +137,12 @@ def contact_lost(scene: Scene) -> Iterator[Case]:
             " the other side"
         )
         crossing = {"velocity_m_s": solved.exit.velocity, "slope_deg": np.degrees(solved.exit.slope)}
-        kept = scene.continues | (scene.exit_distance > 0.0)
-        yield Case(lost & kept, solved.exit.distance, template, crossing, Severity.NOTE)
+        yield Case(lost & ~scene.falls_back, solved.exit.distance, template, crossing, Severity.NOTE)
         template = (
             "the stream leaves the wall at {velocity_m_s}, at a slope of {slope_deg}, and falls back out of the mouth"
             " that it came in through"
         )
-        yield Case(lost & ~kept, solved.exit.distance, template, crossing)
+        yield Case(scene.falls_back, solved.exit.distance, template, crossing)
         return
     weight = scene.design.gravity * np.cos(solved.exit.slope)
     numbers = {

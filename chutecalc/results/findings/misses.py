@@ -91,7 +91,7 @@ def _below_belt(scene: Scene) -> Iterator[Case]:
         np.where(passed, getattr(solved.start, name), getattr(solved.exit, name)) for name in ("x", "z", "distance")
     )
     below = (belt.at[1] - z) * np.cos(slope) + (belt.at[0] - x) * np.sin(slope)
-    lost = through & np.isnan(scene.received["landing_x_m"])
+    lost = through & np.isnan(scene.received["landing_x_m"]) & (scene.status == Status.MISSED)
     template = (
         "the stream leaves the chute {below_m} below the line of the receiving belt and never lands on it; end the"
         " chute above the belt, or correct receiver.at_m"

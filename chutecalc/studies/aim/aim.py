@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.errors import UsageError
 from chutecalc.results.described import outcomes
 from chutecalc.spec.operating import DESIGN_POINT
@@ -80,6 +80,7 @@ def aim(
     >>> found, found.values["segments.spoon.radius_m"].round(4)
     (<Aim at exit_velocity_m_s = 6: 1 solution>, array([2.6297]))
     """
+    check_chute(chute)
     return find_aim(chute, read_keys(key_arguments(keys), chute), targets, case, columns, jobs)
 
 
@@ -136,6 +137,8 @@ def _check(keys: Sequence[Key], targets: Mapping[str, float]) -> None:
     Raises:
         UsageError: there are not.
     """
+    if not isinstance(targets, Mapping):
+        raise UsageError(f'give wanted values by column, such as {{"exit_velocity_m_s": 4}}, not {targets!r}')
     for name, wanted in targets.items():
         if not isinstance(wanted, int | float) or not isfinite(wanted):
             raise UsageError(f"{name} must be a number, not {wanted!r}")

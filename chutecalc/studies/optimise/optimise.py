@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.errors import UsageError
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.found import solved
@@ -69,6 +69,7 @@ def optimise(
     >>> best
     <Optimum of exit_velocity_m_s: 3.87493 at chamfer_deg 49.5>
     """
+    check_chute(chute)
     wanted = objectives_of(minimise, maximise)
     limits = [read_limit(text) for text in ([subject] if isinstance(subject, str) else subject)]
     found = read_keys(key_arguments(keys), chute)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import degrees
 from pathlib import Path
+from reprlib import repr as short
 from typing import Any
 
 import tomli_w
@@ -12,9 +13,10 @@ from chutecalc.api.cases import solve_cases
 from chutecalc.api.chute import Chute
 from chutecalc.api.load import checked, library_for
 from chutecalc.api.written import text_of
-from chutecalc.errors import UsageError
+from chutecalc.errors import SpecError, UsageError
 from chutecalc.results.cases import Cases
 from chutecalc.segments.registry import KINDS
+from chutecalc.spec.bounded import is_deep, too_deep
 from chutecalc.spec.frozen import FALL, Drawn, frozen_text
 from chutecalc.spec.library import Library
 from chutecalc.spec.operating import DESIGN_POINT
@@ -131,6 +133,10 @@ def _text_of(spec: str | Mapping[str, Any] | Chute, source: str) -> tuple[str, s
     """Return the TOML text of a spec and its name."""
     if isinstance(spec, str):
         return spec, source
+    if not isinstance(spec, Chute | Mapping):
+        raise UsageError(f"place takes TOML text, a table or a chute, not {short(spec)}")
+    if is_deep(None if isinstance(spec, Chute) else spec):
+        raise SpecError([too_deep()], source)
     if not isinstance(spec, Chute):
         return tomli_w.dumps(dict(spec)), source
     if spec.count != 1:
@@ -147,7 +153,7 @@ def _in_order(
         UsageError: there is no such segment, it cannot be placed, or there are no wishes.
     """
     tables = data.get("segments")
-    if not wishes:
+    if not wishes or not isinstance(wishes, Mapping):
         raise UsageError("place takes segments with their wishes, such as hood incidence=10 x=1.2")
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
         raise UsageError(f"{source}: the spec has no [[segments]]")

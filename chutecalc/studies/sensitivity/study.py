@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from chutecalc.api.cases import state_of
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.tolerance import check_tolerance
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array, Mask
+from chutecalc.results.column_names import column_names
 from chutecalc.results.described import html_table
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sensitivity.numbers import numbers_of
@@ -91,6 +92,7 @@ def sensitivity(
     >>> dict(zip(found.paths, found.per_unit.round(2).tolist()))["liners.ceramic.friction_deg"]
     -1.87
     """
+    check_chute(chute)
     check_tolerance(rtol)
     if chute.count != 1:
         raise UsageError(f"sensitivity takes a chute of one design, not {chute.count}: use the chute before vary")
@@ -104,7 +106,7 @@ def sensitivity(
     varied = [
         Parameter(key.path, (key.path,), np.array([value, value])) for key, value in zip(keys, given, strict=True)
     ]
-    numbers = Variants(state, varied, [column], rtol=rtol)(list(rows.T))[column][0]
+    numbers = Variants(state, varied, column_names(column), rtol=rtol)(list(rows.T))[column][0]
     if numbers.dtype.kind != "f":
         raise UsageError(f"{column} is no number: use a column such as exit_velocity_m_s")
     if not np.isfinite(numbers[0]):

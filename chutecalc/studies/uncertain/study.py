@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from chutecalc.api.chute import Chute
+from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.tolerance import check_tolerance
 from chutecalc.physics.arrays import Array
 from chutecalc.spec.operating import DESIGN_POINT
@@ -71,6 +71,7 @@ def uncertain(
     >>> found.summaries["exit_velocity_m_s"].quantiles.round(2).tolist(), found.chances["stall"].share
     ([6.03, 6.22, 6.41], 0.0)
     """
+    check_chute(chute)
     check_tolerance(rtol)
     state, keys = state_and_keys(chute, case)
     bounds = [read_limit(text) for text in limits]

@@ -67,7 +67,7 @@ def test_an_impact_alone_can_leave_the_locus_and_meet_the_bound():
             segments=[{"kind": "straight", "slope_deg": 45.0, "length_m": 2.0}],
         )
 
-    solution = struck(30.0)
+    solution = struck(11.0)
     floor = solution.segments[0]
     assert 0.5 < floor.minimum["pressure_kpa"][0] < floor.maximum["pressure_kpa"][0] < 4.0
     assert floor.impact["pressure_kpa"][0] > 4.1
