@@ -10,6 +10,10 @@ import typer
 from typer.core import TyperCommand
 
 from chutecalc.errors import UsageError
+from chutecalc.printable import abbreviated
+
+MOST_SHOWN = 60
+"""Characters of a value that a message shows."""
 
 
 class Command(TyperCommand):
@@ -115,18 +119,19 @@ def _worded(error: Any) -> str:
     message, param = error.message, error.param
     causes, named = getattr(error.__cause__, "errors", None), re.match(r"(?:Value error, )?'?(.*?)'? is not ", message)
     value = named[1] if named else causes(include_url=False)[0]["input"] if causes else ""
+    shown = abbreviated(value, MOST_SHOWN)
     holder = param if hasattr(param, "min") else param.type
     low, high = getattr(holder, "min", None), getattr(holder, "max", None)
     if re.search("greater than|less than|in the range", message):
         one_sided = f"at most {high:g}" if low is None else f"at least {low:g}"
         bound = one_sided if None in (low, high) else f"from {low:g} to {high:g}"
         return f"must be {bound}, not {float(value):g}."
-    if "valid int" in message:
-        return f"must be a whole number, not {value}."
+    if re.search("valid int|as an int", message):
+        return f"must be a whole number, not {shown}."
     if re.search("valid (number|float)|finite", message):
         point = f" Write a decimal point: {value.replace(',', '.')}." if re.fullmatch(r"[+-]?\d+,\d+", value) else ""
-        return f"must be a number, not {value}.{point}"
+        return f"must be a number, not {shown}.{point}"
     if found := re.search(r" is not one of (.*)\.", message):
         *others, last = found[1].replace("'", "").split(", ")
-        return f"must be {', '.join(others)} or {last}, not {value}."
+        return f"must be {', '.join(others)} or {last}, not {shown}."
     return f"cannot be used: {message.removeprefix('Value error, ')}"

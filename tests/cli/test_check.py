@@ -324,6 +324,16 @@ def test_a_broken_baseline(folder, capsys, old, new, message):
     assert outcome(capsys) == (0, "ok", [])
 
 
+@pytest.mark.parametrize("mine", [LEVEL, "notes of mine", "", "\xff"])
+def test_what_is_no_baseline_is_not_written_over(folder, capsys, mine):
+    """A spec, for example, that is the baseline of somebody's own."""
+    path = Path("spoon.baseline.toml")
+    path.write_text(mine, encoding="latin-1")
+    assert main(["check", "--update"]) == 1
+    assert path.read_text(encoding="latin-1") == mine
+    assert "--update leaves it alone: give it another name, or delete it" in capsys.readouterr().out
+
+
 def test_a_bad_spec_ends_with_2_and_nothing_is_written(folder, capsys):
     Path("other.toml").write_text(LEVEL.replace("radius_m = 3.0", "radius_m = -3.0"), encoding="utf-8")
     assert main(["check", "--update", "--junit", "check.xml"]) == 2

@@ -7,6 +7,7 @@ import numpy as np
 
 from chutecalc.design import Status
 from chutecalc.errors import UsageError
+from chutecalc.fields.quantities import ROUGH, STRONG, WIDE
 from chutecalc.fields.ranges import read_values
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.friction import equivalent_friction
@@ -20,6 +21,8 @@ CHAMFERS, INTERNAL_FRICTIONS = (tuple(read_values(name, text).tolist()) for name
 """The angles β and δ of these ranges, deg."""
 WALL_FRICTION, BASE, AREA = 25.0, 0.5, 0.05
 """Wall friction angle of the paper, deg; width, m, and flow area, m². Its text and figures agree with A/B² = 0.2."""
+MOST_ANGLES = {"beta": 90.0, "delta": STRONG.most, "phi": ROUGH.most}
+"""Largest angles, deg: of a wall upright, and as a spec takes them; widths and areas too are those of a spec."""
 FINE = 10_001
 """Number of angles among which the best one is sought: at most 0.009° apart."""
 ROUNDING = 1e-14
@@ -88,12 +91,12 @@ class FrictionStudy:
 
         Args:
             chamfer_deg: Chamfer angles β, deg, from 0 (a flat plane) to 90 (square corners).
-            internal_friction_deg: Angles of internal friction δ, deg, from 0 to less than 90.
+            internal_friction_deg: Angles of internal friction δ, deg, from 0 to 89.
             keep: Dimension that is constant while β varies: ``base`` (width of the centre section), ``width`` (of the
                 free surface) or ``depth``.
-            wall_friction_deg: Wall friction angle φ, deg, from 0 to less than 90.
-            base_m: Width B between square corners, m.
-            area_m2: Flow area A, m².
+            wall_friction_deg: Wall friction angle φ, deg, from 0 to 85.
+            base_m: Width B between square corners, m, from 0.001 to 100.
+            area_m2: Flow area A, m², from 1e-6 to 10,000.
 
         Raises:
             UsageError: All values that are out of range.
@@ -155,13 +158,14 @@ class FrictionStudy:
             "phi": np.array([self.wall_friction_deg]),
         }
         for name, values in angles.items():
-            fits = (values >= 0.0) & ((values <= 90.0) if name == "beta" else (values < 90.0))
+            fits = (values >= 0.0) & (values <= MOST_ANGLES[name])
             if not fits.all() or not values.size:
                 given = f"{values[~fits][0]:g}" if values.size else "nothing"
-                yield f"{name} must be from 0 to {'90' if name == 'beta' else 'less than 90'} degrees, not {given}"
-        for name, value, unit in (("base", self.base_m, "m"), ("area", self.area_m2, "m²")):
-            if not 0.0 < value <= 1e5:
-                yield f"{name} must be greater than 0 and at most 100000 {unit}, not {value:g}"
+                yield f"{name} must be from 0 to {MOST_ANGLES[name]:g} degrees, not {given}"
+        for name, value, power, unit in (("base", self.base_m, 1, "m"), ("area", self.area_m2, 2, "m²")):
+            least, most = WIDE.least**power, WIDE.most**power
+            if not least <= value <= most:
+                yield f"{name} must be at least {least:g} and at most {most:g} {unit}, not {value:g}"
 
     def _columns(self, chamfer_deg: Array, internal_friction_deg: Array) -> Columns:
         """Compute the table with the friction law that chutes are solved with."""

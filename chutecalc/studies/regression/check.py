@@ -11,7 +11,7 @@ from chutecalc.errors import SpecError
 from chutecalc.runtime import cores, in_processes
 from chutecalc.studies.regression.baseline import TOLERANCE, Baseline
 from chutecalc.studies.regression.compare import compare, unknown_columns
-from chutecalc.studies.regression.record import baseline_of, baseline_path, read_baseline
+from chutecalc.studies.regression.record import baseline_of, baseline_path, is_replaceable, read_baseline
 from chutecalc.studies.regression.verdict import (
     BROKEN_BASELINE,
     CHANGED,
@@ -63,7 +63,7 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
         if was.rtol != now.rtol:
             notes.append(f"solved with rtol {now.rtol:g}; the baseline with {was.rtol:g}")
     outcome = _outcome(changes, drifts, path)
-    rewrite = update and (outcome != OK or bool(notes))
+    rewrite = update and (outcome != OK or bool(notes)) and is_replaceable(path)
     return Verdict(
         spec=chute.source,
         outcome=outcome,
@@ -86,7 +86,12 @@ def _stored(path: Path, spec: str) -> tuple[Baseline | None, list[Change]]:
         return read_baseline(path), []
     except SpecError as error:
         faults = [Change("baseline", "", line) for line in str(error).splitlines()]
-        return None, [*faults, Change("baseline", "", "correct it, or write a new one with --update")]
+        remedy = (
+            "correct it, or write a new one with --update"
+            if is_replaceable(path)
+            else "it is no baseline of chutecalc, and --update leaves it alone: give it another name, or delete it"
+        )
+        return None, [*faults, Change("baseline", "", remedy)]
 
 
 def _outcome(changes: Sequence[Change], drifts: Sequence[Drift], path: Path) -> str:

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ from chutecalc.results.columns import NUMERIC
 from chutecalc.results.finding import Finding
 from chutecalc.spec.faults import faults_of
 from chutecalc.spec.parse import parse_text, read_text
-from chutecalc.spec.reader import BASELINE_SUFFIX
+from chutecalc.spec.reader import BASELINE_SUFFIX, read_bytes
 from chutecalc.studies.regression.baseline import (
     EXTREME_MARGIN,
     RECEIVER,
@@ -143,6 +144,20 @@ def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -
         for name, value in _finite(extremes).items()
         if all(sign * (value - row[name]) > EXTREME_MARGIN * abs(value) for row in stations if name in row)
     }
+
+
+def is_replaceable(path: Path) -> bool:
+    """Return whether a baseline may be written to a path: nothing is there, or one that may be damaged.
+
+    A spec, say, that somebody has named after another one is not to be lost.
+
+    Args:
+        path: Path of the baseline.
+    """
+    try:
+        return not os.path.lexists(path) or b"spec_sha256" in read_bytes(path)
+    except SpecError:
+        return False
 
 
 def read_baseline(path: Path) -> Baseline:
