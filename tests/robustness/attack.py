@@ -86,8 +86,11 @@ def main() -> int:
         ("specs", contents, judge_content, counts[0]),
         ("command lines", command_lines(), lambda line: f"with status {judge(line).status}", counts[1]),
     ):
+        if not count:
+            continue
         tally = attack(what, cases, how, count)
         sys.stdout.write(f"{tally}\n")
+        sys.stdout.flush()
         sys.stdout.writelines(f"  {fault}\n    {case!r}\n" for fault, case in tally.faults.items())
         status |= bool(tally.faults)
     return status

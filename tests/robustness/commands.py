@@ -16,7 +16,7 @@ from unittest import mock
 from hypothesis import strategies as st
 
 from chutecalc.cli import main
-from tests.robustness.hostile import FORGED, PATHS, WORDS, contents, value, word
+from tests.robustness.hostile import FORGED, PATHS, WORDS, contents, seeds, value, word
 from tests.robustness.written import READERS, check_lines
 
 LONGEST = 60
@@ -29,8 +29,24 @@ NAMES = ("x.toml", "=x.toml", "a b.toml", f"x\n{FORGED}.toml", "\x1b[2J.toml", "
 PIPE = "pipe.toml"
 OTHERS = ("-", "missing.toml", ".", PIPE, "/dev/zero", "x.baseline.toml", "", "chute-library.toml", "no/x.toml")
 DATA = ("", "--csv -", "--json -", "--csv x.csv", "--json x.json", "--parquet x.parquet", "--xlsx x.xlsx")
-CHANGES = ("--band", "--points 3", "--units us", "--strict", "--case wet", "--columns depth_m", "--library x.toml")
+CHANGES = (
+    "--band",
+    "--sensitivity",
+    "--points 3",
+    "--units us",
+    "--strict",
+    "--case wet",
+    "--columns depth_m",
+    "--library x.toml",
+)
 PICTURES = ("--plot x.svg", "--plot x.png", "--plot x.pdf", "--dxf x.dxf", "--report x.html")
+STUDIES = ("beta", "delta=20:60:5", "beta=0:90:1e-9", "beta=x", "beta=", "--base=1e5", "--area=nan", "--keep=depth")
+SEARCHES = ("aim", "optimise", "uncertain")
+SEARCHED = (
+    *("--target exit_velocity_m_s=4", "--target x=nan", "--minimise exit_velocity_m_s", "--maximise exit_depth_m"),
+    *("--subject max_depth_m<=0.3", "--limit exit_x_m", "--points 3", "--samples 64", "--write", "--take 2"),
+    *("--margins", "--seed 9999999999999999999999", "--columns status,no"),
+)
 BEDS = ("--area 1000 --diameter 1e-4", "--area 0.05", "--beta 1:90:1e-9", "--read no", "--slice 1e300")
 ENDS = ("1", "4", "#3", "1e299", "1e-299", "0", "-1")
 STRAY = (*WORDS, "-(", "--x", "--set", "-csv", "--csv", "--points", "--", "-h")
@@ -60,13 +76,16 @@ def _commands(spec: str) -> st.SearchStrategy[list[str]]:
     changes = st.sampled_from(CHANGES).map(str.split)
     run = st.builds(lambda *parts: ["run", spec, *chain.from_iterable(parts)], data, changes, settings, pictures)
     check = st.sampled_from(("--junit x.xml", "--junit -", "--update", *DATA)).map(str.split)
-    words = st.sampled_from(("explain", "limits", "columns", "schema"))
+    words = st.sampled_from(("explain", "limits", "columns", "schema", "new"))
+    searched = st.lists(st.sampled_from(SEARCHED).map(str.split), max_size=3).map(lambda each: [*chain(*each)])
     return st.one_of(
         *[run] * 4,
         st.builds(lambda where, options: ["check", where, *options], st.sampled_from((spec, ".")), check),
         st.builds(lambda one, options: ["sweep", spec, one, *options], varied, data),
+        st.builds(lambda study, options: ["sweep", study, *options], st.sampled_from(STUDIES), data),
+        st.builds(lambda kind, one, options: [kind, spec, one, *options], st.sampled_from(SEARCHES), varied, searched),
         st.builds(lambda one: ["place", spec, "spoon", f"x={one}"], value),
-        st.sampled_from([["freeze", spec], ["run", spec], ["check"]]),
+        st.sampled_from([["freeze", spec], ["freeze", spec, "--write"], ["run", spec], ["check"]]),
         st.sampled_from(BEDS).map(lambda options: ["dem", *options.split(), "--write", "cases"]),
         st.builds(lambda command, one: [command, one], words, word),
     )
@@ -80,7 +99,9 @@ def command_lines(draw: st.DrawFn) -> Line:
     if draw(st.integers(0, 15)) == 0:
         arguments.insert(draw(st.integers(0, len(arguments))), draw(st.sampled_from(STRAY)))
     fit = [each.replace("\x00", "") for each in arguments]  # no process can be given one
-    return Line(fit, name, draw(contents), closed=draw(st.integers(0, 19)) == 0)
+    right = st.sampled_from(seeds()).map(str.encode)  # the options alone are hostile
+    content = draw(st.one_of(contents, right) if name == NAMES[0] else contents)
+    return Line(fit, name, content, closed=draw(st.integers(0, 19)) == 0)
 
 
 class Outcome(NamedTuple):

@@ -110,9 +110,8 @@ value = st.one_of(
 @cache
 def seeds() -> list[str]:
     """Return texts to begin with: the starter, and standard designs."""
-    names = ("belt_hood_spoon", "rock_box", "operating_cases", "uncertain_transfer")
-    found = [path for name in names for path in [ROOT / "specs" / f"{name}.toml"] if path.is_file()]
-    return [chutecalc.STARTER, *(path.read_text(encoding="utf-8") for path in found)]
+    names = ("belt_hood_spoon", "rock_box", "placed_by_stream", "transfer_90")  # with a belt, cases, uncertainty
+    return [chutecalc.STARTER, *((ROOT / "specs" / f"{name}.toml").read_text(encoding="utf-8") for name in names)]
 
 
 @st.composite
