@@ -85,7 +85,9 @@ def _commands(spec: str) -> st.SearchStrategy[list[str]]:
         st.builds(lambda study, options: ["sweep", study, *options], st.sampled_from(STUDIES), data),
         st.builds(lambda kind, one, options: [kind, spec, one, *options], st.sampled_from(SEARCHES), varied, searched),
         st.builds(lambda one: ["place", spec, "spoon", f"x={one}"], value),
-        st.sampled_from([["freeze", spec], ["freeze", spec, "--write"], ["run", spec], ["check"]]),
+        st.sampled_from(
+            [["freeze", spec], ["place", spec, "spoon", "incidence=10", "--write"], ["run", spec], ["check"]]
+        ),
         st.sampled_from(BEDS).map(lambda options: ["dem", *options.split(), "--write", "cases"]),
         st.builds(lambda command, one: [command, one], words, word),
     )

@@ -14,27 +14,17 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import cache, partial
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
 from tests.conftest import ROOT, STANDARD_DESIGNS
-from tests.robustness.processes import MARKED, Ended, end, run, start
+from tests.robustness.killed_writers import killed_writer
+from tests.robustness.processes import MARKED, SPOON, Ended, Outcome, end, run, start
 
-SPOON = ROOT / "specs/paper/r3_d55_chamfered.toml"
 SWEEP = ["sweep", "radius=2:4:#60", "phi=15:24:#80", str(SPOON), "--jobs", "1"]
 SWEEP += ["--columns", "exit_velocity_m_s,segments.spoon.status"]  # with these a block has 1024 rows, not 16,384
 FORMATS = ("csv", "parquet", "json")
 DESIGNS = STANDARD_DESIGNS[:4]
-
-
-class Outcome(NamedTuple):
-    """What came of one attempt."""
-
-    how: str
-    """What happened, in a few words."""
-    faults: tuple[str, ...] = ()
-    """What is wrong."""
 
 
 @cache
@@ -162,6 +152,7 @@ ATTACKS: dict[str, Callable[[np.random.Generator, Path], Outcome]] = {
     **{f"kill a sweep to {form}": lambda draw, folder, form=form: killed_sweep(form, draw, folder) for form in FORMATS},
     **{f"two sweeps to {form}": lambda draw, folder, form=form: two_sweeps(form, draw, folder) for form in FORMATS},
     "kill check --update, then two": killed_check,
+    "kill what writes a file, then two": killed_writer,
     "Ctrl-C": interrupted,
 }
 

@@ -12,6 +12,18 @@ MARKED = "import os, sys; sys.path[0] = {!r}; from chutecalc.__main__ import ent
 """What a console script does, with a sign that Python has started: before, Ctrl-C is its own affair."""
 
 
+SPOON = ROOT / "specs/paper/r3_d55_chamfered.toml"
+
+
+class Outcome(NamedTuple):
+    """What came of one attempt."""
+
+    how: str
+    """What happened, in a few words."""
+    faults: tuple[str, ...] = ()
+    """What is wrong."""
+
+
 class Ended(NamedTuple):
     """A process that has ended."""
 
