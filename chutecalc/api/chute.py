@@ -1,7 +1,7 @@
 """Chutes from their specs, and variants of them."""
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from reprlib import repr as short
 from typing import TYPE_CHECKING, Any
@@ -47,8 +47,6 @@ class Chute:
     """The checked spec."""
     design: Design
     """The numeric description, SI and radians."""
-    drawing: "Chute"
-    """The chute at its design point, where its steel is drawn; this chute itself unless operating keys were varied."""
 
     def __init__(
         self,
@@ -70,7 +68,7 @@ class Chute:
         Raises:
             SpecError: all faults of keys, values and names; where there are none, all faults of geometry.
         """
-        self.written, self.library, self.drawing = data, library, drawing or self
+        self.written, self.library, self._drawing = data, library, drawing
         self.data = data = resolved(data, library, source, text)
         self.source, self.text = source, text
         self.count = _count(data, source)
@@ -93,6 +91,11 @@ class Chute:
         title = f"{self.spec.title}; " if self.spec.title else ""
         designs = f"; {self.count} designs" if self.count > 1 else ""
         return f"<Chute {self.source!r}: {title}{', '.join(segment.name for segment in self.design.segments)}{designs}>"
+
+    @property
+    def drawing(self) -> "Chute":
+        """The chute at its design point, where its steel is drawn; itself unless operating keys were varied."""
+        return self._drawing or self  # kept as None, so that a chute is no circle that needs a garbage collector
 
     def vary(self, changes: Mapping[str, Any]) -> "Chute":
         """Return variants of this chute: design k takes entry k of each array.
@@ -279,20 +282,20 @@ def check_changes(changes: Any) -> Mapping[str, Any]:
 
 def _count(data: Any, source: str) -> int:
     """Return how many designs the arrays in a spec's data describe."""
-    lengths: dict[int, str] = {}
-
-    def look(item: Any, path: str) -> None:
-        if isinstance(item, np.ndarray) and item.ndim == 1 and item.size > 1:
-            lengths.setdefault(len(item), path)
-        elif isinstance(item, dict | list):
-            for key, value in item.items() if isinstance(item, dict) else enumerate(item, 1):
-                look(value, f"{path}.{key}".lstrip("."))
-
-    look(data, "")
+    lengths = {len(array): path for path, array in reversed([*_arrays(data, "")]) if array.ndim == 1 and array.size > 1}
     if len(lengths) > 1:
         given = ", ".join(f"{path} {length}" for length, path in lengths.items())
         raise SpecError([Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], source)
     return next(iter(lengths), 1)
+
+
+def _arrays(item: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Yield the arrays in a spec's data with their paths."""
+    if isinstance(item, np.ndarray):
+        yield path, item
+    elif isinstance(item, dict | list):
+        for key, value in item.items() if isinstance(item, dict) else enumerate(item, 1):
+            yield from _arrays(value, f"{path}.{key}".lstrip("."))
 
 
 def _as_array(path: str, value: Any, source: str) -> Any:

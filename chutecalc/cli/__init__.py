@@ -141,8 +141,8 @@ def _explained(error: typer.TyperException, given: Sequence[str]) -> str:
     """Return what is wrong with a command line; the help, if it is empty."""
     if not given:
         return error.format_message()
-    called = given[0] in COMMANDS
-    examples = import_module(f"chutecalc.cli.{given[0]}").EXAMPLES if called else ()
+    called = next((word for word in given if not word.startswith("-")), "")
+    examples = import_module(f"chutecalc.cli.{called}").EXAMPLES if called in COMMANDS else ()
     return abbreviated(printable(f"chutecalc: {explained(error, given, examples, COMMANDS)}"))
 
 

@@ -95,12 +95,15 @@ def explained(
         else:
             remedy = f"Did you mean {close[0]}?" if close else f"Use {', '.join(commands[:-1])} or {commands[-1]}."
         return f"there is no command {found[1]}. {remedy}"
+    if message == "Missing command.":
+        return f"give a command: {', '.join(commands[:-1])} or {commands[-1]}."
+    called = ["chutecalc", *(word for word in given[:1] if word in commands)]
     option = getattr(error, "option_name", None)
     if option and message.startswith("No such option"):
         close = list(getattr(error, "possibilities", None) or ())
         if word := next((word for word in given if re.match(rf"{re.escape(option)}\w", word)), None):
             return f"there is no option {word}. Names of options have two minus signs: -{word}."
-        remedy = f"Did you mean {' or '.join(close)}?" if close else f"chutecalc {given[0]} --help lists the options."
+        remedy = f"Did you mean {' or '.join(close)}?" if close else f"{' '.join(called)} --help lists the options."
         return f"there is no option {option}. {remedy}"
     if option and "requires an argument" in message:
         return f"{option} needs a value after it."

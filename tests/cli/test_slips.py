@@ -52,3 +52,18 @@ def test_a_value_that_an_option_does_not_take_is_explained(name, option, value, 
     if value == "x?":
         assert shown.startswith(f"chutecalc: {option} must be ")
         assert shown.endswith("not x?.\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--"], "give a command: new, run, sweep"),
+        (["--", "limits", "x"], "x is more than the command takes. For example: chutecalc limits"),
+        (["--", "run"], "SPEC is missing. For example: chutecalc run chute.toml"),
+        (["--", "-x"], "there is no option -x. chutecalc --help lists the options"),
+        (["-x"], "there is no option -x. chutecalc --help lists the options"),
+    ],
+)
+def test_what_stands_before_a_command(capsys, arguments, message):
+    assert main(arguments) == 2
+    assert message in capsys.readouterr().err

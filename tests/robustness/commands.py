@@ -180,4 +180,4 @@ def judge(line: Line) -> Outcome:
 
 
 def _goes_to_standard(arguments: list[str], form: str) -> bool:
-    return any(pair == (f"--{form}", "-") for pair in pairwise(arguments))
+    return "-h" not in arguments and any(pair == (f"--{form}", "-") for pair in pairwise(arguments))

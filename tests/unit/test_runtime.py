@@ -1,5 +1,6 @@
 """Work that several processes share: from any thread, and not beyond the process that asked for it."""
 
+import gc
 import multiprocessing
 import os
 import signal
@@ -9,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+import chutecalc
 from chutecalc import runtime
 
 
@@ -71,3 +73,21 @@ def test_importing_the_package_changes_nothing_in_the_host_process():
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout == "True\n"
+
+
+def test_variants_are_no_circles():
+    """Commands hardly ever collect garbage, so that what refers to itself would stay until the end."""
+    base = chutecalc.parse(chutecalc.STARTER)
+
+    def solved():
+        variants = base.vary({"flow.rate_t_h": [500.0, 800.0], "segments.spoon.radius_m": [2.0, 3.0]})
+        return chutecalc.exits(variants).ok.all() and chutecalc.solve(variants).ok.all()
+
+    assert solved()  # what is made once, and kept
+    gc.collect()
+    gc.disable()
+    try:
+        assert solved()
+        assert gc.collect() == 0
+    finally:
+        gc.enable()
