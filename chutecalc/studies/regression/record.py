@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -147,15 +146,20 @@ def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -
 
 
 def is_replaceable(path: Path) -> bool:
-    """Return whether a baseline may be written to a path: nothing is there, or one that may be damaged.
+    """Return whether what stands at a path may be written over: nothing, or a baseline that may be damaged.
 
-    A spec, say, that somebody has named after another one is not to be lost.
+    A spec, say, that somebody has named after another one is not to be lost. What is no file, or a link to another
+    name, is refused where it is written.
 
     Args:
         path: Path of the baseline.
     """
     try:
-        return not os.path.lexists(path) or b"spec_sha256" in read_bytes(path)
+        return (
+            not path.is_file()
+            or not path.resolve().name.endswith(BASELINE_SUFFIX)
+            or b"spec_sha256" in read_bytes(path)
+        )
     except SpecError:
         return False
 
