@@ -123,6 +123,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _complain("chutecalc: interrupted", ExitStatus.INTERRUPTED)
     except OSError as error:
         return _complain(f"chutecalc: output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
+    except MemoryError:
+        return _complain(
+            "chutecalc: there is not enough memory for that. Take fewer designs, samples or stations at once.",
+            ExitStatus.USAGE,
+        )
     except Exception as error:
         if debug:
             traceback.print_exc()

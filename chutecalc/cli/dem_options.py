@@ -106,5 +106,5 @@ class EngineOptions(OptionGroup):
 
     jobs: int | None = JOBS
     dask: str | None = DASK
-    mpi: int = typer.Option(1, min=1, metavar="N", help="Processes of each case, through mpirun.")
+    mpi: int = typer.Option(1, min=1, max=10_000, metavar="N", help="Processes of each case, through mpirun.")
     lmp: str = typer.Option("lmp", metavar="PROGRAM", help="Executable of LAMMPS.")

@@ -77,7 +77,7 @@ class StationOptions(OptionGroup):
         if self.points is not None and self.stations is not None:
             raise UsageError("--points and --stations exclude each other: give one of them")
         if self.stations is not None and not 0.0 < self.stations < math.inf:
-            raise UsageError(f"--stations must be greater than 0 m, not {self.stations:g}")
+            raise UsageError(f"--stations must be a length greater than 0 m, and finite, not {self.stations:g}")
 
     @property
     def given(self) -> bool:

@@ -112,12 +112,13 @@ def _refuse(options: dict[str, Any], reason: str) -> None:
 
 
 def _confirm(sweep: Sweep) -> None:
-    """Ask whether so many designs are meant, if there is a terminal to ask on.
+    """Ask whether so many designs are meant.
 
     Raises:
-        UsageError: they are not.
+        UsageError: they are not, or there is no terminal to ask on.
     """
-    if sys.stdin.isatty() and sys.stderr.isatty():
-        lists = " × ".join(f"{len(parameter.values):,} {parameter.name}" for parameter in sweep.parameters)
-        if not typer.confirm(f"{lists}: {sweep.count:,} designs. Continue?", err=True):
-            raise UsageError("nothing was solved")
+    lists = " × ".join(f"{len(parameter.values):,} {parameter.name}" for parameter in sweep.parameters)
+    if not (sys.stdin and sys.stdin.isatty() and sys.stderr.isatty()):
+        raise UsageError(f"{lists}: {sweep.count:,} designs. Add --yes if so many are meant.")
+    if not typer.confirm(f"{lists}: {sweep.count:,} designs. Continue?", err=True):
+        raise UsageError("nothing was solved")

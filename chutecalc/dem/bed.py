@@ -12,6 +12,9 @@ BALANCE, SIDES, REST, LEVEL = 1e-3, 1e-2, 1e-7, 0.05
 """Limits of the checks: vertical wall force over the weight less 1; sideways force over the push of one side; kinetic
 energy of a particle over m g d; unevenness over depth."""
 
+FURTHEST = 1e4
+"""A particle further than that from the trough, m, is none."""
+
 
 class Check(NamedTuple):
     """A condition that every bed must meet."""
@@ -62,12 +65,28 @@ class Bed:
         The solids below a height, plotted over the area of the section below it, lie on a line between the layers that
         the floor orders and the loose surface.
         """
+        slope, start = np.polyfit(*self._interior, 1)
+        return float(slope), float(-start / slope)
+
+    @cached_property
+    def _interior(self) -> tuple[Array, Array]:
+        """Area of the section below each particle of the interior, and the solids below it over the slice, m²."""
         heights = np.sort(self.positions[:, 2])
         top = heights[int(0.99 * len(heights)) - 1]
         inner = (heights > 0.25 * top) & (heights < 0.75 * top)
         below = (np.arange(len(heights)) + 0.5) * self.case.particle_volume / self.case.slice
-        slope, start = np.polyfit(self.case.trough.area_below(heights[inner]), below[inner], 1)
-        return float(slope), float(-start / slope)
+        return self.case.trough.area_below(heights[inner]), below[inner]
+
+    @property
+    def is_possible(self) -> bool:
+        """Whether it can be a bed: the numbers are of this world, and the interior's particles fill some of its room.
+
+        Others are those of a damaged file, of which nothing can be measured.
+        """
+        if not (np.abs(self.positions) < FURTHEST).all():
+            return False
+        area, _ = self._interior
+        return np.unique(area).size > 1 and 0.0 < self.solid_fraction < 1.0
 
     @property
     def solid_fraction(self) -> float:

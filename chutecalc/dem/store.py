@@ -89,7 +89,8 @@ class Store:
             return None
         if not (np.isfinite(numbers).all() and np.isfinite(rows).all()):
             return None
-        return Bed(case, numbers[1:].reshape(-1, 2), kinetic_energy=float(numbers[0]), positions=rows[:, 1:])
+        found = Bed(case, numbers[1:].reshape(-1, 2), kinetic_energy=float(numbers[0]), positions=rows[:, 1:])
+        return found if found.is_possible else None
 
 
 def _write(path: Path, text: str) -> None:

@@ -143,7 +143,7 @@ class Quantity:
                 raise _fault("must be a number, or a one-dimensional array of numbers, each", "use numbers")
             smallest, largest = float(value.min()), float(value.max())
         elif isinstance(value, bool) or not isinstance(value, int | float | np.number):
-            quoted = isinstance(value, str) and re.fullmatch(r"\s*([+-]?\d+(?:\.\d+)?)\b.*", value)
+            quoted = isinstance(value, str) and re.fullmatch(r"(?a)\s*([+-]?\d+(?:\.\d+)?)\b.*", value)
             raise _fault("must be a number,", f"write {quoted[1]}, the number alone" if quoted else "write a number")
         else:
             try:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
+from reprlib import repr as short
 from typing import Any
 
 import numpy as np
@@ -36,10 +37,10 @@ def at_stations(
     """
     if points is not None and spacing is not None:
         raise UsageError("points and spacing both set the stations: give one of them")
-    if points is not None and not (isinstance(points, int | np.integer) and points >= 2):
-        raise UsageError(f"points must be a whole number, at least 2, not {points!r}")
-    if spacing is not None and not (spacing > 0.0 and np.isfinite(spacing)):
-        raise UsageError(f"spacing must be greater than 0 m, not {spacing:g}")
+    if points is not None and not (isinstance(points, int | np.integer) and 2 <= points <= MOST_STATIONS):
+        raise UsageError(f"points must be a whole number from 2 to {MOST_STATIONS:,}, not {short(points)}")
+    if spacing is not None and not 0.0 < spacing < np.inf:
+        raise UsageError(f"spacing must be a length greater than 0 m, and finite, not {spacing:g}")
     check_columns(names, AT_STATION, " at a station")
     if spacing is None:
         points = points or DEFAULT_POINTS

@@ -220,9 +220,18 @@ def test_update_writes_into_nothing_but_baselines(tmp_path, monkeypatch, capsys,
     else:
         os.symlink("other.toml", "one.baseline.toml")
     assert main(["check", "one.toml", "--update"]) == 2
-    assert "one.baseline.toml leads to" in printed(capsys).err
+    assert "one.baseline.toml " + {"pipe": "is no file", "link": "leads to"}[kind] in printed(capsys).err
     assert Path("other.toml").read_text(encoding="utf-8") == chutecalc.STARTER
     Path("one.baseline.toml").unlink()
     os.symlink("kept.baseline.toml", "one.baseline.toml")
     assert main(["check", "one.toml", "--update"]) == 0
     assert Path("kept.baseline.toml").exists()
+
+
+def test_too_little_memory_is_no_fault_of_the_program(hostile, capsys, monkeypatch):
+    def full(*_args, **_more):
+        raise MemoryError
+
+    monkeypatch.setattr("chutecalc.api.solve.run_chain", full)
+    assert main(["run", hostile]) == 2
+    assert "there is not enough memory for that. Take fewer designs" in printed(capsys).err

@@ -160,3 +160,17 @@ def test_numbers_that_are_none_make_a_case_unread(tmp_path, file, word):
     *before, _ = (folder / file).read_text(encoding="utf-8").split(" ")
     (folder / file).write_text(" ".join([*before, word]), encoding="latin-1")
     assert store.read(SMALL) is None
+
+
+@pytest.mark.parametrize("number", ["0", "1", "-1", "1e308"])
+def test_particles_that_are_no_bed_make_a_case_unread(tmp_path, number):
+    store = Store(tmp_path)
+    engine = Engine(store)
+    engine.learn(SMALL)
+    bed = store.write(SMALL) / "bed.dump"
+    engine.run(bed.parent)
+    lines = bed.read_text(encoding="utf-8").splitlines()
+    header, particles = lines[: -SMALL.count], lines[-SMALL.count :]
+    flat = [" ".join([line.split()[0], *[number] * 3]) for line in particles]
+    bed.write_text("\n".join([*header, *flat, ""]), encoding="utf-8")
+    assert store.read(SMALL) is None

@@ -37,7 +37,7 @@ CALLS = {
     "a file's columns": (lambda: chutecalc.exits(SPOON, columns=1), "columns must be a list of names, not 1"),
     "columns of bytes": (lambda: SOLVED.stations(columns=[b"s_m"]), "columns must be a list of names"),
     "jobs": (lambda: chutecalc.exits(SPOON, jobs="2"), "jobs must be a whole number, 1 or more, not '2'"),
-    "points": (lambda: SOLVED.stations(2.5), "points must be a whole number, at least 2, not 2.5"),
+    "points": (lambda: SOLVED.stations(2.5), "points must be a whole number from 2 to 2,000,000, not 2.5"),
     "a sensitivity of 1": (lambda: chutecalc.sensitivity(SPOON, column=1), "columns must be a list of names"),
     "aim 1": (lambda: chutecalc.aim(SPOON, 1, {}), "give bounds by path, .*, not 1"),
     "aim at 1": (lambda: chutecalc.aim(SPOON, {RADIUS: (1, 4)}, 1), "give wanted values by column, .*, not 1"),

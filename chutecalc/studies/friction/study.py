@@ -23,6 +23,8 @@ WALL_FRICTION, BASE, AREA = 25.0, 0.5, 0.05
 """Wall friction angle of the paper, deg; width, m, and flow area, m². Its text and figures agree with A/B² = 0.2."""
 MOST_ANGLES = {"beta": 90.0, "delta": STRONG.most, "phi": ROUGH.most}
 """Largest angles, deg: of a wall upright, and as a spec takes them; widths and areas too are those of a spec."""
+MOST_ROWS = 1_000_000
+"""Rows of a study, which are all in memory."""
 FINE = 10_001
 """Number of angles among which the best one is sought: at most 0.009° apart."""
 ROUNDING = 1e-14
@@ -103,7 +105,7 @@ class FrictionStudy:
         """
         self.chamfer_deg = np.atleast_1d(np.asarray(chamfer_deg, dtype=np.float64))
         self.internal_friction_deg = np.atleast_1d(np.asarray(internal_friction_deg, dtype=np.float64))
-        self.keep, self.wall_friction_deg, self.base_m, self.area_m2 = keep, wall_friction_deg, base_m, area_m2
+        self.keep, self.wall_friction_deg, self.base_m, self.area_m2 = keep, wall_friction_deg + 0.0, base_m, area_m2
         faults = list(self._faults())
         if faults:
             raise UsageError(*faults)
@@ -162,6 +164,9 @@ class FrictionStudy:
             if not fits.all() or not values.size:
                 given = f"{values[~fits][0]:g}" if values.size else "nothing"
                 yield f"{name} must be from 0 to {MOST_ANGLES[name]:g} degrees, not {given}"
+        rows = self.chamfer_deg.size * self.internal_friction_deg.size
+        if rows > MOST_ROWS:
+            yield f"beta and delta make {rows:,} rows, and at most {MOST_ROWS:,} are allowed: take fewer values"
         for name, value, power, unit in (("base", self.base_m, 1, "m"), ("area", self.area_m2, 2, "m²")):
             least, most = WIDE.least**power, WIDE.most**power
             if not least <= value <= most:

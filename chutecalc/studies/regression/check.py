@@ -85,7 +85,8 @@ def _stored(path: Path, spec: str) -> tuple[Baseline | None, list[Change]]:
     try:
         return read_baseline(path), []
     except SpecError as error:
-        faults = [Change("baseline", "", line) for line in str(error).splitlines()]
+        of_file = [f"{path}: {fault.problem}" for fault in error.faults if not fault.path and fault.line is None]
+        faults = [Change("baseline", "", line) for line in of_file or str(error).splitlines()]
         remedy = (
             "correct it, or write a new one with --update"
             if is_replaceable(path)

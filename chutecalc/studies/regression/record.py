@@ -146,7 +146,7 @@ def _beyond(extremes: Mapping[str, Any], stations: Sequence[Row], sign: float) -
 
 
 def is_replaceable(path: Path) -> bool:
-    """Return whether what stands at a path may be written over: nothing, or a baseline that may be damaged.
+    """Return whether what stands at a path may be written over: nothing in it, or a baseline that may be damaged.
 
     A spec, say, that somebody has named after another one is not to be lost. What is no file, or a link to another
     name, is refused where it is written.
@@ -157,10 +157,11 @@ def is_replaceable(path: Path) -> bool:
     try:
         return (
             not path.is_file()
+            or not path.stat().st_size
             or not path.resolve().name.endswith(BASELINE_SUFFIX)
             or b"spec_sha256" in read_bytes(path)
         )
-    except SpecError:
+    except (SpecError, OSError):
         return False
 
 

@@ -1,6 +1,6 @@
 """Reads what a sweep varies: arguments such as ``beta=15:90:5`` as key paths and values."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
@@ -62,11 +62,22 @@ def read_parameters(arguments: list[str], chute: Chute) -> list[AnyParameter]:
             found.append(_parameter(argument, chute))
         except UsageError as error:
             faults.append(str(error))
-    names = [parameter.name for parameter in found]
-    faults += [f"{name} is given twice. Keep one of them." for name in dict.fromkeys(names) if names.count(name) > 1]
+    faults += _twice(found)
     if faults:
         raise UsageError(*faults)
     return found
+
+
+def _twice(parameters: Sequence[AnyParameter]) -> Iterator[str]:
+    """Yield what is wrong with parameters of one name, or of one path under two names."""
+    names = [parameter.name for parameter in parameters]
+    yield from (f"{name} is given twice. Keep one of them." for name in dict.fromkeys(names) if names.count(name) > 1)
+    first: dict[str, str] = {}
+    for parameter in parameters:
+        for path in parameter.paths:
+            other = first.setdefault(path, parameter.name)
+            if other != parameter.name:
+                yield f"{path} is given twice, as {other} and as {parameter.name}. Keep one of them."
 
 
 def split_argument(argument: str, defaults: dict[str, str]) -> tuple[str, Array]:
@@ -123,7 +134,7 @@ def _unknown(name: str, chute: Chute) -> str:
         if stem == short:
             dimension = next(each for each, units in UNITS.items() if key.endswith(f"_{next(iter(units))}"))
             return f"_{unit} is not a unit of {dimension}. Use {' or '.join(unit_keys(short + '_', dimension))}."
-    if close := get_close_matches(name, SHORT, n=1):
+    if close := get_close_matches(name, SHORT, n=1, cutoff=0.65):
         return f"did you mean {close[0]}?"
     return f"it is neither a short name ({', '.join(SHORT)}) nor a path such as segments.1.drop_m."
 

@@ -1,10 +1,14 @@
 """What a sweep refuses before anything is solved."""
 
+import io
+
+import numpy as np
 import pytest
 
 import chutecalc
 from chutecalc.cli import main
 from chutecalc.errors import UsageError
+from chutecalc.studies.friction.study import FrictionStudy
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.parameters import read_parameters
 from tests.cli.sweep.commands import BOTH, HOOD, SPOON, VEE, refused, written
@@ -40,6 +44,7 @@ CURVES = {
         (["radius=nan", SPOON], "is not a number"),
         (["radius=0:1e9:1e-9", SPOON], "the limit is 10,000,000"),
         (["radius=1", "radius=2", SPOON], "given twice"),
+        (["radius=1", "segments.spoon.radius_m=2", SPOON], "given twice, as radius_m and as segments.spoon.radius_m"),
         (["radius=1", "segments.spoon.radius_mm=2", SPOON], "given twice"),
         (["segments.spoon.kind=1,2", SPOON], "segments.2.kind"),
         (["segments.1.onto_next=1,2", SPOON], "segments.1.onto_next"),
@@ -127,3 +132,16 @@ def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
     assert "11 designs" in asked[0]
     assert main(["sweep", "phi=20:30:1", SPOON, "--yes"]) == 0
     assert len(asked) == 1
+
+
+def test_a_huge_grid_needs_a_yes_where_nobody_can_be_asked(capsys, monkeypatch):
+    monkeypatch.setattr("chutecalc.cli.sweep.CONFIRMED_ABOVE", 3)
+    for stdin in (io.StringIO(), None):
+        monkeypatch.setattr("sys.stdin", stdin)
+        assert main(["sweep", "phi=20:30:1", SPOON]) == 2
+        assert "11 designs. Add --yes if so many are meant." in capsys.readouterr().err
+
+
+def test_a_friction_study_has_as_many_rows_as_fit_into_memory():
+    with pytest.raises(UsageError, match="make 10,000,000 rows, and at most 1,000,000 are allowed"):
+        FrictionStudy(np.linspace(1.0, 90.0, 100_000), np.linspace(30.0, 55.0, 100))
