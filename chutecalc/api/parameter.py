@@ -3,6 +3,7 @@
 import math
 import operator
 from collections.abc import Iterable, Sequence
+from reprlib import repr as short
 from typing import Any, NamedTuple
 
 from chutecalc.api.tape import Traced
@@ -119,7 +120,7 @@ def check_names(given: Any, what: str) -> tuple[str, ...]:
     """
     names = () if isinstance(given, str) or not isinstance(given, Iterable) else tuple(given)
     if not names or not all(isinstance(name, str) for name in names):
-        raise UsageError(f"{what} must be a list of names, not {given!r}")
+        raise UsageError(f"{what} must be a list of names, not {short(given)}")
     return names
 
 
@@ -159,10 +160,10 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
     """
     try:
         wrong = limits is not None and not float(limits[0]) <= float(limits[1])
-    except (TypeError, ValueError, IndexError):
+    except (TypeError, ValueError, LookupError):
         wrong = True
     if wrong:
-        raise UsageError(f"limits of {path} must be two numbers, the lower one first, not {limits!r}")
+        raise UsageError(f"limits of {path} must be two numbers, the lower one first, not {short(limits)}")
     here: Any = spec
     parts = path.split(".")
     try:
