@@ -73,14 +73,17 @@ def first_crossing(rule: "gauss.Rule", event_values: "array[float]") -> float:
 
 
 def near_minimum(rule: "gauss.Rule", event_values: "array[float]") -> float:
-    """Return the bottom of an inner minimum near 0, refined from the parabola through the lowest three knots."""
+    """Return the bottom of an inner minimum near 0, refined from the parabola through the lowest three knots.
+
+    Where the values begin at 0 they may fall by a rounding before they rise: that is none.
+    """
     low = 1
     for k in range(2, rule.last):
         if event_values[k] < event_values[low]:
             low = k
     left = (event_values[low] - event_values[low - 1]) / (rule.knots[low] - rule.knots[low - 1])
     right = (event_values[low + 1] - event_values[low]) / (rule.knots[low + 1] - rule.knots[low])
-    if not (left < 0.0 and right > 0.0):
+    if not (left < 0.0 and right > 0.0) or event_values[low - 1] <= EVENT_TOLERANCE:
         return floats.INFINITY
     start, end = rule.knots[low - 1], rule.knots[low + 1]
     bend = (right - left) / (end - start)

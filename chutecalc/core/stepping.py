@@ -55,8 +55,8 @@ def solve_segment(stream: "state.Stream", options: "state.SolverOptions") -> Non
             or cross_event(stream, options, change)
         ):
             next_panel(stream, options, change, jacobian)
-    if stream.status == state.RUNNING:
-        stream.status = state.UNSOLVED
+    if stream.status == state.RUNNING:  # beyond the choke of open walls there need be no end
+        stream.status = state.UNSOLVED if stream.choke_share != stream.choke_share else state.CHOKED
     elif stream.status == state.OK and stream.y < CREEP_VELOCITY * CREEP_VELOCITY:
         stream.status = state.STALL  # as good as at rest, as it may not enter either
 
