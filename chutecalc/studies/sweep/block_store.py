@@ -136,6 +136,7 @@ class BlockStore:
 WORDS = {
     "chutecalc": "the version of chutecalc",
     "spec": "the spec",
+    "library": "the library",
     "parameters": "the parameters or their values",
     "stations": "--points or --stations",
     "tolerance": "--rtol",
