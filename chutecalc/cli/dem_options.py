@@ -89,8 +89,8 @@ class CaseOptions(OptionGroup):
         if self.write is not None and (outputs.files or outputs.plot):
             raise UsageError("--write runs nothing, so there are no results to write: remove the other outputs")
         for option, folder in (("--write", self.write), ("--cases", self.cases)):
-            if folder is not None and os.path.exists(folder) and not os.path.isdir(folder):
-                raise UsageError(f"{option} {folder}: is a file, and the cases need a folder. Give another name")
+            if folder is not None and os.path.lexists(folder) and not os.path.isdir(folder):
+                raise UsageError(f"{option} {folder}: is no folder, and the cases need one. Give another name")
         if self.read is not None and not os.path.isdir(self.read):
             raise UsageError(f"--read {self.read}: no such folder. Give the one that --write or --cases named")
 

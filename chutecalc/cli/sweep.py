@@ -71,12 +71,14 @@ def sweep(
     _refuse(vars(study), "belongs to the friction study: with a spec, vary phi or base, or change the spec")
     if not given:
         raise UsageError("nothing is varied: add a parameter, such as beta, rate=500,1000 or segments.1.drop_m=1:3:0.5")
-    from chutecalc.cli.sweep_run import SweepRun
+    from chutecalc.cli.sweep_run import SweepRun, check_resumed
     from chutecalc.studies.sweep.parameters import read_parameters
     from chutecalc.studies.sweep.sweep import Sweep
     from chutecalc.studies.sweep.table import MOST_SHOWN
     from chutecalc.workers import pool_of
 
+    if resume:
+        check_resumed(outputs)
     outputs.check([*specs, library])
     chute = read_chute(specs[0], library=library)
     parameters = read_parameters(given, chute)

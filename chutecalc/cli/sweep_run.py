@@ -15,12 +15,41 @@ from chutecalc.output.targets import STANDARD_STREAM
 from chutecalc.printable import printable
 from chutecalc.studies.sweep.block import best_rows
 from chutecalc.studies.sweep.block_store import BlockStore
+from chutecalc.studies.sweep.part_folder import part_folder
 from chutecalc.studies.sweep.rows import CollectedRows, sweep_dataset
 from chutecalc.studies.sweep.solved_blocks import solve_block, solve_blocks
 from chutecalc.studies.sweep.stored_block import DamagedError
 from chutecalc.studies.sweep.sweep import Sweep
 from chutecalc.studies.sweep.table import MOST_SHOWN, SHOWN_WITH_FILE, FirstRows
 from chutecalc.workers import Pool
+
+
+def check_resumed(outputs: Outputs) -> None:
+    """Check that there is something to resume. Call it before outputs are held, so that a refusal is in nobody's way.
+
+    Args:
+        outputs: the outputs, which need not be checked yet.
+
+    Raises:
+        UsageError: there is nothing.
+    """
+    if target := _data_file(outputs, resume=True):
+        part_folder(target, resume=True)
+
+
+def _data_file(outputs: Outputs, resume: bool) -> str | None:
+    """Return the file beside which blocks are stored; None without one.
+
+    Raises:
+        UsageError: it is needed.
+    """
+    files = (name for name in outputs.files.values() if name != STANDARD_STREAM and not is_special(Path(name)))
+    target = next(files, None)
+    if resume and not target:
+        raise UsageError(
+            "--resume needs --csv, --json or --parquet: repeat the interrupted command with --resume added."
+        )
+    return target
 
 
 class SweepRun:
@@ -39,12 +68,8 @@ class SweepRun:
             UsageError: there is nothing to resume.
         """
         self.sweep, self.outputs, self.pool = sweep, outputs, pool
-        files = [name for name in outputs.files.values() if name != STANDARD_STREAM and not is_special(Path(name))]
-        if resume and not files:
-            raise UsageError(
-                "--resume needs --csv, --json or --parquet: repeat the interrupted command with --resume added."
-            )
-        self.store = BlockStore(files[0], sweep.identity(), resume) if files else None
+        target = _data_file(outputs, resume)
+        self.store = BlockStore(target, sweep.identity(), resume) if target else None
 
     def run(self) -> int:
         """Solve all blocks, write the outputs, print the table.
@@ -58,17 +83,25 @@ class SweepRun:
                 self._write((block for _, block in blocks), complete=True)
             return ExitStatus.OK
         try:
+            self._fill(store)
+            self._write((self._block(store, number) for number in range(count)), complete=True)
+            store.remove()
+        except KeyboardInterrupt:
+            _tell(f"--resume continues from {store.name}")
+            raise
+        return ExitStatus.OK
+
+    def _fill(self, store: BlockStore) -> None:
+        """Solve the blocks that are not in the store. Where this is interrupted, write the rows that there are."""
+        try:
             with closing(self._solved(self._needed(store))) as blocks:
                 for number, block in blocks:
                     store.save(number, block)
         except KeyboardInterrupt:
             done: list[int] = []
             self._write(self._first_blocks(store, done), complete=False)
-            _tell(f"wrote {sum(done):,} of {self.sweep.count:,} designs; --resume continues from {store.name}")
+            _tell(f"wrote {sum(done):,} of {self.sweep.count:,} designs")
             raise
-        self._write((self._block(store, number) for number in range(count)), complete=True)
-        store.remove()
-        return ExitStatus.OK
 
     def _needed(self, store: BlockStore) -> list[int]:
         """Return the numbers of the blocks that are not stored whole; say which of them should be."""

@@ -13,7 +13,7 @@ from chutecalc.dem.case import Case
 from chutecalc.dem.pour import column
 from chutecalc.errors import SpecError
 from chutecalc.output.files import open_whole
-from chutecalc.output.held import named
+from chutecalc.output.held import make_folder
 from chutecalc.spec.reader import read_bytes
 
 LONGEST = 200
@@ -61,8 +61,7 @@ class Store:
         folder = self.case_folder(case)
         if not (folder / script.SCRIPT).is_file():
             positions = column(case)
-            with named(str(self.folder)):
-                folder.mkdir(parents=True, exist_ok=True)
+            make_folder(folder)
             known = asdict(case) | {"lengths": [None if length == math.inf else length for length in case.lengths]}
             _write(folder / "case.json", json.dumps(known, indent=1, allow_nan=False) + "\n")
             _write(folder / script.PARTICLES, script.particles_text(case, positions))

@@ -105,6 +105,23 @@ def hold_folder(folder: str, what: str) -> None:
         hold(Path(folder, SUFFIX), what)
 
 
+def make_folder(folder: Path) -> None:
+    """Create a folder, and those above it, where they are not there.
+
+    Args:
+        folder: its path.
+
+    Raises:
+        OutputError: it cannot be created.
+        WriteError: the disk is full.
+    """
+    with named(str(folder)):
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except FileExistsError as error:  # a file, or a link that leads nowhere
+            raise FileExistsError(error.errno, f"{error.filename} is no folder: remove or rename it") from None
+
+
 @contextmanager
 def held_folder(folder: Path, what: str) -> Iterator[None]:
     """Keep other processes that do the same out of a folder for a while.
@@ -159,7 +176,7 @@ def is_special(path: Path) -> bool:
     Args:
         path: of what may be there.
     """
-    return path.exists() and not path.is_file() and not path.is_dir()
+    return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
 
 
 def temporary(path: Path) -> Path:

@@ -210,3 +210,25 @@ def test_an_interruption_leaves_nothing_running(dem, tmp_path):
             return
         time.sleep(0.05)
     pytest.fail("the program goes on")
+
+
+def test_what_is_in_the_way_of_a_folder_is_named_with_what_to_do(dem, tmp_path):
+    (tmp_path / "d").symlink_to("none")
+    assert dem("--cases", "d")[::2] == (
+        2,
+        "chutecalc: --cases d: is no folder, and the cases need one. Give another name\n",
+    )
+    (tmp_path / "d").unlink()
+    assert dem("--write", "d")[0] == 0
+    case = sorted((tmp_path / "d").iterdir())[0]
+    for file in case.iterdir():
+        file.unlink()
+    case.rmdir()
+    case.write_text("mine", encoding="utf-8")
+    name = f"d/{case.name}"
+    told = f"{name} cannot be written: {name} is no folder: remove or rename it"
+    assert dem("--write", "d")[::2] == (2, f"chutecalc: {told}\n")
+    status, out, _ = dem("--cases", "d")  # the others run
+    assert status == 1
+    assert told in " ".join(out.split())
+    assert case.read_text(encoding="utf-8") == "mine"

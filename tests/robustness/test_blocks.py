@@ -9,28 +9,16 @@ import numpy as np
 import pytest
 
 from chutecalc.cli import main
+from chutecalc.cli.sweep_run import SweepRun
+from chutecalc.spec.reader import LARGEST
 from chutecalc.studies.sweep import sweep as rows_of
 from chutecalc.studies.sweep.block_store import BlockStore
+from chutecalc.studies.sweep.stored_block import DamagedError, packed, unpacked
 from tests import seeds
-from tests.cli.sweep.commands import SPOON
+from tests.robustness.conftest import SWEEP
 from tests.robustness.written import check_lines
 
-SWEEP = ["sweep", "radius=2:4:#4", "phi=20:24:#5", SPOON]
 BLOCKS = 5
-
-
-@pytest.fixture
-def stopped(tmp_path, monkeypatch, capsys):
-    """Return the path of a file whose blocks are all stored, and what the file is to be."""
-    monkeypatch.setattr(rows_of, "WHOLE", 4)
-    target = tmp_path / "rows.csv"
-    with monkeypatch.context() as patch:
-        patch.setattr(BlockStore, "remove", lambda self: None)
-        assert main([*SWEEP, "--csv", str(target)]) == 0
-    whole = target.read_bytes()
-    target.unlink()
-    capsys.readouterr()
-    return target, whole
 
 
 def block(target, number):
@@ -91,8 +79,21 @@ def pipe(path):
     os.mkfifo(path)
 
 
+def longer(path):
+    path.write_bytes(path.read_bytes() + bytes(10_000))
+
+
+def less_than_nothing(path):
+    path.write_bytes(path.read_bytes().replace(b'"bytes": ', b'"bytes": -', 1))
+
+
+def link_that_leads_nowhere(path):
+    path.unlink()
+    path.symlink_to("none")
+
+
 DAMAGES = [without, short, empty, other_bit, other_head, no_head, nested, nothing_but_numbers, old_form]
-DAMAGES += [of_another_place, of_another_sweep, pipe]
+DAMAGES += [of_another_place, of_another_sweep, pipe, longer, less_than_nothing, link_that_leads_nowhere]
 
 
 @pytest.mark.parametrize("damage", DAMAGES, ids=lambda each: each.__name__)
@@ -190,3 +191,68 @@ def test_names_of_stores_are_shown_as_they_are_in_no_terminal(tmp_path, monkeypa
     err = capsys.readouterr().err
     assert "r\\x1b[2J.part/00000000.npz is missing: it is solved again" in err
     check_lines(err)
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_a_link_in_place_of_a_block_is_never_followed(whole, stopped, capsys):
+    target, rows = stopped
+    other = target.with_name("spec.toml")
+    mine = block(target, 2).read_bytes() if whole else b"mine"
+    other.write_bytes(mine)
+    block(target, 2).unlink()
+    block(target, 2).symlink_to("../spec.toml")
+    assert main([*SWEEP, "--csv", str(target), "--resume"]) == 0
+    assert "00000002.npz is no file: it is solved again" in capsys.readouterr().err
+    assert (other.read_bytes(), target.read_bytes()) == (mine, rows)
+    assert sorted(path.name for path in target.parent.iterdir()) == ["rows.csv", "spec.toml"]
+
+
+@pytest.mark.parametrize("number", [2, BLOCKS - 1])
+def test_a_folder_in_place_of_a_block_is_said_before_anything_is_solved(number, stopped, capsys, monkeypatch):
+    target, whole = stopped
+    block(target, 0).unlink()
+    block(target, number).unlink()
+    block(target, number).mkdir()
+    with monkeypatch.context() as patch:
+        patch.setattr(BlockStore, "save", None)
+        assert main([*SWEEP, "--csv", str(target), "--resume"]) == 2
+    assert f"{block(target, number)} is a folder in the place of a block: remove it" in capsys.readouterr().err
+    block(target, number).rmdir()
+    assert main([*SWEEP, "--csv", str(target), "--resume"]) == 0
+    assert target.read_bytes() == whole
+
+
+def test_no_more_is_read_than_a_block_has():
+    class Endless(io.BytesIO):
+        def read(self, size=-1):
+            asked.append(size)
+            return super().read(size)
+
+    asked, content = [], b"".join(packed({"x_m": np.zeros(4)}, 0, "a digest"))
+    for stored in (content + bytes(100), bytes(100), content.replace(b'"bytes": ', b'"bytes": -')):
+        with pytest.raises(DamagedError, match="is damaged"):
+            unpacked(Endless(stored), 0, "a digest", 4)
+    assert all(0 <= size <= len(content) for size in asked)
+
+
+def test_what_says_which_sweep_it_is_has_a_size(stopped, capsys):
+    target, _ = stopped
+    path = target.with_name("rows.csv.part") / "sweep.json"
+    path.write_bytes(path.read_bytes() + b" " * (LARGEST + 1))
+    assert main([*SWEEP, "--csv", str(target), "--resume"]) == 2
+    assert "sweep.json cannot be read: remove" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("moment", ["_write", "_needed", "_fill"])
+def test_interrupted_at_any_moment_it_says_how_to_continue(moment, stopped, capsys, monkeypatch):
+    target, whole = stopped
+
+    def interrupt(*_, **__):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(SweepRun, moment, interrupt)
+        assert main([*SWEEP, "--csv", str(target), "--resume"]) == 130
+    assert f"chutecalc: --resume continues from {target}.part" in capsys.readouterr().err.splitlines()
+    assert main([*SWEEP, "--csv", str(target), "--resume"]) == 0
+    assert target.read_bytes() == whole

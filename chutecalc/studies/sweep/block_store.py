@@ -2,23 +2,22 @@
 
 import hashlib
 import json
-import os
-from collections.abc import Mapping
+import stat
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
-from chutecalc.errors import OutputError, UsageError, WriteError
+from chutecalc.errors import OutputError, SpecError, UsageError, WriteError
 from chutecalc.output.dataset import Block
 from chutecalc.output.files import open_whole
-from chutecalc.output.held import hold_folder, let_folder_go
+from chutecalc.output.held import hold_folder, let_folder_go, named
+from chutecalc.spec.reader import LARGEST, read_bytes
+from chutecalc.studies.sweep.part_folder import IDENTITY, kind_of, part_folder
 from chutecalc.studies.sweep.stored_block import DamagedError, packed, unpacked
-
-IDENTITY = "sweep.json"
 
 
 class BlockStore:
-    """The folder ``FILE.part``, which one process has to itself."""
+    """The folder ``FILE.part``, which one process has to itself. No link in it is followed."""
 
     def __init__(self, target: str, identity: Mapping[str, Any], resume: bool) -> None:
         """Create the folder, or open the one that exists.
@@ -33,38 +32,34 @@ class BlockStore:
             OutputError: it cannot be created, or another process uses it.
             WriteError: the disk is full.
         """
-        self.folder = Path(f"{os.path.realpath(target)}.part")
-        self.name = f"{target}.part"
+        self.folder = part_folder(target, resume)
+        self.name = str(self.folder)
         text = json.dumps(identity)
         self.digest = hashlib.sha256(text.encode()).hexdigest()
-        if resume and not self._has(IDENTITY):
-            raise UsageError(f"there is no {self.name} to continue. To start the sweep anew, leave out --resume.")
         try:
-            self.folder.mkdir(exist_ok=True)
-            hold_folder(str(self.folder), self.name)
-            if self._has(IDENTITY):
-                self._open(json.loads(text), resume)
-                return
-            if any(self.folder.glob("[!.]*")):
-                raise UsageError(f"{self.name} does not belong to a sweep: move or rename it")
-        except OSError as error:
-            raise OutputError(f"{self.name} cannot be written: {error.strerror}") from None
-        with open_whole(str(self.folder / IDENTITY)) as stream:
-            stream.write(text)
+            with named(self.name):
+                self.folder.mkdir(exist_ok=True)
+            hold_folder(self.name, self.name)
+            if resume:
+                self._open(text)
+            else:
+                self._write(IDENTITY, [text.encode()])
+        except BaseException:
+            self._leave()
+            raise
 
-    def _open(self, now: Mapping[str, Any], resume: bool) -> None:
-        """Check that the blocks in the folder fit this sweep.
+    def _open(self, text: str) -> None:
+        """Check that the blocks in the folder are of the sweep with this identity.
 
         Raises:
-            UsageError: they do not, or are not to be used.
+            UsageError: they are not.
         """
-        if not resume:
-            raise UsageError(f"{self.name} is left from an interrupted sweep: add --resume to continue, or remove it")
         before: Any = None
-        with suppress(OSError, ValueError, RecursionError, MemoryError):
-            before = json.loads((self.folder / IDENTITY).read_bytes())
+        with suppress(SpecError, ValueError, RecursionError, MemoryError):
+            before = json.loads(read_bytes(self.folder / IDENTITY, LARGEST + len(text)))
         if not isinstance(before, dict):
-            raise UsageError(f"{self.name}/{IDENTITY} cannot be read: remove {self.name} and start again")
+            raise UsageError(f"{self.name}/{IDENTITY} cannot be read: remove {self.name} and leave out --resume")
+        now = json.loads(text)
         other = [name for name in {**now, **before} if now.get(name) != before.get(name)]
         if other:
             what = ", ".join(WORDS.get(name, f"--{name}" if name in now else "unknown entries") for name in other)
@@ -73,7 +68,7 @@ class BlockStore:
             )
 
     def __contains__(self, number: int) -> bool:
-        return self._has(self._name(number))
+        return bool(kind_of(self.folder / self._name(number)))
 
     def save(self, number: int, block: Block) -> None:
         """Store a block.
@@ -85,16 +80,18 @@ class BlockStore:
         Raises:
             WriteError: it could not be written.
         """
-        path = self.folder / self._name(number)
         try:
-            if not path.is_file():
-                path.unlink(missing_ok=True)  # a pipe would wait for a reader
-            with open_whole(str(path), "wb") as stream:
-                stream.writelines(packed(block, number, self.digest))
-        except (OutputError, WriteError) as error:
-            raise WriteError(str(error).replace(str(self.folder), self.name)) from None
-        except OSError as error:
-            raise WriteError(f"{self.name}/{path.name} could not be written: {error.strerror}") from None
+            self._write(self._name(number), packed(block, number, self.digest))
+        except OutputError as error:
+            raise WriteError(*error.args) from None
+
+    def _write(self, name: str, content: Iterable[bytes]) -> None:
+        """Write a file of the folder, in place of what has its name: a link is not followed, a pipe not waited for."""
+        path = self.folder / name
+        with named(str(path)):
+            path.unlink(missing_ok=True)
+        with open_whole(str(path), "wb") as stream:
+            stream.writelines(content)
 
     def load(self, number: int, rows: int | None) -> Block:
         """Return a stored block.
@@ -105,37 +102,44 @@ class BlockStore:
 
         Raises:
             DamagedError: it is missing, or is not what was stored.
+            OutputError: a folder is in its place, so that it cannot be stored again either.
         """
-        name = self._name(number)
-        if not self._has(name):
-            raise DamagedError(f"{self.name}/{name} is missing")
+        path = self.folder / self._name(number)
         try:
-            return unpacked((self.folder / name).read_bytes(), number, self.digest, rows)
+            kind = kind_of(path)
+            if kind == stat.S_IFDIR:
+                raise OutputError(f"{path} is a folder in the place of a block: remove it and repeat the command")
+            if kind != stat.S_IFREG:
+                raise DamagedError("is no file" if kind else "is missing")
+            with path.open("rb") as stream:
+                return unpacked(stream, number, self.digest, rows)
         except DamagedError as error:
-            raise DamagedError(f"{self.name}/{name} {error}") from None
+            raise DamagedError(f"{path} {error}") from None
         except OSError as error:
-            raise DamagedError(f"{self.name}/{name} cannot be read: {error.strerror}") from None
+            raise DamagedError(f"{path} cannot be read: {error.strerror}") from None
 
     def remove(self) -> None:
         """Remove what was stored: the blocks first, so that what is left of it can be continued at any moment."""
-        for name in ("*.npz", ".*.npz.*", IDENTITY):
+        for name in ("[0-9]*.npz", ".[0-9]*.npz.*", IDENTITY):
             for file in self.folder.glob(name):
                 with suppress(OSError):
                     file.unlink()
-        let_folder_go(str(self.folder))
-        with suppress(OSError):  # what others have put there stays
+        self._leave()
+
+    def _leave(self) -> None:
+        """Let others have the folder, and remove it where nothing is in it."""
+        let_folder_go(self.name)
+        with suppress(OSError):  # blocks stay, and so does what others have put there
             self.folder.rmdir()
 
     def _name(self, number: int) -> str:
         return f"{number:08d}.npz"
 
-    def _has(self, name: str) -> bool:
-        return (self.folder / name).is_file()
-
 
 WORDS = {
     "chutecalc": "the version of chutecalc",
     "spec": "the spec",
+    "library": "the library",
     "parameters": "the parameters or their values",
     "stations": "--points or --stations",
     "tolerance": "--rtol",

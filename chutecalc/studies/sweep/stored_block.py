@@ -1,12 +1,12 @@
 """A block of a sweep as bytes that say themselves which block they are, and whether they are whole.
 
-The first line is JSON: number, rows, digest of the sweep, and checksum of all that follows, a NumPy archive.
+The first line is JSON: number, rows, digest of the sweep, size and checksum of all that follows, a NumPy archive.
 """
 
 import hashlib
 import io
 import json
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -34,34 +34,34 @@ def packed(block: Block, number: int, sweep: str) -> tuple[bytes, bytes]:
     return json.dumps(_head(number, _rows(block), sweep, content)).encode() + b"\n", content
 
 
-def unpacked(stored: bytes, number: int, sweep: str, rows: int | None) -> Block:
-    """Return the block in bytes.
+def unpacked(stored: IO[bytes], number: int, sweep: str, rows: int | None) -> Block:
+    """Return the block in a stream, of which no more is read than the block has.
 
     Args:
-        stored: the bytes.
+        stored: the stream.
         number: the number that it is to have.
         sweep: digest of the sweep it is to belong to.
         rows: how many rows it is to have; None where only its solution tells.
 
     Raises:
-        DamagedError: they are not such a block.
+        DamagedError: it is not such a block.
 
     >>> both = b"".join(packed({"x_m": np.array([1.5])}, 3, "a digest"))
-    >>> unpacked(both, 3, "a digest", 1)
+    >>> unpacked(io.BytesIO(both), 3, "a digest", 1)
     {'x_m': array([1.5])}
-    >>> unpacked(both, 2, "a digest", 1)
+    >>> unpacked(io.BytesIO(both), 2, "a digest", 1)
     Traceback (most recent call last):
     chutecalc.studies.sweep.stored_block.DamagedError: is another block
     """
-    line, _, content = stored[:HEAD].partition(b"\n")
-    content = stored[len(line) + 1 :]
     try:
-        head: Any = json.loads(line)
-        block = _read(content) if head == _head(number, head["rows"], sweep, content) else None
+        head: Any = json.loads(stored.readline(HEAD))
+        content = stored.read(max(head["bytes"], 0) + 1)  # one more than there may be
+        own = head == _head(number, head["rows"], sweep, content)
+        whole = own or head["sha256"] == _sum(content)
+        block = _read(content) if own else {}
     except Exception:  # whatever the readers of damaged files raise
         raise DamagedError("is damaged") from None
-    if block is None:
-        whole = isinstance(head, dict) and head.get("sha256") == _sum(content)
+    if not own:
         raise DamagedError("is another block" if whole else "is damaged")
     if head["rows"] != _rows(block) or rows not in (None, _rows(block)):
         raise DamagedError("has another number of rows")
@@ -69,7 +69,7 @@ def unpacked(stored: bytes, number: int, sweep: str, rows: int | None) -> Block:
 
 
 def _head(number: int, rows: Any, sweep: str, content: bytes) -> dict[str, Any]:
-    return {"block": number, "rows": rows, "sweep": sweep, "sha256": _sum(content)}
+    return {"block": number, "rows": rows, "sweep": sweep, "bytes": len(content), "sha256": _sum(content)}
 
 
 def _sum(content: bytes) -> str:

@@ -145,9 +145,11 @@ class Sweep:
         Blocks of two sweeps are interchangeable where these are equal.
         """
         values = [hashlib.sha256(parameter.values.tobytes()).hexdigest() for parameter in self.parameters]
+        library = self.chute.library
         return {
             "chutecalc": __version__,
-            "spec": json.loads(json.dumps(self.chute.data)),
+            "spec": json.loads(json.dumps(self.chute.written)),
+            "library": [library.materials, library.liners] if library else None,  # a case or a parameter may use any
             "parameters": [
                 [parameter.name, list(parameter.paths), len(parameter.values), digest]
                 for parameter, digest in zip(self.parameters, values, strict=True)

@@ -8,7 +8,7 @@ import time
 import pytest
 
 from chutecalc.cli import main
-from tests.cli.sweep.commands import SPOON, refused
+from tests.cli.sweep.commands import SPOON, refused, written
 
 LONG = ["radius=2:4:#300", "phi=15:24:#300"]
 
@@ -71,6 +71,26 @@ def test_without_blocks_there_is_nothing_to_resume(tmp_path, capsys):
     assert f"there is no {target}.part to continue" in refused(capsys, "phi=20", *arguments[1:], "--resume")
     assert target.read_bytes() == finished
     assert [path.name for path in tmp_path.iterdir()] == ["rows.csv"]
+
+
+LIBRARY = "[liners.a]\nfriction_deg = 20\n[liners.b]\nfriction_deg = {}\n"
+
+
+@pytest.mark.parametrize("varied", ["liners.wall.use=a,b", "case"])
+def test_another_library_is_not_resumed(varied, tmp_path, capsys, monkeypatch):
+    target, library = tmp_path / "rows.csv", tmp_path / "chute-library.toml"
+    cases = {"wet": {"liners.wall.use": "b"}}
+    path = written(tmp_path, liners={"wall": {"use": "a"}}, cases=cases)
+    library.write_text(LIBRARY.format(25), encoding="utf-8")
+    command = ["sweep", varied, path, "--columns", "exit_velocity_m_s", "--csv", str(target)]
+    with monkeypatch.context() as patch:
+        patch.setattr("chutecalc.studies.sweep.block_store.BlockStore.remove", lambda self: None)
+        assert main(command) == 0
+    library.write_text(LIBRARY.format(30), encoding="utf-8")
+    capsys.readouterr()
+    assert "another sweep, which differs in the library." in refused(capsys, *command[1:], "--resume")
+    library.write_text(LIBRARY.format(25), encoding="utf-8")
+    assert main([*command, "--resume"]) == 0
 
 
 def test_another_spec_or_version_is_not_resumed(tmp_path, capsys, monkeypatch):
