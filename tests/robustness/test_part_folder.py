@@ -7,9 +7,10 @@ import shutil
 import pytest
 
 from chutecalc.cli import main
-from chutecalc.errors import WriteError
+from chutecalc.errors import OutputError, WriteError
 from chutecalc.output.held import release
 from chutecalc.studies.sweep.block_store import BlockStore
+from chutecalc.studies.sweep.part_folder import part_folder
 from tests.robustness.conftest import SWEEP
 
 
@@ -113,3 +114,13 @@ def test_what_is_refused_because_nothing_can_be_continued_holds_nothing(tmp_path
     monkeypatch.setattr("chutecalc.output.held.hold", None)
     assert main([*SWEEP, "--csv", str(tmp_path / "x"), "--resume"]) == 2
     assert "to continue" in capsys.readouterr().err
+
+
+def test_a_folder_that_is_in_use_is_not_said_to_be_left(tmp_path):
+    """As that of a process which has written its file, and is about to remove the blocks."""
+    target = str(tmp_path / "x.csv")
+    store = BlockStore(target, {"spec": 1}, resume=False)
+    with pytest.raises(OutputError, match="is written twice"):  # by this process; that of another is named
+        part_folder(target, resume=False)
+    store.remove()
+    assert not list(tmp_path.iterdir())

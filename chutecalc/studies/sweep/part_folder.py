@@ -5,7 +5,7 @@ import stat
 from pathlib import Path
 
 from chutecalc.errors import UsageError
-from chutecalc.output.held import named
+from chutecalc.output.held import hold_folder, let_folder_go, named
 
 IDENTITY = "sweep.json"
 """Name of the file that says which sweep the blocks are of."""
@@ -21,7 +21,7 @@ def part_folder(target: str, resume: bool) -> Path:
 
     Raises:
         UsageError: something else has its name, it is not to be used, or there is nothing in it to be continued.
-        OutputError: what is there cannot be found out.
+        OutputError: another process uses it, or what is there cannot be found out.
     """
     folder = Path(f"{os.path.realpath(target) if os.path.islink(target) else target}.part")
     with named(str(folder)):
@@ -42,6 +42,8 @@ def _check(folder: Path, resume: bool) -> None:
         raise UsageError(f"{folder} {problem}. Remove or rename it, and leave out --resume.")
     if kind_of(folder / IDENTITY) == stat.S_IFREG:
         if not resume:
+            hold_folder(str(folder), str(folder))  # else it belongs to a sweep that is about to end
+            let_folder_go(str(folder))
             raise UsageError(f"{folder} is left from an interrupted sweep: add --resume to continue, or remove it")
     elif kind and any(not name.startswith(".") for name in os.listdir(folder)):
         problem = f"does not belong to a sweep, since it has no file {IDENTITY}"
