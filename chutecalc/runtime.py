@@ -10,13 +10,20 @@ import sys
 import threading
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import chdir, contextmanager
+from importlib import import_module
 from typing import TypeVar
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 COLLECTOR_THRESHOLD = 1_000_000
 """Objects allocated between two runs of Python's garbage collector in a command."""
+SETTINGS = {
+    "MPLBACKEND": "agg",  # a command shows no window, and Jupyter names a backend that only its own kernels have
+    "MATPLOTLIBRC": os.devnull,
+    "SOURCE_DATE_EPOCH": "946684800",  # 2000-01-01: what is written holds no date of today
+}
+"""What libraries read from the environment of a command, in place of what its user has set for other programs."""
 
 
 def cores() -> int:
@@ -34,11 +41,20 @@ def prepare_command() -> None:
     Modules and classes loaded at the start live until the end. Searching them for garbage takes a few per cent of a
     short run, and solving creates no reference cycles that need collecting. Looking for pydantic plugins reads
     the metadata of every installed package. Warnings of libraries are for programmers: python -W shows them.
+    What a command writes is the same everywhere, whatever the settings of the libraries that it uses.
     """
+    os.environ.update(SETTINGS)
     gc.set_threshold(COLLECTOR_THRESHOLD)
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     if not sys.warnoptions:
         warnings.simplefilter("ignore")
+
+
+def import_matplotlib() -> None:
+    """Import Matplotlib for a command without the settings in the working folder, which go before all others."""
+    if os.path.exists("matplotlibrc"):
+        with chdir(os.sep):
+            import_module("matplotlib")
 
 
 def finish_command() -> None:

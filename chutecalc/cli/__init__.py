@@ -1,5 +1,6 @@
 """The command line, one file for each command. ``main`` alone prints errors and sets the exit status."""
 
+import os
 import sys
 import traceback
 from collections.abc import Sequence
@@ -122,7 +123,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _complain("chutecalc: interrupted", ExitStatus.INTERRUPTED)
     except OSError as error:
-        return _complain(f"chutecalc: output could not be written: {error.strerror}", ExitStatus.WRITE_FAILED)
+        name = printable(str(error.filename or "output"))
+        return _complain(f"chutecalc: {name} could not be opened or written: {error.strerror}", ExitStatus.WRITE_FAILED)
     except MemoryError:
         return _complain(
             "chutecalc: there is not enough memory for that. Take fewer designs, samples or stations at once.",
@@ -131,6 +133,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if debug:
             traceback.print_exc()
+        if "_CHUTECALC_COMPLETE" in os.environ:
+            return ExitStatus.FAILS  # a shell that asks for completions in a wrong way has no use for words
         return _complain(
             f"chutecalc {__version__} failed, which is a fault of the program: {abbreviated(repr(error))}\n"
             "Keep the command, the spec and what it says with --debug added: who maintains your copy of chutecalc needs"

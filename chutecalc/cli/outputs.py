@@ -22,6 +22,7 @@ from chutecalc.output.html_report.write import check_report
 from chutecalc.output.plots.save import PICTURE_FORMATS, picture_format, save
 from chutecalc.output.targets import STANDARD_STREAM, check_targets
 from chutecalc.results.column import Units
+from chutecalc.runtime import import_matplotlib
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -123,6 +124,8 @@ class Outputs(OptionGroup):
             check_drawing(self.dxf)
         if self.report is not None:
             check_report(self.report)
+        if self.plot or self.report:
+            import_matplotlib()
         if self.chart:
             require_extra("--chart", CHART)
         for target in targets.values():

@@ -31,8 +31,8 @@ def open_whole(target: str, mode: str = "w", read: bytes | None = None) -> Itera
         yield sys.stdout.buffer if "b" in mode else sys.stdout
     elif is_special(path := real_file(target)):
         with named(target):
-            raw = _NamedFile(path, target)
-        with raw, _stream(raw, mode) as stream:  # a device or a pipe: nothing to replace
+            raw = open(path, "wb", buffering=0)  # noqa: SIM115 - closed below
+        with raw, _stream(raw.fileno(), target, mode) as stream:  # a device or a pipe: nothing to replace
             yield stream
             stream.flush()
     else:
@@ -70,7 +70,7 @@ def _replacing(path: Path, target: str, mode: str, fresh: bool, read: bytes | No
             held = lock(temporary(path), target)
     try:
         held.empty()
-        with _stream(_NamedFile(held.descriptor, target), mode) as stream:
+        with _stream(held.descriptor, target, mode) as stream:
             yield stream
             stream.flush()
             if read is not None and _content(path) != read:
@@ -118,13 +118,18 @@ def _exists(target: str) -> str:
 class _NamedFile(io.FileIO):
     """A file that is written, whose errors name it. What else fails meanwhile keeps its own errors.
 
+    Once it is done it takes everything and writes nothing: after an error, libraries write on while they are removed.
+
     Args:
-        file: its path, or a descriptor that stays open.
+        descriptor: of the file; it stays open.
         target: its name.
     """
 
-    def __init__(self, file: Path | int, target: str) -> None:
-        super().__init__(file, "wb", closefd=not isinstance(file, int))
+    done = False
+    """Whether the descriptor may be that of another file by now."""
+
+    def __init__(self, descriptor: int, target: str) -> None:
+        super().__init__(descriptor, "wb", closefd=False)
         self._target = target
 
     def write(self, content: Any) -> int:
@@ -133,13 +138,28 @@ class _NamedFile(io.FileIO):
         Args:
             content: the bytes.
         """
+        if self.done:
+            return len(content)
         with named(self._target, WriteError):
             return super().write(content)
 
+    def seekable(self) -> bool:
+        """Return that nobody can go back in it: that would need the descriptor, and all formats can do without."""
+        return False
+
+    def tell(self) -> int:
+        """Refuse to tell a place to go back to.
+
+        Raises:
+            UnsupportedOperation: always.
+        """
+        raise io.UnsupportedOperation("tell")
+
 
 @contextmanager
-def _stream(raw: io.RawIOBase, mode: str) -> Iterator[IO[Any]]:
-    """Yield a stream of bytes or text; what cannot be written after an error is not tried again."""
+def _stream(descriptor: int, target: str, mode: str) -> Iterator[IO[Any]]:
+    """Yield a stream of bytes or text, which is not closed at the end: see :class:`_NamedFile`."""
+    raw = _NamedFile(descriptor, target)
     stream: Any = io.BufferedWriter(raw)
     if "b" not in mode:
         # names of files may hold bytes that are no text: they stand as escapes, which JSON reads back
@@ -147,5 +167,4 @@ def _stream(raw: io.RawIOBase, mode: str) -> Iterator[IO[Any]]:
     try:
         yield stream
     finally:
-        with suppress(WriteError):  # told already
-            stream.close()
+        raw.done = True

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from chutecalc.errors import OutputError, WriteError
 from chutecalc.output.locks import OPEN, HeldError, Lock
+from chutecalc.output.scratch import remove_scratch
 from chutecalc.output.targets import STANDARD_STREAM
 
 SUFFIX = ".chutecalc"
@@ -64,7 +65,8 @@ def take(path: Path) -> Lock | None:
 
 
 def release() -> None:
-    """Release all that this process has locked: its command is at its end."""
+    """Release all that this process has locked, and remove its temporary files: its command is at its end."""
+    remove_scratch()
     _held.clear()
     for each in list(OPEN):
         each.release()
@@ -205,9 +207,15 @@ def named(target: str, kind: type[OutputError | WriteError] = OutputError) -> It
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG) or kind is WriteError:
             raise WriteError(f"{target} could not be written: {error.strerror}") from None
-        if isinstance(error, FileNotFoundError | NotADirectoryError):
-            folders = (Path(path).parent for path in (target, os.path.realpath(target)))  # that of a link, and its own
-            if absent := next((folder for folder in folders if not folder.is_dir()), None):
-                problem = f"there is no folder {absent}. Create it first."
-                raise OutputError(f"{target} cannot be written: {problem}") from None
-        raise OutputError(f"{target} cannot be written: {error.strerror}") from None
+        absent = isinstance(error, FileNotFoundError | NotADirectoryError) and _absent_folder(target)
+        raise OutputError(f"{target} cannot be written: {absent or error.strerror}") from None
+
+
+def _absent_folder(target: str) -> str | None:
+    """Return which folder of a file is missing, and what to do; None if all are there."""
+    try:
+        paths = (target, os.path.realpath(target))  # the folder of a link, and its own
+    except FileNotFoundError:
+        return "the folder that you are in was removed. Change to another one."
+    absent = next((folder for folder in (Path(path).parent for path in paths) if not folder.is_dir()), None)
+    return f"there is no folder {absent}. Create it first." if absent else None

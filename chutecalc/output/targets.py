@@ -48,7 +48,9 @@ def _same(one: str, other: str) -> bool:
     """Return whether two names are of one file, as far as this can be known before the file is there."""
     with suppress(OSError):
         return os.path.samefile(one, other)
-    return os.path.normcase(os.path.realpath(one)) == os.path.normcase(os.path.realpath(other))
+    with suppress(FileNotFoundError):  # the working folder was removed, which is told when the file is reserved
+        return os.path.normcase(os.path.realpath(one)) == os.path.normcase(os.path.realpath(other))
+    return False
 
 
 def _is_standard_output(target: str) -> bool:

@@ -129,6 +129,13 @@ def test_the_shell_completes_commands_options_and_words(line, offered):
     assert set(run.stdout.split()) == offered
 
 
+def test_a_shell_that_asks_in_a_wrong_way_is_told_nothing():
+    environment = {"_CHUTECALC_COMPLETE": "complete_bash", "PYTHONPATH": str(ROOT)}  # without the words
+    arguments = [sys.executable, "-m", "chutecalc"]
+    run = subprocess.run(arguments, capture_output=True, text=True, check=False, env=environment)
+    assert (run.returncode, run.stdout, run.stderr) == (1, "", "")
+
+
 def test_the_script_for_the_shell_falls_back_to_file_names():
     arguments = [sys.executable, "-m", "chutecalc", "--show-completion", "bash"]
     run = subprocess.run(arguments, capture_output=True, text=True, check=True, cwd=ROOT)

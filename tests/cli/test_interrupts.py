@@ -1,9 +1,11 @@
 """Ctrl-C at the moments that a random one seldom meets; tests/robustness/kills.py presses it at any."""
 
+import os
 import sys
 
 import pytest
 
+from tests.conftest import ROOT
 from tests.robustness.processes import run
 
 PROGRAM = """
@@ -46,3 +48,26 @@ def test_ctrl_c_is_no_traceback_and_no_fault_of_the_program(moment, tmp_path):
     ended = run(folder=tmp_path, code=PROGRAM.format(work=work, moment=more))
     assert ended.status == status, ended
     assert set(ended.err.splitlines()) == ({"chutecalc: interrupted"} if status else set()), ended
+
+
+WRITTEN = """
+import signal
+from chutecalc.__main__ import entry
+from chutecalc.output.formats.{name} import {name_of_class} as rows
+
+rows.close = lambda self: signal.raise_signal(signal.SIGINT)
+entry()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are others there")
+@pytest.mark.parametrize(("name", "library"), [("parquet", "pyarrow"), ("xlsx", "xlsxwriter")])
+def test_ctrl_c_while_a_file_is_written_leaves_nothing_there_or_among_temporary_files(
+    name, library, tmp_path, monkeypatch
+):
+    pytest.importorskip(library)
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    code = WRITTEN.format(name=name, name_of_class=f"{name.capitalize()}Rows")
+    ended = run("run", str(ROOT / "specs/vee.toml"), f"--{name}", f"x.{name}", folder=tmp_path, code=code)
+    assert (ended.status, ended.err) == (130, "chutecalc: interrupted\n"), ended
+    assert os.listdir(tmp_path) == []

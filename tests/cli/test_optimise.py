@@ -15,6 +15,7 @@ from chutecalc.output.printer import PIPE_WIDTH
 from chutecalc.studies.optimise.neighbourhood import neighbourhood
 from chutecalc.studies.optimise.plot import draw_optimum
 from tests.conftest import ROOT
+from tests.robustness.processes import run
 
 SPOON = ROOT / "specs" / "paper" / "r3_d55_chamfered.toml"
 RADIUS, BETA = "segments.spoon.radius_m", "sections.spoon.chamfer_deg"
@@ -336,3 +337,9 @@ def test_an_infinite_column_is_written_and_as_an_objective_no_value(capsys, down
 def test_what_makes_no_sense_is_told(capsys, arguments, problem):
     assert main(["optimise", str(SPOON), *arguments]) == 2
     assert problem in capsys.readouterr().err
+
+
+def test_a_date_for_other_programs_that_is_none_is_not_read(tmp_path, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "x")  # which NumPy takes for a number once SciPy asks it for all it has
+    ended = run("optimise", str(SPOON), "radius=2:4", "--minimise", "max_depth_m", folder=tmp_path)
+    assert (ended.status, ended.err) == (0, ""), ended

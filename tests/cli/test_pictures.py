@@ -12,6 +12,7 @@ from chutecalc.cli.friction import run_friction_study
 from chutecalc.cli.outputs import Outputs
 from chutecalc.errors import ExtraMissingError
 from tests.conftest import ROOT, spec
+from tests.robustness.processes import run
 
 SPOON = str(ROOT / "specs/paper/r3_d55_chamfered.toml")
 SQUARE = str(ROOT / "specs/paper/r3_d55_square.toml")
@@ -209,6 +210,22 @@ def test_charts_and_pictures_of_failing_chutes(status, tmp_path, capsys):
 def test_where_data_go_to_standard_output_there_is_no_chart(capsys):
     assert main(["run", SPOON, "--chart", "--csv", "-"]) == 0
     assert "velocity v" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("settings", [b"\xff\xfe", b"no_such_key: 1\nno colon\n"])
+def test_pictures_know_no_settings_of_other_programs(settings, tmp_path, monkeypatch):
+    pictures = []
+    for folder, content in (("plain", None), ("set", settings)):
+        (tmp_path / folder).mkdir()
+        if content:
+            (tmp_path / folder / "matplotlibrc").write_bytes(content)
+            monkeypatch.setenv("MPLBACKEND", "module://matplotlib_inline.backend_inline")
+            monkeypatch.setenv("SOURCE_DATE_EPOCH", "x")
+        ended = run("run", SPOON, "--plot", "a.svg", "--report", "a.html", folder=tmp_path / folder)
+        assert ended.status == 0, ended
+        assert "matplotlib" not in ended.err
+        pictures.append([(tmp_path / folder / name).read_bytes() for name in ("a.svg", "a.html")])
+    assert pictures[0] == pictures[1]
 
 
 def test_pyplot_and_its_windows_are_never_loaded(tmp_path):

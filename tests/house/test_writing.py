@@ -9,6 +9,7 @@ from tests.house.test_imports import FILES, module_of
 WRITERS = {
     "chutecalc.output.files",
     "chutecalc.output.locks",
+    "chutecalc.output.scratch",  # folders for temporary files, which it removes
     "chutecalc.cli.streams",  # the null device, in place of a stream that is closed
     "chutecalc.dem.engine",  # what LAMMPS prints, while it prints
 }

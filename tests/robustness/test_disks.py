@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import sys
 from contextlib import contextmanager
 from pathlib import Path
@@ -36,6 +37,8 @@ COMMANDS = {
     "run --csv": ["run", VEE, "--csv", "x"],
     "run --parquet": ["run", VEE, "--parquet", "x"],
     "run --xlsx": ["run", VEE, "--xlsx", "x"],
+    "run --plot pdf": ["run", VEE, "--plot", "x.pdf"],
+    "run --report pdf": ["run", VEE, "--report", "x.pdf"],
     "sweep --csv": ["sweep", "phi=15:24:#100", VEE, "--csv", "x"],
     "new": ["new", "x.toml"],
 }
@@ -47,11 +50,21 @@ def test_on_a_full_disk_there_is_no_half_file(name, tmp_path):
     with limited(600 if name == "run --csv" else 3000):
         ended = run(*COMMANDS[name], folder=tmp_path)
     assert ended.status == 74, ended
-    assert ended.err.startswith("chutecalc: ")
-    assert ended.err.count("\n") == 1, ended.err
-    assert "File too large" in ended.err
+    files = r"x|x\.part/.*|x\.pdf|chute\.schema\.json|a temporary file of the workbook"
+    assert re.fullmatch(f"chutecalc: ({files}) could not be written: File too large\n", ended.err), ended.err
     left = {path.name for path in tmp_path.iterdir()}
     assert left <= {"x.part"}  # what a sweep goes on from, once there is room
+
+
+@on_unix
+@pytest.mark.parametrize("name", ["run --csv", "run --xlsx", "new"])
+def test_a_working_folder_that_was_removed_is_told(name, tmp_path):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    code = "import os; os.rmdir(os.getcwd()); from chutecalc.__main__ import entry; entry()"
+    ended = run(*COMMANDS[name], folder=gone, code=code)
+    told = f"chutecalc: {COMMANDS[name][-1]} cannot be written: the folder that you are in was removed."
+    assert (ended.status, ended.err) == (2, f"{told} Change to another one.\n"), ended
 
 
 @on_unix
@@ -74,6 +87,8 @@ def test_a_sweep_goes_on_when_there_is_room_again(tmp_path, monkeypatch):
         (["run", VEE], 74, "standard output could not be written: No space left on device"),
         (["run", VEE, "--csv", "-"], 74, "standard output could not be written: No space left on device"),
         (["run", VEE, "--csv", "/dev/full"], 74, "/dev/full could not be written: No space left on device"),
+        (["run", VEE, "--xlsx", "/dev/full"], 74, "/dev/full could not be written: No space left on device"),
+        (["run", VEE, "--parquet", "/dev/full"], 74, "/dev/full could not be written: No space left on device"),
         (["--help"], 74, "standard output could not be written: No space left on device"),
     ],
 )

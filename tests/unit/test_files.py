@@ -109,6 +109,18 @@ def test_what_fails_meanwhile_keeps_its_error_and_leaves_nothing(folder, failure
     assert (folder / "a.csv").read_text(encoding="utf-8") == "old"
 
 
+@pytest.mark.parametrize("mode", ["w", "wb"])
+def test_what_is_written_after_the_end_is_lost(folder, mode):
+    """As libraries do it while they are removed: the descriptor may be that of another file by then."""
+    with pytest.raises(KeyboardInterrupt), open_whole("a", mode) as stream:
+        raise KeyboardInterrupt
+    with open("b", "w", encoding="utf-8"):
+        stream.write("more" if mode == "w" else b"more")
+        stream.close()
+    assert names(folder) == ["b"]
+    assert (folder / "b").read_bytes() == b""
+
+
 def test_only_what_is_open_for_writing_is_synchronised(folder, monkeypatch):
     asked, fsync = [], os.fsync
 

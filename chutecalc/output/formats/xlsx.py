@@ -1,14 +1,17 @@
 """Excel workbooks: a sheet of rows and one for each further table, numbers as numbers, empty where there is none."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from datetime import datetime
 from typing import IO, Any
 
-from chutecalc.errors import UsageError
+from chutecalc.errors import UsageError, WriteError
 from chutecalc.extras import XLSX
 from chutecalc.output.dataset import Block, Dataset
 from chutecalc.output.formats import OutputFormat
+from chutecalc.output.held import named
+from chutecalc.output.scratch import remove_scratch, scratch_folder
 from chutecalc.printable import printable
 
 ROWS_OF_A_SHEET = 1_048_576
@@ -71,11 +74,12 @@ class XlsxRows:
     def __init__(self, stream: IO[bytes], dataset: Dataset) -> None:
         from xlsxwriter import Workbook
 
-        self._workbook = Workbook(stream, OPTIONS)
-        self._workbook.set_properties({"created": CREATED})
-        for table in dataset.tables():
-            Sheet(self._workbook, table.name, table.columns).write(table.block)
-        self._sheet = Sheet(self._workbook, dataset.name, dataset.columns)
+        with _temporary_files_told():
+            self._workbook = Workbook(stream, OPTIONS | {"tmpdir": scratch_folder()})
+            self._workbook.set_properties({"created": CREATED})
+            for table in dataset.tables():
+                Sheet(self._workbook, table.name, table.columns).write(table.block)
+            self._sheet = Sheet(self._workbook, dataset.name, dataset.columns)
 
     def write(self, block: Block) -> None:
         """Write the next block.
@@ -85,16 +89,36 @@ class XlsxRows:
 
         Raises:
             UsageError: there are more rows than a sheet holds.
+            WriteError: there is no room for temporary files.
         """
         try:
-            self._sheet.write(block)
+            with _temporary_files_told():
+                self._sheet.write(block)
         except UsageError:
             self.close()  # its temporary files go
             raise
 
     def close(self) -> None:
-        """Write the workbook."""
-        self._workbook.close()
+        """Write the workbook.
+
+        Raises:
+            WriteError: there is no room for it, or for temporary files.
+        """
+        with _temporary_files_told():
+            self._workbook.close()
+        remove_scratch()
+
+
+@contextmanager
+def _temporary_files_told() -> Iterator[None]:
+    """Say that temporary files cannot be written: the workbook itself, which names its errors, may have room."""
+    from xlsxwriter.exceptions import FileCreateError
+
+    with named("a temporary file of the workbook", WriteError):
+        try:
+            yield
+        except FileCreateError as error:  # holds the error of the system
+            raise error.args[0] from None
 
 
 FORMAT = OutputFormat(

@@ -59,4 +59,4 @@ def write_report(file: str, chutes: Sequence[Reported], units: str) -> None:
         else:
             from weasyprint import HTML
 
-            HTML(string=html).write_pdf(stream, pdf_variant="pdf/ua-1")
+            stream.write(HTML(string=html).write_pdf(pdf_variant="pdf/ua-1"))

@@ -1,5 +1,6 @@
 """Pictures as files: which formats there are, and what they take."""
 
+import io
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
@@ -40,4 +41,6 @@ def save(figure: "Figure", stream: IO[bytes], ending: str) -> None:
     """
     from chutecalc.output.plots.style import write
 
-    write(figure, stream, ending, PICTURE_FORMATS[ending])
+    drawn = io.BytesIO()  # on a full disk, Matplotlib's own errors would hide the one of the file
+    write(figure, drawn, ending, PICTURE_FORMATS[ending])
+    stream.write(drawn.getvalue())

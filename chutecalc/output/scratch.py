@@ -1,0 +1,25 @@
+"""Folders for temporary files. None outlives its command, not even one that is interrupted."""
+
+_FOLDERS: set[str] = set()
+"""All that are there."""
+
+
+def scratch_folder() -> str:
+    """Return a new folder, which is there until :func:`remove_scratch`.
+
+    Raises:
+        OSError: there is no room for one.
+    """
+    from tempfile import mkdtemp  # not before: --help loads this module
+
+    folder = mkdtemp(prefix="chutecalc-")
+    _FOLDERS.add(folder)
+    return folder
+
+
+def remove_scratch() -> None:
+    """Remove all folders for temporary files, with what is in them."""
+    while _FOLDERS:
+        from shutil import rmtree  # which tempfile has loaded
+
+        rmtree(_FOLDERS.pop(), ignore_errors=True)
