@@ -15,8 +15,8 @@ def entry() -> None:
     """Run the command line that the process was given, and exit with its status."""
     from chutecalc.cli import main
 
-    listen()
     try:
+        listen()
         status = main()
         ignore()
     except KeyboardInterrupt:  # in its last steps, or while an error was told

@@ -1,6 +1,7 @@
 """What chutecalc asks of the process it runs in, and what it changes there: processors, processes, start-up settings.
 
-Nothing else in the package touches the state of the host program. Importing this module changes nothing.
+Nothing else in the package touches the state of the host program but, in a command, ``interrupt`` and ``cli.streams``.
+Importing this module changes nothing.
 """
 
 import gc
@@ -51,7 +52,7 @@ def prepare_command() -> None:
 
 
 def import_matplotlib() -> None:
-    """Import Matplotlib for a command without the settings in the working folder, which go before all others."""
+    """Import Matplotlib elsewhere if the working folder has settings for it, which would go before all others."""
     if os.path.exists("matplotlibrc"):
         with chdir(os.sep):
             import_module("matplotlib")

@@ -14,7 +14,7 @@ from chutecalc.design import Design
 from chutecalc.errors import Fault, SpecError, UsageError
 from chutecalc.fields.faults import GeometryError
 from chutecalc.solver.steel import Steel, drawn_steel, enters_vertically, follows_stream, with_steel
-from chutecalc.spec.bounded import is_deep
+from chutecalc.spec.bounded import excess_of_tables
 from chutecalc.spec.build import build
 from chutecalc.spec.chute_spec import ChuteSpec
 from chutecalc.spec.faults import case_faults, faults_of, geometry_faults, value_text
@@ -209,7 +209,9 @@ class Chute:
         >>> chutecalc.solve(spoon).exit_velocity.round(3)
         array([5.603])
         """
-        return self._with(dict(check_changes(changes)))
+        if fault := excess_of_tables(list(check_changes(changes).values())):
+            raise SpecError([fault], self.source)
+        return self._with(dict(changes))
 
     def function(
         self,
@@ -275,7 +277,7 @@ def check_changes(changes: Any) -> Mapping[str, Any]:
     Raises:
         UsageError: they are something else.
     """
-    if not isinstance(changes, Mapping) or is_deep(changes) or not all(isinstance(path, str) for path in changes):
+    if not isinstance(changes, Mapping) or not all(isinstance(path, str) for path in changes):
         raise UsageError(f'give values by path, such as {{"flow.rate_t_h": 800}}, not {short(changes)}')
     return changes
 

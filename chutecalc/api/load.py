@@ -8,7 +8,7 @@ from typing import Any
 
 from chutecalc.api.chute import Chute, check_changes
 from chutecalc.errors import Fault, SpecError, UsageError
-from chutecalc.spec.bounded import is_deep, too_deep
+from chutecalc.spec.bounded import excess_of_tables
 from chutecalc.spec.library import LIBRARY_NAME, Library, is_used
 from chutecalc.spec.parse import parse_text, read_text
 from chutecalc.spec.paths import with_values
@@ -26,7 +26,7 @@ def load(path: str | Path, changes: Mapping[str, Any] | None = None, library: st
 
     Raises:
         SpecError: the file cannot be read, or its spec has faults; the error lists all of them.
-        UsageError: ``path`` is none, or ``changes`` are no values by path.
+        UsageError: ``path`` is no path, or ``changes`` are no values by path.
     """
     check_path(path, "path")
     file = Path(path)
@@ -95,9 +95,10 @@ def read(
         raise SpecError([Fault("", f"is {short(spec)}", "give TOML text or a table")], source)
     text = spec if isinstance(spec, str) else ""
     data = parse_text(spec, source) if isinstance(spec, str) else dict(spec)
-    if not text and is_deep(data):
-        raise SpecError([too_deep()], source)
-    changed = with_values(data, dict(check_changes(changes)), source) if changes else data
+    given = check_changes(changes) if changes else {}
+    if fault := excess_of_tables([None if text else data, *given.values()]):
+        raise SpecError([fault], source)
+    changed = with_values(data, dict(given), source) if given else data
     return checked(Chute(changed, source, text, library=library_for(changed, library, file)))
 
 

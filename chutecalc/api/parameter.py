@@ -160,7 +160,7 @@ def parameter_at(spec: ChuteSpec, path: str, limits: Limits | None) -> Parameter
     """
     try:
         wrong = limits is not None and not float(limits[0]) <= float(limits[1])
-    except (TypeError, ValueError, LookupError):
+    except (TypeError, ValueError, LookupError, OverflowError):
         wrong = True
     if wrong:
         raise UsageError(f"limits of {path} must be two numbers, the lower one first, not {short(limits)}")

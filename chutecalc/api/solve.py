@@ -19,7 +19,7 @@ def solve(chute: Chute, rtol: float = 1e-10) -> Solution:
         The solution. A design that fails says so in its status and does not affect the others.
 
     Raises:
-        UsageError: ``rtol`` is out of range, or ``chute`` is none.
+        UsageError: ``rtol`` is out of range, or ``chute`` is no chute.
         SpecError: a hood is tangent to a falling stream that is steeper than the hood's end.
 
     >>> import chutecalc

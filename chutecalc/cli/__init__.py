@@ -123,8 +123,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _complain("chutecalc: interrupted", ExitStatus.INTERRUPTED)
     except OSError as error:
-        name = printable(str(error.filename or "output"))
-        return _complain(f"chutecalc: {name} could not be opened or written: {error.strerror}", ExitStatus.WRITE_FAILED)
+        name = printable(error.filename) if isinstance(error.filename, str) else "output"
+        reason = error.strerror or abbreviated(printable(str(error)))
+        return _complain(f"chutecalc: {name} could not be opened or written: {reason}", ExitStatus.WRITE_FAILED)
     except MemoryError:
         return _complain(
             "chutecalc: there is not enough memory for that. Take fewer designs, samples or stations at once.",

@@ -125,7 +125,7 @@ class Outputs(OptionGroup):
         if self.report is not None:
             check_report(self.report)
         if self.plot or self.report:
-            import_matplotlib()
+            import_matplotlib()  # before anything else does
         if self.chart:
             require_extra("--chart", CHART)
         for target in targets.values():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import typer
@@ -122,5 +123,7 @@ def _confirm(sweep: Sweep) -> None:
     lists = " × ".join(f"{len(parameter.values):,} {parameter.name}" for parameter in sweep.parameters)
     if not (sys.stdin and sys.stdin.isatty() and sys.stderr.isatty()):
         raise UsageError(f"{lists}: {sweep.count:,} designs. Add --yes if so many are meant.")
-    if not typer.confirm(f"{lists}: {sweep.count:,} designs. Continue?", err=True):
-        raise UsageError("nothing was solved")
+    with suppress(typer.Abort):  # no answer is none
+        if typer.confirm(f"{lists}: {sweep.count:,} designs. Continue?", err=True):
+            return
+    raise UsageError("nothing was solved")

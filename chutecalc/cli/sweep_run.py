@@ -6,7 +6,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 
 from chutecalc.cli.outputs import Outputs
-from chutecalc.errors import ExitStatus, UsageError
+from chutecalc.errors import ChutecalcError, ExitStatus, UsageError
 from chutecalc.output.dataset import Block
 from chutecalc.output.held import is_special
 from chutecalc.output.printer import Printer
@@ -85,10 +85,10 @@ class SweepRun:
         try:
             self._fill(store)
             self._write((self._block(store, number) for number in range(count)), complete=True)
-            store.remove()
         except KeyboardInterrupt:
             _tell(f"--resume continues from {store.name}")
             raise
+        store.remove()
         return ExitStatus.OK
 
     def _fill(self, store: BlockStore) -> None:
@@ -99,8 +99,11 @@ class SweepRun:
                     store.save(number, block)
         except KeyboardInterrupt:
             done: list[int] = []
-            self._write(self._first_blocks(store, done), complete=False)
-            _tell(f"wrote {sum(done):,} of {self.sweep.count:,} designs")
+            try:
+                self._write(self._first_blocks(store, done), complete=False)
+                _tell(f"wrote {sum(done):,} of {self.sweep.count:,} designs")
+            except ChutecalcError as error:
+                _tell(str(error))
             raise
 
     def _needed(self, store: BlockStore) -> list[int]:

@@ -75,7 +75,7 @@ def first_crossing(rule: "gauss.Rule", event_values: "array[float]") -> float:
 def near_minimum(rule: "gauss.Rule", event_values: "array[float]") -> float:
     """Return the bottom of an inner minimum near 0, refined from the parabola through the lowest three knots.
 
-    Where the values begin at 0 they may fall by a rounding before they rise: that is none.
+    Where values have been at 0 up to there, as they are at their beginning, they may fall by a rounding: that is none.
     """
     low = 1
     for k in range(2, rule.last):

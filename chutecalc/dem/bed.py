@@ -14,6 +14,8 @@ energy of a particle over m g d; unevenness over depth."""
 
 FURTHEST = 1e4
 """A particle further than that from the trough, m, is none."""
+MOST_WEIGHTS = 1e6
+"""Nor is a force of so many times the weight of the bed one of a wall."""
 
 
 class Check(NamedTuple):
@@ -79,11 +81,11 @@ class Bed:
 
     @property
     def is_possible(self) -> bool:
-        """Whether it can be a bed: the numbers are of this world, and the interior's particles fill some of its room.
+        """Whether it can be a bed: no particle and no force is too far or too large for one, and the interior has some.
 
         Others are those of a damaged file, of which nothing can be measured.
         """
-        if not (np.abs(self.positions) < FURTHEST).all():
+        if not ((np.abs(self.positions) < FURTHEST).all() and (np.abs(self.forces) < MOST_WEIGHTS * self.weight).all()):
             return False
         area, _ = self._interior
         return np.unique(area).size > 1 and 0.0 < self.solid_fraction < 1.0

@@ -218,4 +218,8 @@ def _absent_folder(target: str) -> str | None:
     except FileNotFoundError:
         return "the folder that you are in was removed. Change to another one."
     absent = next((folder for folder in (Path(path).parent for path in paths) if not folder.is_dir()), None)
-    return f"there is no folder {absent}. Create it first." if absent else None
+    if absent is None:
+        return None
+    if absent.exists():
+        return f"{absent} is no folder. Name another one."
+    return f"there is no folder {absent}. Create it first."

@@ -86,13 +86,13 @@ class Lock:
 
     def release(self) -> None:
         """Give up the lock, and remove the file unless it was moved. Once more does nothing."""
-        OPEN.discard(self)
         if sys.platform == "win32":
             self._close()
         if not self.gone:
-            self.gone = True
             with suppress(OSError):  # another has taken it by now, or the folder is gone
                 os.unlink(self.path)
+            self.gone = True
+        OPEN.discard(self)
         self._close()
 
     def _close(self) -> None:

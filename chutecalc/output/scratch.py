@@ -1,4 +1,7 @@
-"""Folders for temporary files. None outlives its command, not even one that is interrupted."""
+"""Folders for temporary files. None outlives its command, not even one that is interrupted.
+
+But on Windows a file that is still open then stays in the folder of the system.
+"""
 
 _FOLDERS: set[str] = set()
 """All that are there."""
@@ -19,7 +22,8 @@ def scratch_folder() -> str:
 
 def remove_scratch() -> None:
     """Remove all folders for temporary files, with what is in them."""
-    while _FOLDERS:
+    for folder in list(_FOLDERS):
         from shutil import rmtree  # which tempfile has loaded
 
-        rmtree(_FOLDERS.pop(), ignore_errors=True)
+        rmtree(folder, ignore_errors=True)
+        _FOLDERS.discard(folder)

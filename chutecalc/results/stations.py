@@ -39,8 +39,8 @@ def at_stations(
         raise UsageError("points and spacing both set the stations: give one of them")
     if points is not None and not (isinstance(points, int | np.integer) and 2 <= points <= MOST_STATIONS):
         raise UsageError(f"points must be a whole number from 2 to {MOST_STATIONS:,}, not {short(points)}")
-    if spacing is not None and not 0.0 < spacing < np.inf:
-        raise UsageError(f"spacing must be a length greater than 0 m, and finite, not {spacing:g}")
+    if spacing is not None and not (isinstance(spacing, int | float | np.number) and 0.0 < spacing < np.inf):
+        raise UsageError(f"spacing must be a length greater than 0 m, and finite, not {short(spacing)}")
     check_columns(names, AT_STATION, " at a station")
     if spacing is None:
         points = points or DEFAULT_POINTS

@@ -83,19 +83,24 @@ def too_deep() -> Fault:
     return Fault("", problem, "use at most four levels of tables")
 
 
-def is_deep(data: Any, most: int = DEEPEST) -> bool:
-    """Return whether tables and lists are nested too deep, in themselves for example.
+def excess_of_tables(data: Any) -> Fault | None:
+    """Return the fault of tables that are nested too deep, in themselves for example, or have too much in them.
 
     Args:
         data: what a caller gives as tables.
-        most: levels that are allowed.
 
-    >>> is_deep({"flow": {"rate_t_h": 1000}}), is_deep({"flow": {"rate_t_h": 1000}}, most=1)
-    (False, True)
+    >>> excess_of_tables({"flow": {"rate_t_h": 1000}})
     """
-    if not isinstance(data, Mapping | list | tuple):
-        return False
-    return not most or any(is_deep(item, most - 1) for item in (data.values() if isinstance(data, Mapping) else data))
+    level, count = [data], 0
+    for _ in range(DEEPEST + 1):
+        tables = [each for each in level if isinstance(each, Mapping | list | tuple)]
+        count += sum(map(len, tables))
+        if not tables:
+            return None
+        if count > MOST:
+            return Fault("", f"has more than {MOST:,} items", "make it several specs")
+        level = [item for each in tables for item in (each.values() if isinstance(each, Mapping) else each)]
+    return too_deep()
 
 
 def _too_long(part: str, kind: str | None) -> Fault | None:

@@ -49,7 +49,7 @@ def link_to_nothing(folder):
 
 
 IN_THE_WAY = {
-    missing_identity: "does not belong to a sweep, since it has no file sweep.json. Remove or rename it",
+    missing_identity: "does not belong to a sweep, since sweep.json in it is missing, or no file. Remove or rename it",
     folder_for_identity: "does not belong to a sweep",
     link_for_identity: "does not belong to a sweep",
     pipe_for_identity: "does not belong to a sweep",

@@ -18,6 +18,13 @@ def nested(levels):
     return table
 
 
+def shared(times):
+    table = {"a": 1}
+    for _ in range(times):
+        table = {"a": table, "b": table}
+    return table
+
+
 def endless():
     table = {}
     table["a"] = table
@@ -33,12 +40,15 @@ CALLS = {
     "parse with changes 1": (lambda: chutecalc.parse(chutecalc.STARTER, changes=1), "give values by path, .*, not 1"),
     "vary None": (lambda: SPOON.vary(None), "give values by path, .*, not None"),
     "vary 1": (lambda: SPOON.vary({1: 2}), r"give values by path, .*, not \{1: 2\}"),
-    "put what is deep": (lambda: SPOON.put({"flow.rate_t_h": nested(10**5)}), "give values by path"),
+    "put what is deep": (lambda: SPOON.put({"flow.rate_t_h": nested(10**5)}), "spec: is nested more than 50 deep"),
     "a file's columns": (lambda: chutecalc.exits(SPOON, columns=1), "columns must be a list of names, not 1"),
     "columns of bytes": (lambda: SOLVED.stations(columns=[b"s_m"]), "columns must be a list of names"),
     "jobs": (lambda: chutecalc.exits(SPOON, jobs="2"), "jobs must be a whole number, 1 or more, not '2'"),
     "points": (lambda: SOLVED.stations(2.5), "points must be a whole number from 2 to 2,000,000, not 2.5"),
-    "a sensitivity of 1": (lambda: chutecalc.sensitivity(SPOON, column=1), "columns must be a list of names"),
+    "a sensitivity of 1": (lambda: chutecalc.sensitivity(SPOON, column=1), "column must be the name of one"),
+    "a spacing of text": (lambda: SOLVED.stations(spacing="1"), "spacing must be a length"),
+    "limits of no double": (lambda: SPOON.function({RADIUS: (1, 10**400)}), "must be two numbers"),
+    "what is shared forty times": (lambda: chutecalc.parse(shared(40)), "has more than"),
     "aim 1": (lambda: chutecalc.aim(SPOON, 1, {}), "give bounds by path, .*, not 1"),
     "aim at 1": (lambda: chutecalc.aim(SPOON, {RADIUS: (1, 4)}, 1), "give wanted values by column, .*, not 1"),
     "optimise 1": (

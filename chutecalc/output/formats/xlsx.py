@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import datetime
 from typing import IO, Any
 
@@ -95,17 +95,24 @@ class XlsxRows:
             with _temporary_files_told():
                 self._sheet.write(block)
         except UsageError:
-            self.close()  # its temporary files go
+            with suppress(UsageError, WriteError):  # temporary files that are open do not go
+                self.close()
             raise
 
     def close(self) -> None:
         """Write the workbook.
 
         Raises:
+            UsageError: it is larger than a workbook may be.
             WriteError: there is no room for it, or for temporary files.
         """
-        with _temporary_files_told():
-            self._workbook.close()
+        from xlsxwriter.exceptions import FileSizeError
+
+        try:
+            with _temporary_files_told():
+                self._workbook.close()
+        except FileSizeError:
+            raise UsageError("the rows are larger than a workbook may be: use --csv or --parquet") from None
         remove_scratch()
 
 

@@ -16,7 +16,7 @@ from chutecalc.api.written import text_of
 from chutecalc.errors import SpecError, UsageError
 from chutecalc.results.cases import Cases
 from chutecalc.segments.registry import KINDS
-from chutecalc.spec.bounded import is_deep, too_deep
+from chutecalc.spec.bounded import excess_of_tables
 from chutecalc.spec.frozen import FALL, Drawn, frozen_text
 from chutecalc.spec.library import Library
 from chutecalc.spec.operating import DESIGN_POINT
@@ -130,13 +130,18 @@ def place(
 
 
 def _text_of(spec: str | Mapping[str, Any] | Chute, source: str) -> tuple[str, str]:
-    """Return the TOML text of a spec and its name."""
+    """Return the TOML text of a spec and its name.
+
+    Raises:
+        UsageError: it is none of these, or a chute of several designs.
+        SpecError: the tables have too much in them.
+    """
     if isinstance(spec, str):
         return spec, source
     if not isinstance(spec, Chute | Mapping):
         raise UsageError(f"place takes TOML text, a table or a chute, not {short(spec)}")
-    if is_deep(None if isinstance(spec, Chute) else spec):
-        raise SpecError([too_deep()], source)
+    if fault := excess_of_tables(spec):
+        raise SpecError([fault], source)
     if not isinstance(spec, Chute):
         return tomli_w.dumps(dict(spec)), source
     if spec.count != 1:

@@ -85,8 +85,9 @@ def _stored(path: Path, spec: str) -> tuple[Baseline | None, list[Change]]:
     try:
         return read_baseline(path), []
     except SpecError as error:
-        of_file = [f"{path}: {fault.problem}" for fault in error.faults if not fault.path and fault.line is None]
-        faults = [Change("baseline", "", line) for line in of_file or str(error).splitlines()]
+        of_file = all(not fault.path and fault.line is None for fault in error.faults)  # with remedies for a spec
+        lines = [f"{path}: {fault.problem}" for fault in error.faults] if of_file else str(error).splitlines()
+        faults = [Change("baseline", "", line) for line in lines]
         remedy = (
             "correct it, or write a new one with --update"
             if is_replaceable(path)

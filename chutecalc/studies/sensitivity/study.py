@@ -1,6 +1,7 @@
 """The derivative of what comes out by each number of a spec, all of them in one batch."""
 
 from dataclasses import dataclass
+from reprlib import repr as short
 
 import numpy as np
 
@@ -9,7 +10,6 @@ from chutecalc.api.chute import Chute, check_chute
 from chutecalc.api.tolerance import check_tolerance
 from chutecalc.errors import UsageError
 from chutecalc.physics.arrays import Array, Mask
-from chutecalc.results.column_names import column_names
 from chutecalc.results.described import html_table
 from chutecalc.spec.operating import DESIGN_POINT
 from chutecalc.studies.sensitivity.numbers import numbers_of
@@ -94,6 +94,8 @@ def sensitivity(
     """
     check_chute(chute)
     check_tolerance(rtol)
+    if not isinstance(column, str):
+        raise UsageError(f"column must be the name of one, such as exit_velocity_m_s, not {short(column)}")
     if chute.count != 1:
         raise UsageError(f"sensitivity takes a chute of one design, not {chute.count}: use the chute before vary")
     state = state_of(chute, case)
@@ -106,7 +108,7 @@ def sensitivity(
     varied = [
         Parameter(key.path, (key.path,), np.array([value, value])) for key, value in zip(keys, given, strict=True)
     ]
-    numbers = Variants(state, varied, column_names(column), rtol=rtol)(list(rows.T))[column][0]
+    numbers = Variants(state, varied, [column], rtol=rtol)(list(rows.T))[column][0]
     if numbers.dtype.kind != "f":
         raise UsageError(f"{column} is no number: use a column such as exit_velocity_m_s")
     if not np.isfinite(numbers[0]):

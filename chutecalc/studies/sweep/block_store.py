@@ -62,7 +62,9 @@ class BlockStore:
         now = json.loads(text)
         other = [name for name in {**now, **before} if now.get(name) != before.get(name)]
         if other:
-            what = ", ".join(WORDS.get(name, f"--{name}" if name in now else "unknown entries") for name in other)
+            what = ", ".join(
+                dict.fromkeys(WORDS.get(name, f"--{name}" if name in now else "unknown entries") for name in other)
+            )
             raise UsageError(
                 f"{self.name} belongs to another sweep, which differs in {what}. Repeat that command, or remove it"
             )

@@ -46,7 +46,7 @@ def _check(folder: Path, resume: bool) -> None:
             let_folder_go(str(folder))
             raise UsageError(f"{folder} is left from an interrupted sweep: add --resume to continue, or remove it")
     elif kind and any(not name.startswith(".") for name in os.listdir(folder)):
-        problem = f"does not belong to a sweep, since it has no file {IDENTITY}"
+        problem = f"does not belong to a sweep, since {IDENTITY} in it is missing, or no file"
         raise UsageError(f"{folder} {problem}. Remove or rename it, and leave out --resume.")
     elif resume:
         raise UsageError(f"there is nothing in {folder} to continue. {ANEW}")

@@ -4,6 +4,7 @@ import io
 
 import numpy as np
 import pytest
+import typer
 
 import chutecalc
 from chutecalc.cli import main
@@ -122,6 +123,10 @@ def test_a_key_that_a_chosen_case_sets_is_refused() -> None:
             assert rows_of.Sweep(chute, [case, rate]).count == 4
 
 
+def no_answer(*_args, **_more):
+    raise typer.Abort
+
+
 def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
     asked = []
     monkeypatch.setattr("sys.stdin.isatty", lambda: True, raising=False)
@@ -130,6 +135,9 @@ def test_a_huge_grid_is_asked_for(capsys, monkeypatch):
     monkeypatch.setattr("typer.confirm", lambda text, **_: asked.append(text))
     assert main(["sweep", "phi=20:30:1", SPOON]) == 2
     assert "11 designs" in asked[0]
+    monkeypatch.setattr("typer.confirm", no_answer)
+    assert main(["sweep", "phi=20:30:1", SPOON]) == 2
+    assert "nothing was solved" in capsys.readouterr().err
     assert main(["sweep", "phi=20:30:1", SPOON, "--yes"]) == 0
     assert len(asked) == 1
 
