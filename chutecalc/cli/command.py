@@ -128,7 +128,7 @@ def _worded(error: Any) -> str:
     if re.search("greater than|less than|in the range", message):
         one_sided = f"at most {high:g}" if low is None else f"at least {low:g}"
         bound = one_sided if None in (low, high) else f"from {low:g} to {high:g}"
-        return f"must be {bound}, not {shown}."
+        return f"must be {bound}, not {shown if len(value) > MOST_SHOWN else format(float(value), 'g')}."
     if re.search("valid int|as an int", message):
         return f"must be a whole number, not {shown}."
     if re.search("valid (number|float)|finite", message):

@@ -5,6 +5,7 @@ import math
 from chutecalc.core import flight, floats, guide_surface, quartic, records
 
 END_TOLERANCE = 1e-12  # of its length: a flight meets a segment this far beyond its ends
+REFINEMENT = 1e-6  # of a time: the polynomial's root is off by less
 
 
 def point(guide: "guide_surface.Guide", share: float) -> tuple[float, float]:
@@ -60,7 +61,7 @@ def land(
     lowest = guide.z - guide.length
     horizon = flight.time_to_drop(path, max(path.z - lowest, 0.0))
     for k in range(quartic.falls_through_zero(curve, horizon)):
-        time = curve.falls[k]
+        time = refined(guide, path, curve.falls[k])
         share, slope = foot(guide, path, time)
         if share > 1.0 + END_TOLERANCE or time < path.since:
             continue
@@ -69,6 +70,25 @@ def land(
         if path.since == path.since:
             return time, share, slope
     return floats.NAN, floats.NAN, floats.NAN
+
+
+def refined(guide: "guide_surface.Guide", path: "records.Flight", time: float) -> float:
+    """Return the time at which a flight meets the full line or circle, as well as its place is known then.
+
+    The polynomial holds squares of the whole way, whose rounding is large beside a small arc far below. Near the
+    surface they are small, and Newton's method starts from the polynomial's root.
+    """
+    sine, cosine = math.sin(guide.entry_slope), math.cos(guide.entry_slope)
+    bend = -0.5 * guide.turn / guide.length
+    for _ in range(2):
+        dx, dz = flight.x_at(path, time) - guide.x, flight.z_at(path, time) - guide.z
+        u, w = path.forward, -path.downward - path.gravity * time
+        off = dx * sine + dz * cosine - bend * (dx * dx + dz * dz)
+        step = floats.quotient(off, u * sine + w * cosine - 2.0 * bend * (dx * u + dz * w))
+        if not math.fabs(step) < REFINEMENT * time:  # it grazes the surface
+            break
+        time -= step
+    return time
 
 
 def clearance(guide: "guide_surface.Guide", path: "records.Flight", curve: "quartic.Quartic") -> None:
