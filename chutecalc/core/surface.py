@@ -4,7 +4,7 @@ import math
 
 from chutecalc.core import flight, floats, guide_surface, quartic, records
 
-END_TOLERANCE = 1e-12  # of its length: a flight meets a segment this far beyond its ends
+END_TOLERANCE = 1e-12  # of its length and of the way to it: a flight meets a segment this far beyond its ends
 REFINEMENT = 1e-6  # of a time: the polynomial's root is off by less
 
 
@@ -60,12 +60,13 @@ def land(
         curve.value[k] = curve.value[k + known_roots] if k + known_roots < 5 else 0.0
     lowest = guide.z - guide.length
     horizon = flight.time_to_drop(path, max(path.z - lowest, 0.0))
+    beyond = END_TOLERANCE * (1.0 + (math.fabs(guide.x - path.x) + math.fabs(guide.z - path.z)) / guide.length)
     for k in range(quartic.falls_through_zero(curve, horizon)):
         time = refined(guide, path, curve.falls[k])
         share, slope = foot(guide, path, time)
-        if share > 1.0 + END_TOLERANCE or time < path.since:
+        if share > 1.0 + beyond or time < path.since:
             continue
-        if share >= -END_TOLERANCE:
+        if share >= -beyond:
             return time, min(max(share, 0.0), 1.0), slope
         if path.since == path.since:
             return time, share, slope
