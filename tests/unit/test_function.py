@@ -57,15 +57,15 @@ def agree(computed, right):
 def agree_within_rounding(computed, base, path, values):
     """Within what one digit more or less of the number does: NumPy's sine and C's may differ by as much.
 
-    The number itself may change nothing, where others that sines are taken of do: some ten digits of what comes out,
-    with an old NumPy. An error estimate is a difference of numbers that agree to its size, of which 1e-6 is nothing.
+    The number itself may change nothing, where others that sines are taken of do, and a flight magnifies that: to 3e-14
+    with an old NumPy. An error estimate is relative, and such digits of 1 are rounding in it.
     """
     rounded = np.array([expected(base, path, values * (1.0 + step * 2e-16)) for step in range(-4, 5)])
     none = np.isnan(rounded)
     alike = np.where(np.isnan(computed), none.any(axis=0), ~none.all(axis=0))
     least, most = np.fmin.reduce(rounded), np.fmax.reduce(rounded)
-    floor = np.where(np.array(OUTPUTS) == "error_estimate", 1e-6, 1e-14)
-    spread = most - least + floor[:, None] * np.abs(most)
+    size = np.where((np.array(OUTPUTS) == "error_estimate")[:, None], 1.0, np.abs(most))
+    spread = most - least + 1e-13 * size
     return bool((alike & (np.isnan(computed) | (computed >= least - spread) & (computed <= most + spread))).all())
 
 
