@@ -55,17 +55,8 @@ def specs(folder: Path, count: int) -> list[str]:
 def rows(folder: Path, count: int) -> list[str]:
     """Return the command that sweeps so many rows to standard output."""
     side, columns = math.isqrt(count), "exit_velocity_m_s,exit_depth_m,exit_slope_deg"
-    return [
-        "sweep",
-        f"radius=1:4:#{side}",
-        f"phi=20:30:#{side}",
-        str(SPOON),
-        "--columns",
-        columns,
-        "--csv",
-        "-",
-        "--yes",
-    ]
+    grid = [f"radius=1:4:#{side}", f"phi=20:30:#{side}"]
+    return ["sweep", *grid, str(SPOON), "--columns", columns, "--csv", "-", "--yes"]
 
 
 STRAIGHT = 'kind = "straight"\nslope_deg = 40\nlength_m = '

@@ -284,7 +284,10 @@ def check_changes(changes: Any) -> Mapping[str, Any]:
 
 def _count(data: Any, source: str) -> int:
     """Return how many designs the arrays in a spec's data describe."""
-    lengths = {len(array): path for path, array in reversed([*_arrays(data, "")]) if array.ndim == 1 and array.size > 1}
+    lengths: dict[int, str] = {}
+    for path, array in _arrays(data, ""):
+        if array.ndim == 1 and array.size > 1:
+            lengths.setdefault(len(array), path)
     if len(lengths) > 1:
         given = ", ".join(f"{path} {length}" for length, path in lengths.items())
         raise SpecError([Fault("", f"the arrays differ in length: {given}", "give 1 or n values each")], source)

@@ -1,6 +1,7 @@
 """Names of columns as users give them: one or several, known or not."""
 
 from collections.abc import Collection, Iterable
+from reprlib import repr as short
 
 from chutecalc.errors import UsageError
 
@@ -19,7 +20,7 @@ def column_names(names: Iterable[str]) -> list[str]:
     """
     listed = [names] if isinstance(names, str) or not isinstance(names, Iterable) else list(names)
     if not all(isinstance(name, str) for name in listed):
-        raise UsageError(f"columns must be a list of names, not {names!r}")
+        raise UsageError(f"columns must be a list of names, not {short(names)}")
     return listed
 
 

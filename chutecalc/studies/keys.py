@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from reprlib import repr as short
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -102,7 +103,7 @@ def key_arguments(keys: Mapping[str, Any]) -> list[str]:
     ['radius=1:4', 'beta=30:60:5', 'segments.2.liner=steel,ceramic']
     """
     if not isinstance(keys, Mapping):
-        raise UsageError(f'give bounds by path, such as {{"segments.2.radius_m": (1, 4)}}, not {keys!r}')
+        raise UsageError(f'give bounds by path, such as {{"segments.2.radius_m": (1, 4)}}, not {short(keys)}')
     wrong = [name for name, given in keys.items() if not isinstance(given, Sequence | np.ndarray) or len(given) == 0]
     if wrong:
         raise UsageError(f"{', '.join(wrong)}: give bounds (low, high), (low, high, step), or a list to choose from")

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
+from reprlib import repr as short
 from typing import Any
 
 from chutecalc.api.chute import Chute, check_chute
@@ -138,7 +139,7 @@ def _check(keys: Sequence[Key], targets: Mapping[str, float]) -> None:
         UsageError: there are not.
     """
     if not isinstance(targets, Mapping):
-        raise UsageError(f'give wanted values by column, such as {{"exit_velocity_m_s": 4}}, not {targets!r}')
+        raise UsageError(f'give wanted values by column, such as {{"exit_velocity_m_s": 4}}, not {short(targets)}')
     for name, wanted in targets.items():
         if not isinstance(wanted, int | float) or not isfinite(wanted):
             raise UsageError(f"{name} must be a number, not {wanted!r}")

@@ -138,15 +138,15 @@ def _text_of(spec: str | Mapping[str, Any] | Chute, source: str) -> tuple[str, s
     """
     if isinstance(spec, str):
         return spec, source
-    if not isinstance(spec, Chute | Mapping):
+    if isinstance(spec, Chute):
+        if spec.count != 1:
+            raise UsageError(f"place takes a chute of one design, not {spec.count}")
+        return text_of(spec), spec.source
+    if not isinstance(spec, Mapping):
         raise UsageError(f"place takes TOML text, a table or a chute, not {short(spec)}")
     if fault := excess_of_tables(spec):
         raise SpecError([fault], source)
-    if not isinstance(spec, Chute):
-        return tomli_w.dumps(dict(spec)), source
-    if spec.count != 1:
-        raise UsageError(f"place takes a chute of one design, not {spec.count}")
-    return text_of(spec), spec.source
+    return tomli_w.dumps(dict(spec)), source
 
 
 def _in_order(

@@ -63,7 +63,7 @@ def verdict(chute: Chute, rtol: float, update: bool) -> Verdict | SpecError:
         if was.rtol != now.rtol:
             notes.append(f"solved with rtol {now.rtol:g}; the baseline with {was.rtol:g}")
     outcome = _outcome(changes, drifts, path)
-    rewrite = update and (outcome != OK or bool(notes)) and is_replaceable(path)
+    rewrite = update and (outcome != OK or bool(notes)) and (was is not None or is_replaceable(path))
     return Verdict(
         spec=chute.source,
         outcome=outcome,
