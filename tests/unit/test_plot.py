@@ -8,6 +8,7 @@ import tomllib
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.patches import ArrowStyle
 from matplotlib.text import Text
 
@@ -491,6 +492,22 @@ def test_the_same_picture_is_the_same_file(ending):
 
     assert file() == file()
     assert not re.search(rb"20\d\d-\d\d-\d\d|CreationDate", file())
+
+
+def test_the_last_digit_of_the_layout_does_not_show(monkeypatch):
+    """Its solver adds in another order in another process, and an SVG names things by the digits of their place."""
+    whole, plain, nudged = ConstrainedLayoutEngine.execute, io.BytesIO(), io.BytesIO()
+
+    def nudge(self, fig):
+        whole(self, fig)
+        for axes in fig.axes:
+            axes.set_position([share * (1 + 4e-16) for share in axes.get_position(original=True).bounds])
+            axes.set_in_layout(True)
+
+    save(drawn(load("vee"))[0], plain, "svg")
+    monkeypatch.setattr(ConstrainedLayoutEngine, "execute", nudge)
+    save(drawn(load("vee"))[0], nudged, "svg")
+    assert nudged.getvalue() == plain.getvalue()
 
 
 def test_settings_of_the_user_do_not_show(tmp_path):

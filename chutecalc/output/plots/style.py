@@ -12,6 +12,7 @@ from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from chutecalc.output.plots.letters import make_printable, wide_fonts
 from chutecalc.results.column import Column
@@ -79,6 +80,20 @@ def lay_out(figure: Figure) -> None:
         axes.apply_aspect()
 
 
+class _RoundedLayout(ConstrainedLayoutEngine):
+    """Matplotlib's layout, with axes at rounded places.
+
+    Its solver adds in the order of addresses in memory. The last digits of what it finds change from run to run, and
+    with them names in an SVG.
+    """
+
+    def execute(self, fig: Figure) -> None:
+        super().execute(fig)
+        for axes in fig.axes:
+            axes.set_position(np.round(axes.get_position(original=True).bounds, 6).tolist())
+            axes.set_in_layout(True)  # until the next execution; a place that is set takes axes out
+
+
 def write(figure: Figure, stream: IO[bytes], ending: str, metadata: Mapping[str, Any]) -> None:
     """Write a figure in the style of all pictures.
 
@@ -90,6 +105,7 @@ def write(figure: Figure, stream: IO[bytes], ending: str, metadata: Mapping[str,
     """
     with styled():
         make_printable(figure)
+        figure.set_layout_engine(_RoundedLayout())
         figure.savefig(stream, format=ending, metadata=dict(metadata))
 
 
