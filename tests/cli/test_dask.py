@@ -18,7 +18,9 @@ from tests.dem.test_campaign import SMALL
 
 ROOT = Path(__file__).parents[2]
 TRANSFER = str(ROOT / "specs" / "transfer_90.toml")
-VARIED = ("segments.spoon.radius_m=1:4:#200", "rate=500:2000:#100", "case=dry,wet")
+VARIED = ("segments.spoon.radius_m=1:4:#200", "rate=500:2000:#20", "case=dry,wet")
+COLUMNS = ("exit_velocity_m_s", "max_wear_w_m2")  # what is found along the stream has small blocks: there are 8 of them
+SWEEP = ["sweep", TRANSFER, *VARIED, "--columns", ",".join(COLUMNS)]
 
 
 @pytest.fixture(scope="module")
@@ -30,26 +32,30 @@ def cluster():
         yield running
 
 
-def test_the_files_are_the_same_to_the_byte(cluster, tmp_path):
-    here, there = tmp_path / "here.csv", tmp_path / "there.csv"
-    assert main(["sweep", TRANSFER, *VARIED, "--csv", str(here)]) == 0
-    assert main(["sweep", TRANSFER, *VARIED, "--csv", str(there), "--dask", cluster.scheduler_address]) == 0
-    assert there.read_bytes() == here.read_bytes()
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    file = tmp_path_factory.mktemp("whole") / "whole.csv"
+    assert main([*SWEEP, "--csv", str(file)]) == 0
+    return file.read_bytes()
+
+
+def test_the_files_are_the_same_to_the_byte(cluster, whole, tmp_path):
+    there = tmp_path / "there.csv"
+    assert main([*SWEEP, "--csv", str(there), "--dask", cluster.scheduler_address]) == 0
+    assert there.read_bytes() == whole
     for name, more in (("here.json", []), ("there.json", ["--dask", cluster.scheduler_address])):
         assert main(["uncertain", TRANSFER, "--samples", "4096", "--json", str(tmp_path / name), *more]) == 0
     assert (tmp_path / "there.json").read_bytes() == (tmp_path / "here.json").read_bytes()
 
 
-def test_a_lost_worker_loses_only_its_block(cluster, monkeypatch):
+def test_a_lost_worker_loses_only_its_block(cluster):
     chute = chutecalc.load(TRANSFER)
-    sweep = Sweep(chute, read_parameters(list(VARIED), chute))
-    monkeypatch.setattr("chutecalc.studies.sweep.sweep.CHUNK", 1000)
-    sweep.block_size  # noqa: B018 - cached, so that workers have the same
+    sweep = Sweep(chute, read_parameters(list(VARIED), chute), columns=COLUMNS)
     pool, solved = Dask(cluster.scheduler_address), {}
     lost = next(iter(pool.client.run(os.getpid).values()))
     for number, block in solve_blocks(sweep, range(sweep.block_count), pool):
         solved[number] = block
-        if number == 3:
+        if number == 2:
             os.kill(lost, signal.SIGKILL)
     pool.close()
     for number, block in solve_blocks(sweep, range(sweep.block_count), Threads(1)):
@@ -59,10 +65,9 @@ def test_a_lost_worker_loses_only_its_block(cluster, monkeypatch):
         }
 
 
-def test_an_interrupted_sweep_is_resumed_elsewhere(cluster, tmp_path):
-    whole, file = tmp_path / "whole.csv", tmp_path / "part.csv"
-    assert main(["sweep", TRANSFER, *VARIED, "--csv", str(whole)]) == 0
-    command = [sys.executable, "-m", "chutecalc", "sweep", TRANSFER, *VARIED, "--csv", str(file), "--jobs", "1"]
+def test_an_interrupted_sweep_is_resumed_elsewhere(cluster, whole, tmp_path):
+    file = tmp_path / "part.csv"
+    command = [sys.executable, "-m", "chutecalc", *SWEEP, "--csv", str(file), "--jobs", "1"]
     process = subprocess.Popen(command, cwd=ROOT)
     part = Path(f"{file}.part")
     while process.poll() is None and not any(part.glob("**/*.npz")) and not part.is_file():
@@ -70,9 +75,8 @@ def test_an_interrupted_sweep_is_resumed_elsewhere(cluster, tmp_path):
     process.kill()
     process.wait()
     if not file.exists():
-        command = ["sweep", TRANSFER, *VARIED, "--csv", str(file), "--resume", "--dask", cluster.scheduler_address]
-        assert main(command) == 0
-    assert file.read_bytes() == whole.read_bytes()
+        assert main([*SWEEP, "--csv", str(file), "--resume", "--dask", cluster.scheduler_address]) == 0
+    assert file.read_bytes() == whole
 
 
 def test_cases_of_particles_run_on_workers(cluster, tmp_path):
@@ -95,7 +99,8 @@ def _engine():
     return Engine(1, sys.executable)
 
 
-def test_what_is_wrong_is_said(capsys):
+def test_what_is_wrong_is_said(capsys, monkeypatch):
+    monkeypatch.setattr("chutecalc.workers.CONNECT_TIMEOUT", 0.2)
     assert main(["sweep", TRANSFER, "rate=1,2", "--dask", "tcp://127.0.0.1:9"]) == 2
     assert "there is no Dask scheduler" in capsys.readouterr().err
     with pytest.raises(chutecalc.UsageError, match="give one of them"):

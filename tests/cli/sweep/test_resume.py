@@ -30,12 +30,18 @@ def stopped(target, how):
     return process.returncode, message
 
 
-def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
-    target, whole = tmp_path / "rows.csv", tmp_path / "whole.csv"
-    assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    file = tmp_path_factory.mktemp("whole") / "whole.csv"
+    assert main(["sweep", *LONG, SPOON, "--csv", str(file)]) == 0
+    return file.read_bytes()
+
+
+def test_killed_and_resumed_is_the_same_file(whole, tmp_path, capsys):
+    target = tmp_path / "rows.csv"
     status, _ = stopped(target, signal.SIGKILL)
     assert status == -signal.SIGKILL
-    assert sorted(path.name for path in tmp_path.glob("[!.]*")) == ["rows.csv.part", "whole.csv"]
+    assert sorted(path.name for path in tmp_path.glob("[!.]*")) == ["rows.csv.part"]
     capsys.readouterr()
     assert "--resume" in refused(capsys, *LONG, SPOON, "--csv", str(target))
     other = refused(capsys, LONG[0], "phi=15:25:#300", SPOON, "--csv", str(target), "--resume")
@@ -43,22 +49,21 @@ def test_killed_and_resumed_is_the_same_file(tmp_path, capsys):
     before = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "rows.csv.part").glob("[0-9]*")}
     assert 0 < len(before) < 6
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
-    assert target.read_bytes() == whole.read_bytes()
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv", "whole.csv"]
+    assert target.read_bytes() == whole
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["rows.csv"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are others there")
-def test_interrupted_it_leaves_what_it_has(tmp_path, capsys):
-    target, whole = tmp_path / "rows.csv", tmp_path / "whole.csv"
-    assert main(["sweep", *LONG, SPOON, "--csv", str(whole)]) == 0
+def test_interrupted_it_leaves_what_it_has(whole, tmp_path):
+    target = tmp_path / "rows.csv"
     status, message = stopped(target, signal.SIGINT)
     assert status == 130
     assert "--resume continues from" in message
     part = target.read_bytes()
-    assert part == whole.read_bytes()[: len(part)]
+    assert part == whole[: len(part)]
     assert 1 < part.count(b"\r\n") < 90_001
     assert main(["sweep", *LONG, SPOON, "--csv", str(target), "--resume"]) == 0
-    assert target.read_bytes() == whole.read_bytes()
+    assert target.read_bytes() == whole
 
 
 def test_without_blocks_there_is_nothing_to_resume(tmp_path, capsys):
