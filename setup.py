@@ -51,6 +51,7 @@ class Build(build_ext):
         for folder in folders:
             remove(folder)  # Python would import stale compiled modules before the sources
         try:
+            translate(self.extensions)
             super().run()
         except (Exception, SystemExit) as error:  # a compiler may fail in any manner
             for folder in folders:
@@ -95,14 +96,12 @@ def accepted(flags: list[str]) -> list[str]:
 
 
 def extensions() -> list[Extension]:
-    """Return the core's modules as C extensions; none where the core is not compiled."""
+    """Return the core's modules as extensions, not yet translated to C; none where the core is not compiled."""
     if not compile_requested():
         remove(CORE)
         return []
     if not (has_headers() and find_spec("Cython")):  # not installed yet when pip asks for the requirements of a build
         return []
-    from Cython.Build import cythonize
-
     if needs_zig():
         os.environ["CC"], os.environ["LDSHARED"] = ZIG, f"{ZIG} -shared"
     modules = [path for path in sorted(CORE.glob("*.py")) if path.stem not in {"__init__", "floats", "without_gil"}]
@@ -114,16 +113,26 @@ def extensions() -> list[Extension]:
         )
         for path in modules
     ]
-    found.append(Extension(SHARED, [str(Path(*SHARED.split(".")).with_suffix(".c"))], extra_compile_args=FLAGS))
-    compiled: list[Extension] = cythonize(
-        found,
+    return [*found, Extension(SHARED, [str(Path(*SHARED.split(".")).with_suffix(".c"))], extra_compile_args=FLAGS)]
+
+
+def translate(modules: list[Extension]) -> None:
+    """Translate modules to C, all at once, since they share code. Not where this file runs only to be asked."""
+    if not modules:
+        return
+    from Cython.Build import cythonize
+
+    translated = cythonize(
+        modules,
         build_dir="build/c",
         compiler_directives=DIRECTIVES,
         shared_utility_qualified_name=SHARED,
         force=True,
         quiet=True,
     )
-    return compiled
+    sources = {extension.name: extension.sources for extension in translated}
+    for extension in modules:
+        extension.sources = sources[extension.name]
 
 
 setup(ext_modules=extensions(), cmdclass={"build_ext": Build, "build_py": BuildPython})
