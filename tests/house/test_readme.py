@@ -113,7 +113,7 @@ def test_the_lines_for_a_ci_job_pass_and_fail(tmp_path):
     def job(script):
         options = {
             "cwd": tmp_path,
-            "env": os.environ | {"CHUTECALC": str(source), "CHUTECALC_COMPILE": "0", "PIP_NO_COMPILE": "1"},
+            "env": os.environ | {"CHUTECALC": str(source), "CHUTECALC_COMPILE": "0", "PIP_COMPILE": "0"},
         }
         return subprocess.run(["bash", "-euo", "pipefail", "-c", script], capture_output=True, text=True, **options)
 
