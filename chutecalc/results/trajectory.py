@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 
@@ -177,8 +177,9 @@ class Trajectory:
         Returns:
             Arrays of shape (designs,) by name.
         """
-        impacts = [result.impact for result in self.results if result.impact]
-        return {name: np.fmax.reduce([np.zeros(self.count), *(impact[name] for impact in impacts)]) for name in names}
+        impacts = [impact for part in self.parts if (impact := part.impact())]
+        nothing = np.zeros(self.count)
+        return {name: reduce(np.fmax, (impact[name] for impact in impacts), nothing) for name in names}
 
     def extreme_columns(self, extremes_of: Sequence[ExtremeOf]) -> dict[ExtremeOf, Array]:
         """Return least or largest values of columns on all guiding surfaces together.
