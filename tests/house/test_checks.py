@@ -157,6 +157,13 @@ def test_readmes_test_command_is_found():
     assert re.search(r"/bin/nox\"", (ROOT / ".ci" / "run").read_text(encoding="utf-8"))
 
 
+def test_ci_runs_every_session():
+    sessions = (ROOT / "noxfile.py").read_text(encoding="utf-8")
+    named = set(re.findall(r"^@nox\.session(?!\(default=False).*\ndef (\w+)", sessions, re.MULTILINE))
+    called = re.findall(r"^nox -s ([a-z ]+)", (ROOT / ".ci" / "run").read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(" ".join(called).split()) == sorted(named)
+
+
 @pytest.mark.parametrize("copies", [0, 2])
 def test_a_readme_without_one_test_command_is_refused(copies, tmp_path):
     text = (ROOT / "README.md").read_text(encoding="utf-8")
