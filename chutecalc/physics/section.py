@@ -44,6 +44,24 @@ Drawn = TypeVar("Drawn", bound=tuple[Any, ...])
 """A cross-section of one shape."""
 
 
+def width_of(section: Section, endless: float) -> Array:
+    """Return the width of a section between the tops of its drawn walls, m, shape (1,) or (designs,).
+
+    Args:
+        section: in numbers.
+        endless: length that a flank without a top counts as, m.
+
+    >>> float(width_of(Circle(np.array([0.4]), np.array([np.inf])), 0.0)[0])
+    0.8
+    """
+    if isinstance(section, Circle):
+        return 2.0 * section.radius
+    width = section.base
+    for length, inclination in zip(section.lengths, section.inclinations, strict=True):
+        width = width + 2.0 * np.where(np.isinf(length), endless, length) * np.cos(inclination)
+    return width
+
+
 def interpolate_sections(first: Drawn, last: Drawn, share: float) -> Drawn:
     """Return the section at a share of a taper: each of its numbers varies linearly from first to last.
 

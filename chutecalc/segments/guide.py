@@ -10,7 +10,11 @@ from chutecalc.fields.quantities import Position
 from chutecalc.fields.quantity import in_si
 from chutecalc.physics.arrays import Array
 from chutecalc.physics.motion import FLOOR
+from chutecalc.physics.section import width_of
 from chutecalc.segments.base import Context, Segment
+
+MOST_TAPER = 100.0
+"""Ratio of the widths of a taper's sections: a hopper has 20. Beyond 100 no stream of a chute fits into both."""
 
 
 class Guide(Segment):
@@ -82,4 +86,9 @@ class Guide(Segment):
             remedy = "give both the same shape and the same keys"
             context.faults.note(ALL_DESIGNS, (*context.location, "section"), None, problem, remedy)
             return first, None
+        start, end = (width_of(context.drawn_sections[name], endless=0.0) for name in (first, last))
+        far = (start > MOST_TAPER * end) | (end > MOST_TAPER * start)
+        problem = f"tapers from {first} to {last}, of which one is more than {MOST_TAPER:g} times as wide as the other"
+        remedy = "check the widths of both: is one in another unit?"
+        context.faults.note(far, (*context.location, "section"), None, problem, remedy)
         return first, last if last != first else None

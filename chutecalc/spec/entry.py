@@ -8,7 +8,7 @@ from chutecalc.fields.quantities import LONG, WIDE
 from chutecalc.fields.quantity import in_si
 from chutecalc.fields.units import with_unit
 from chutecalc.physics.arrays import Array
-from chutecalc.physics.section import Circle, Section
+from chutecalc.physics.section import width_of
 from chutecalc.spec.chute_spec import ChuteSpec
 
 LARGEST_AREA = WIDE.most**2
@@ -42,26 +42,9 @@ def check_entry(spec: ChuteSpec, velocity: Array, first: Segment, faults: Geomet
     faults.note(large, location, given, problem, remedy)
     if not isinstance(first, Contact):
         return
-    deep = (rate > DEEPEST * velocity * greatest_width(first.section)) & (velocity > 0.0)
+    deep = (rate > DEEPEST * velocity * width_of(first.section, ENDLESS)) & (velocity > 0.0)
     problem = f"makes the stream deeper than {with_unit(DEEPEST, 'm')} where it enters"
     faults.note(deep & ~large, location, given, problem, remedy)
-
-
-def greatest_width(section: Section) -> Array:
-    """Return the width of a section between the tops of its walls, m; a large number where its flanks have none.
-
-    Args:
-        section: in numbers.
-
-    >>> float(greatest_width(Circle(np.array([0.4]), np.array([np.inf])))[0])
-    0.8
-    """
-    if isinstance(section, Circle):
-        return 2.0 * section.radius
-    width = section.base
-    for length, inclination in zip(section.lengths, section.inclinations, strict=True):
-        width = width + 2.0 * np.minimum(length, ENDLESS) * np.cos(inclination)
-    return width
 
 
 def check_reach(spec: ChuteSpec, faults: GeometryFaults) -> None:

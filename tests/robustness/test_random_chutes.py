@@ -91,8 +91,12 @@ def given_keys(value):
 
 
 @pytest.mark.parametrize("path", FOUND, ids=lambda path: path.stem)
-def test_what_random_chutes_have_found_before(path):
-    """The title begins with how the stream has to end, or two endings where the last digit decides."""
+def test_what_random_chutes_have_found_before(path, monkeypatch):
+    """The title begins with how the stream has to end, or two endings where the last digit decides.
+
+    Some taper by more than specs may since then.
+    """
+    monkeypatch.setattr("chutecalc.segments.guide.MOST_TAPER", 1e4)
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     solution = drawn(data).solution
     assert solution.status[0] in data["title"].split(":")[0].split(" or ")

@@ -499,6 +499,18 @@ def test_sections_of_a_taper_have_to_be_alike():
         chutecalc.parse(with_tables(sections=sections, segments=[{"kind": "fall", "drop_m": 2}, spoon]))
 
 
+@pytest.mark.parametrize(("end", "fits"), [(0.0061, True), (0.0059, False), (59.0, True), (61.0, False)])
+def test_a_taper_of_more_than_a_hundred_to_one_is_refused(end, fits):
+    sections = {"a": {"shape": "rectangular", "width_m": 0.6}, "b": {"shape": "rectangular", "width_m": 0.6}}
+    tapered = {"kind": "straight", "slope_deg": 60, "length_m": 2, "section": ["a", "b"]}
+    chute = chutecalc.parse(spec(sections=sections, segments=[tapered]))
+    if fits:
+        chute.vary({"sections.b.width_m": end})
+    else:
+        with pytest.raises(chutecalc.SpecError, match="tapers from a to b, of which one is more than 100 times"):
+            chute.vary({"sections.b.width_m": end})
+
+
 def test_lists_take_units_and_paths_lead_into_them():
     locus = [[0.5, 0.3], [1.0, 0.5]]
     pascal = [[500.0, 300.0], [1000.0, 500.0]]
