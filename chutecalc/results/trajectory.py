@@ -168,7 +168,7 @@ class Trajectory:
         }
         return found | {name: np.where(chosen, known[name], values) for name, values in found.items() if name in known}
 
-    def greatest_impacts(self, names: Iterable[str]) -> Numbers:
+    def greatest_impacts(self, names: Sequence[str]) -> Numbers:
         """Return the largest numbers of all impacts, 0 for designs whose stream strikes nothing.
 
         Args:
@@ -177,6 +177,8 @@ class Trajectory:
         Returns:
             Arrays of shape (designs,) by name.
         """
+        if not names:
+            return {}
         impacts = [impact for part in self.parts if (impact := part.impact())]
         nothing = np.zeros(self.count)
         return {name: reduce(np.fmax, (impact[name] for impact in impacts), nothing) for name in names}
